@@ -224,26 +224,30 @@ Written by `bench/compare_cuts.py`, which describes the steps; not part of `./de
 {arguments.commit}.
 
 [OptCuts](https://github.com/liminchen/OptCuts) (Li, Kaufman, Kim, Solomon, Sheffer 2018) finds cuts and flat shape
-together. It runs as in its authors' benchmark, with the energy bound to {BOUND} and without overlaps (`{call}`),
+together. It runs as in its authors' benchmark, with an energy of at most {BOUND} and without overlaps (`{call}`),
 built without its window. The surfaces are the complete ones of its benchmark, closed or with an outline. {which}
 
 {in_brief(found)}
 
 **Measures.** One program, `bench/cut_measures.py`, measures both results. *Energy* is the symmetric
 Dirichlet energy, the mean over the surface's area of σ₁² + σ₂² + 1/σ₁² + 1/σ₂²; it is 4 without distortion. It is
-normalized as in OptCuts: by the area of the surface, with the flat shape at its actual size. *Length* is that of the
-cuts on the surface over √area; every edge counts once, and outlines of the surface do not count. OptCuts divides by
+normalized as in OptCuts: by the area of the surface, with the flat shape at its actual size. *Length* is the length
+of the cuts on the surface, divided by √area; every edge counts once, and outlines of the surface do not count.
+OptCuts divides by
 √(area / π), which makes its numbers 1.77 times as large. *Strain* is the value of max(σ₁, 1/σ₂) − 1 that 99% of the
-area stays below. *Mismatch* is the flat length difference of the two sides of each cut edge, mean over the length of
-the cuts, in mm per m. *s* are seconds of processor time on one core, at most {LIMIT} for either.
+area stays below. *Mismatch* is the difference between the flat lengths of the two sides of a cut edge, in mm per m,
+as the mean over the length of the cuts. *s* is the processor time on one core in seconds, at most {LIMIT} for either
+program.
 
-**Comparison.** For WireWarp, we take the shortest cuts found that keep the energy below {BOUND}. A surface with no
-flat shape, or one that darts alone do not bring below the bound, is cut by `propose_seams`. It proposes cut sets, each
-shorter than the one before, for a target strain of {100 * TARGETS[0]:.0f}%, and if none of these is below the bound,
-of {", ".join(f"{100 * target:.0f}%" for target in TARGETS[1:])}. The column *without darts* has the shortest set
-below the bound. To a surface that is flat without cuts, and to the {FEWEST} sets with fewest cuts, darts are added: of
-{CHOICE} by `propose_darts` each time the one with the largest decrease of energy for its length, until the energy is
-below the bound. The shorter result counts. WireWarp keeps the length of every cut and outline, so that the sides of a
+**Comparison.** For WireWarp, we take the shortest cuts found that keep the energy below {BOUND}. A surface without a
+flat shape, or one for which darts alone do not reach the bound, is cut by `propose_seams`. It proposes cut sets, each
+shorter than the one before, for a target strain of {100 * TARGETS[0]:.0f}%. If none of these is below the bound, it
+does so for targets of {", ".join(f"{100 * target:.0f}%" for target in TARGETS[1:])}. The column *without darts* has
+the shortest set
+below the bound. Darts are added to a surface that is flat without cuts, and to the {FEWEST} sets with the fewest
+cuts, until the energy is below the bound. Each time, the dart is chosen from {CHOICE} of `propose_darts`: the one
+with the largest decrease of energy for its length. The shorter result counts. WireWarp keeps the length of every cut
+and outline, so that the sides of a
 cut can be sewn together. OptCuts does not; it only limits the distortion over the area. The section on the price of
 exactness measures the effect of this on the length of cuts.
 

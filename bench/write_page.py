@@ -30,13 +30,14 @@ def peers_section(sheets: list[Comparison]) -> list[str]:
         "seconds (medians; also as multiples of libigl's ARAP) and the peak memory above that of the process with the "
         "surface. **WireWarp**: the outline and two or eight wires rigid, or eight wires elastic by ±3%. "
         f"**libigl** as a Python package: harmonic start, then {ITERATIONS} iterations of ARAP or of SLIM (symmetric "
-        f"Dirichlet energy); converged is when ten iterations move no vertex by more than {STILL:g} of the width, or "
+        f"Dirichlet energy); it counts as converged if ten iterations move no vertex by more than {STILL:g} of the "
+        "width, or "
         f"after {MOST_ITERATIONS:,}. **Blender** 4.5 as a Python module: its own three unwraps, scaled to the area of "
         "the surface.",
         "",
         "`wirewarp.measure` measures all of them. Energy: ARAP energy over area. Worst outline, wire and edge of both: "
-        "relative errors from the target lengths; for libigl and Blender, which have none, from those of outline and "
-        "eight wires on the surface.",
+        "relative errors from the target lengths. libigl and Blender have no targets, so their lengths are compared "
+        "with those of the outline and eight wires on the surface.",
         "",
         *peer_tables.peer_table(sheets),
         "",
@@ -45,8 +46,8 @@ def peers_section(sheets: list[Comparison]) -> list[str]:
         "",
         "![Seconds against triangles for every method](benchmarks/times.png)",
         "",
-        "Exponents from 10,000 triangles on. The cost of exact lengths at 10,000 triangles: methods that keep "
-        "them are on the left, the others on the right.",
+        "Exponents from 10,000 triangles on. The picture below shows the cost of exact lengths at 10,000 triangles: "
+        "methods that keep lengths are on the left, the others on the right.",
         "",
         "![Distortion against the worst length error for every method](benchmarks/lengths.png)",
         "",
@@ -65,9 +66,9 @@ def hard_section(hard: list[Comparison]) -> list[str]:
     return [
         "## Jittered sheets and many wires",
         "",
-        f"The refined method with wires elastic by ±3%, eight if no other number is given. Jittered: each inner vertex "
-        f"is moved on the surface by up to {JITTER:g} of an edge in each direction, also those of wires. CPU seconds, "
-        "also as multiples of libigl's ARAP on the same mesh.",
+        "The refined method with wires elastic by ±3%, eight if no other number is given. *Jittered* means that each "
+        f"inner vertex is moved on the surface by up to {JITTER:g} of an edge in each direction, even on wires. The "
+        "table has CPU seconds, also as multiples of libigl's ARAP on the same mesh.",
         "",
         *peer_tables.hard_table(hard),
         "",
@@ -104,8 +105,9 @@ def blender_section(in_blender: dict) -> list[str]:
         "## In Blender",
         "",
         f"Flatten from end to end in Blender {in_blender['blender']}, compared with Blender's angle-based unwrap "
-        "of the same sheet, in turn in one process on one core; median seconds. Two rigid wires. Flatten reads "
-        "the model, solves, the report included, and writes UV map, flat pieces and maps.",
+        "of the same sheet, in turn in one process on one core. The sheet has two rigid wires, and the table has "
+        "median seconds. Flatten reads the model, solves it, makes the report, and writes the UV map, the flat pieces "
+        "and the maps.",
         "",
         *tables.blender_table(in_blender["runs"]),
         "",
@@ -117,15 +119,17 @@ def stages_section(benchmarks: list[dict]) -> list[str]:
     return [
         "## Stage by stage",
         "",
-        "Milliseconds of the compiled core; factorizations use two cores. Exponents k: milliseconds grow as "
-        f"triangles to the power of k, fitted from {min(sizes):,} to {max(sizes):,}. Peak resident memory of the "
-        "process, including the mesh. First the refined method, whose `shape` includes everything after the free ARAP "
+        "The tables have milliseconds of the compiled core; factorizations use two cores. Exponents k: milliseconds "
+        "grow as "
+        f"triangles to the power of k, fitted from {min(sizes):,} to {max(sizes):,}. Memory is the peak resident "
+        "memory of the process, including the mesh. First the refined method, whose `shape` includes everything "
+        "after the free ARAP "
         "start:",
         "",
         *tables.stage_table(benchmarks, "refine_sheet"),
         "",
-        "Then WireWarping++, whose `lengths` solves Eq. (1), with elastic wires also the free ARAP start and all "
-        "evaluations of the shape error E(ψ(h)) with their gradients:",
+        "Then WireWarping++. Its stage `lengths` solves Eq. (1). With elastic wires, it also includes the free ARAP "
+        "start and all evaluations of the shape error E(ψ(h)) with their gradients:",
         "",
         *tables.stage_table(benchmarks, "warp_sheet"),
         "",

@@ -77,7 +77,7 @@ def section(inputs: Inputs) -> str:
 Blender's unwraps with its default options, each island scaled to its area on the model; ARAP by libigl, from Blender's
 angle-based unwrap; WireWarp with its default options except the method. Wires have the tolerances of the samples,
 ±5% on elastic ones;
-{", ".join(only_rigid)} have only rigid wires, so that WireWarping and WireWarping++ are the same there. Errors below
+{", ".join(only_rigid)} have only rigid wires, so WireWarping and WireWarping++ are the same for them. Errors below
 a nanometer, or relative errors below 10⁻⁸, are shown as 0.
 
 {chr(10).join(t + chr(10) for t in [*tables, faults(found)])}"""

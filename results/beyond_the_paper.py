@@ -61,9 +61,9 @@ def angle_sentence(found: dict[str, tuple[Summary, Summary]]) -> str:
     peak = max(found, key=lambda name: found[name][1].angle_max - found[name][0].angle_max)
     peak_before, peak_after = found[peak]
     return (
-        f"The angles pay for it: their rms deviation is larger on {len(larger)} of the "
-        f"{len(found)} samples, most on {most}, {degrees(after.angle_rms)} for {degrees(before.angle_rms)}; "
-        f"the largest single one grows most on {peak}, {degrees(peak_after.angle_max)} for "
+        f"The price is larger deviations of angles. The rms deviation is larger on {len(larger)} of the "
+        f"{len(found)} samples, most on {most}, {degrees(after.angle_rms)} instead of {degrees(before.angle_rms)}. "
+        f"The largest single deviation grows most on {peak}, to {degrees(peak_after.angle_max)} from "
         f"{degrees(peak_before.angle_max)}."
     )
 
@@ -82,7 +82,7 @@ def section(inputs: Inputs) -> str:
 WireWarping first finds the angles of wires and outline that are closest to those on the surface, and the shape
 follows from them. The refined method, WireWarp's default, finds the least distorted shape with the same exact
 lengths, and includes the angles only enough to keep lines smooth (`native/README.md`).
-With the same tolerances *E* of WireWarping++ is {times[least]:.1f} ({least}) to
+With the same tolerances, *E* of WireWarping++ is {times[least]:.1f} ({least}) to
 {times[most]:.1f} times ({most}) that of the refined method; every edge of outlines, rigid and elastic wires still
 has its length, with a relative error below 1e{edge}, and
 {count(flipped, "triangle is", "triangles are")} flipped or overlapping.
@@ -90,7 +90,8 @@ has its length, with a relative error below 1e{edge}, and
 
 {table(HEADER, [row(name, *both) for name, both in found.items()])}
 
-Factorizations are those of Newton systems, for the piece with the most. All other measures and methods, including
+The last column has the factorizations of Newton systems, for the piece with the most. All other measures and methods,
+including
 Blender's and ARAP, are in [All samples](#all-samples). Each picture has one scale for length and one for color.
 
 {chr(10).join(draw(inputs, name) for name in DRAWN)}

@@ -147,10 +147,11 @@ shape between them differs. Each number is the 99th percentile by area: 1% of th
 
 {chr(10).join(draw(inputs, name, found[name]) for name in DRAWN)}
 
-A woven has stiff threads and shears easily. In pieces flattened for it, the more strained thread of a place has
+Woven fabric has stiff threads and shears easily. In pieces flattened for it, the more strained of the two threads has
 {woven} times the strain without a fabric (99th percentiles), and {best} times in the direction of least energy. Shear
 and the ARAP energy, which weighs all directions equally, become larger: *E* is {range_of(energy)} times as large. A
-jersey stretches more across than along: its strain along is lower than without a fabric on {lower} of the {len(found)}
+jersey stretches more across than along: its strain along the grain is lower than without a fabric on {lower} of the
+{len(found)}
 samples. {", ".join(unfolded)} are unfolded and put no strain on any fabric. All samples together take {times} as
 without a fabric.
 

@@ -116,7 +116,7 @@ armhole, between its notches. The skirt is gathered to its waistband; its fairne
 {table(["mm", "worn", "cut", "difference", "share"], [length_row(line) for line in lines])}
 
 Lines across the swim knit are cut to 1/{1 + across:.2f} of their length, lines along it to 1/{1 + along:.2f}, those
-between by their direction, and a seam by the mean of its two sides. All eased edges are longer by the same share.
+between by their direction, and a seam by the mean of its two sides. All eased edges become longer by the same share.
 Except for that ease, the two sides of a seam {differ(mismatch)}.
 
 {chr(10).join(draw(inputs, name, as_made[name]) for name in DRAWN)}
@@ -132,7 +132,8 @@ both directions. Then choose a fabric that allows the total stretch in the repor
 {plain_percent(as_made[SWIMSUIT].weft, 0)} across and {plain_percent(as_made[SWIMSUIT].warp, 0)} along. If one piece
 must be fuller than the other, as at a sleeve head or an elbow, use ease on one side. With
 {1000 * eased(as_made[SLEEVE]):.0f} mm of it, *E* of the sleeve and its bodice
-{change(plain_sleeve, as_made[SLEEVE].energy)}. For gathers, use an ease of 50% to 150%, more fairness, so that the
-long edge stays smooth, and no fabric. The strain there becomes folds, which hardly any fabric resists. With a woven,
+{change(plain_sleeve, as_made[SLEEVE].energy)}. For gathers, use an ease of 50% to 150%, a larger fairness, so that
+the long edge stays smooth, and no fabric. The strain there becomes folds, against which fabric has hardly any
+resistance. With a woven,
 the pieces would shear instead: by {degrees(woven.shear)}, compared with {degrees(unwoven.shear)} without a fabric.
 """

@@ -54,8 +54,8 @@ that is best for all pieces together. Other outlines and the wires keep their le
 
 {table(header, rows)}
 
-With ±3% *E* falls by {plain_percent(gains[least])} ({least}) to {plain_percent(gains[most])} ({most}). The two sides
-of a flat seam {differ(mismatch)}. Processor time is {ratios} times that with rigid seams.
+With ±3%, *E* falls by {plain_percent(gains[least])} ({least}) to {plain_percent(gains[most])} ({most}). The two sides
+of a flat seam {differ(mismatch)}. The runs take {ratios} times as much processor time as with rigid seams.
 
 **What to choose.** Keep seams rigid if their lengths are measured: waist, collar, a zip. Let the other seams change by
 an amount that is easy to sew: 1% in firm fabric, 3% in a knit or in neoprene. The pieces then have less distortion,

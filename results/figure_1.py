@@ -61,7 +61,7 @@ the sides, and *E_r* reaches {rigid.max_aspect_ratio:.2f} beside them. With an e
 meridian, which changes by {percent(one.wires[0].change)}, *E* {change(rigid.energy, one.energy)}. If both wires are
 elastic, they change by {meridian} and {across}, *E* {change(rigid.energy, both.energy)} from the rigid case, and the
 largest *E_r* is {both.max_aspect_ratio:.2f}. This reproduces the paper's figure qualitatively. Our surface is a
-quarter sphere without its tips. The paper takes the first angles that close all loops, and equal weights. With these
+quarter sphere without its tips. The paper uses the first angles that close all loops, and equal weights. With these
 options (`inner="least-norm"`, `node_weight="uniform"`), *E* of the rigid case is {first.energy:.4f} instead of
 {rigid.energy:.4f}. The refined method, second in the picture, keeps the same lengths. *E* of the rigid case
 {change(rigid.energy, refined.energy)}, and *E* with both wires elastic

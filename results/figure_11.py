@@ -9,7 +9,7 @@ from measures import summarize
 from methods import KEEPING_LENGTHS
 from palette import plain_percent
 from sheet import Column, draw_sheet
-from text import change, count, differ, millimeters, picture, table
+from text import change, differ, millimeters, picture, table
 
 VIEWS = {"Toy": (-24, 10), "Armchair cover": (-34, 26)}
 HEADER = ["", "pieces", "*E*", "max *E_r*", "worst outline", "most changed elastic wire", "seam sides differ, mm"]
@@ -39,10 +39,11 @@ def section(inputs: Inputs) -> str:
         mismatch = max(mismatch, *(s.seam_mismatch for s in found))
         limit = sum(abs(h) > 0.05 - 1e-6 for h in elastic.changes)
         sentences.append(
-            f"{name}: with the tolerances *E* {change(rigid.energy, elastic.energy)} and the largest *E_r* "
-            f"{change(rigid.max_aspect_ratio, elastic.max_aspect_ratio)}; {count(limit, 'part', 'parts')} of "
-            f"{len(elastic.changes)} elastic ones at the limit of ±5%. Refined: *E* "
-            f"{change(elastic.energy, refined.energy)} from WireWarping++."
+            f"{name}: with the tolerances, *E* {change(rigid.energy, elastic.energy)} and the largest *E_r* "
+            f"{change(rigid.max_aspect_ratio, elastic.max_aspect_ratio)}, and {limit} of {len(elastic.changes)} "
+            "elastic "
+            "parts are at the limit of ±5%. From WireWarping++ to Refined, *E* "
+            f"{change(elastic.energy, refined.energy)}."
         )
     return f"""## Fig. 11: toy and furniture
 

@@ -73,7 +73,7 @@ def verdict(found: list[str]) -> str:
         return "No derivative jumps: in this range *E* is as smooth as the paper finds it on its patches."
     return f"""The derivative jumps in {count(len(found), "place", "places")}: {"; ".join(found)}. There *ψ(h)*,
 which is computed from the surface angles for each *h*, switches to another minimum of Eq. (1): a wire that is too
-long must bend to one side, and *E* has a kink or a step where this starts. So *E* is not twice differentiable
+long must bend to one side, and *E* has a kink or a step where this starts. *E* is therefore not twice differentiable
 everywhere, although the paper concludes this from its patches. The outer loop can handle this: it follows its minimum
 and only accepts a lower *E*."""
 
@@ -111,7 +111,8 @@ def section(inputs: Inputs) -> str:
 
 {picture("E(h) and its derivative along h of each wire, for four pieces", path)}
 
-*E* of Eq. (4) over the area of the piece, and its derivative by the adjoint solve of the core, at {STEPS + 1} values
+The figure shows *E* of Eq. (4) over the area of the piece, and its derivative from the adjoint solve of the core, at
+{STEPS + 1} values
 of *h* within ±{100 * LIMIT:.0f}% along each wire, with the lengths of the others fixed. The program in
 `native/bench/error_curves` computes them; {exists}. The paper shows a chest, a knee and a collar patch, and only
 curves of *E*.

@@ -57,16 +57,17 @@ def section(inputs: Inputs) -> str:
 {table(HEADER, [row(name, s) for name, s in found.items()])}
 
 For outlines and rigid wires, the table has the largest relative change of a whole wire or a section of outline
-between junctions. For elastic wires, it has that of the part inside a piece: WireWarping++ and Refined may change it
-by up to ±5%, and for the methods above it is an error. ARAP has the least *E* by definition. But with the methods
-that keep no lengths, pieces do not fit together and wires change their lengths: two sides of one seam differ by
+between junctions. For elastic wires, it has the largest relative change of a part inside a piece. WireWarping++ and
+Refined may change a part by up to ±5%; for the methods above, any change is an error. ARAP has the least *E* by
+definition. With methods that do not keep lengths, however, pieces do not fit together and wires change their lengths:
+two sides of a seam differ by
 {millimeters(peers[best_peer].seam_mismatch)} mm ({best_peer}) to
 {millimeters(peers[worst_peer].seam_mismatch)} mm
 ({worst_peer}). With WireWarping, WireWarping++ and Refined they
 {differ(max(found[name].seam_mismatch for name in KEEPING_LENGTHS))}.
 From WireWarping to WireWarping++ *E* {change(rigid.energy, elastic.energy)}, the largest *E_r*
 {change(rigid.max_aspect_ratio, elastic.max_aspect_ratio)} and the largest *E_A*
-{change(rigid.max_face_energy, elastic.max_face_energy)}. The rest is not in the paper: from WireWarping++ to
+{change(rigid.max_face_energy, elastic.max_face_energy)}. The next step is not in the paper: from WireWarping++ to
 Refined, with the same tolerances, *E* {change(elastic.energy, refined.energy)}.
 Instead of the paper's ABF++, the page uses Blender's angle-based unwrap, with each island scaled to its area on the
 model, not by its longest edge. The jeans are our own and simpler. *E_A* is Eq. (6) over the area of the triangle, so

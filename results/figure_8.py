@@ -56,13 +56,14 @@ def section(inputs: Inputs) -> str:
 
 {table(header, rows)}
 
-The maps are darkest where rigid wires distort the fabric; with a tolerance the wires change their lengths, and the
+The maps are darkest where rigid wires distort the fabric. With a tolerance, the wires change their lengths, and the
 colors become lighter.
 Within ±3% *E* {change(rigid.energy, three.energy)}, within ±5% it {change(rigid.energy, five.energy)}.
-In the paper, the lengths with ±5% change by 3.4% and 4.3%, both within the tolerance; ours are in the last columns.
-A wire stays inside its tolerance if a longer or shorter one would not lower *E*, and reaches its limit otherwise. So
-the numbers depend on the collar, and ours is a different one. With the
-first angles that close all loops, as in the paper, and equal weights *E* of the rigid case is {first.energy:.4f}, and
+In the paper, the lengths with ±5% change by 3.4% and 4.3%, both within the tolerance. Our changes are in the last
+columns.
+A wire stays inside its tolerance if a longer or shorter one would not lower *E*, and reaches its limit otherwise. The
+numbers therefore depend on the collar, and ours is not the paper's. With the first angles that close all loops, as in
+the paper, and with equal weights, *E* of the rigid case is {first.energy:.4f}, and
 {count(first.flipped, "triangle is", "triangles are")} flipped.
 The refined method, second in the picture, keeps the same lengths: *E* of the rigid case
 {change(rigid.energy, refined.energy)}, within ±5% it {change(five.energy, refined_five.energy)}.

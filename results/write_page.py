@@ -60,13 +60,14 @@ the same code, `wirewarp.measure`.
 {contents(sections)}
 
 **Measures.** *E* is the ARAP energy of Eq. (4) over the area of the surface. *E_A*, Eq. (6), is the same for one
-triangle. So *E* is the mean of *E_A*, and neither depends on the mesh size. *E_r* is the larger of a triangle's
+triangle. *E* is therefore the mean of *E_A*, and neither depends on the mesh size. *E_r* is the larger of a triangle's
 largest stretch and its largest compression; it is 1 only without distortion. Means are over the area. Length changes
 refer to whole wires and to sections of outline between junctions.
 
 **Differences from the paper.** The angles are the local minimum of Eq. (1) reached from the surface angles, whereas
-the paper stops at the first angles that close all loops. Nodes have weights by the length of wire around them. The
-gradient of *E* by *h* is exact. Flipped triangles are reported. "Refined" is not in the paper: see [Beyond the
+the paper stops at the first angles that close all loops. The weight of a node follows from the length of wire around
+it. The gradient of *E* with respect to *h* is exact. Flipped triangles are reported. "Refined" is not in the paper:
+see [Beyond the
 paper](#beyond-the-paper).
 
 A separate page, not written by `./dev results`, compares [cuts with those of OptCuts](cuts.md) on its benchmark.

@@ -72,7 +72,7 @@ class PatternSettings:
     )
     pairs: BoolProperty(
         name="Equal Pieces",
-        description="Draw pieces of one shape once, with the number to cut, also mirrored ones",
+        description="Draw pieces of the same shape, or its mirror image, only once, with the number to cut",
         update=_redraw,
     )
     on_fold: BoolProperty(
@@ -87,7 +87,8 @@ class PatternSettings:
             (
                 "CLOSE",
                 "Closed",
-                "Cut straight across the open end, to be folded: notches at the legs, a drill hole before the tip",
+                "Cut straight across the open end, so that the dart can be folded, with notches at its legs and a "
+                "drill hole before its tip",
             ),
             ("CUT", "Cut Out", "The dart is cut out, with seam allowance on its legs"),
             ("SLIT", "Slit", "Cut along the legs"),

@@ -15,7 +15,7 @@ class Eases:
     first, second, unmarked = 0.05, 0.02, 0.0
     both = 0.0, 0.02  # values after both sides were marked in turn: the ease of one side replaces the ease of the other
     stored, rounding = 1.0, 1e-5
-    twice = 'Edges of "Bump" have two eases of one side.*mark their ease again'
+    twice = 'Edges of "Bump" have two eases on one side.*Mark their ease again'
 
     def __init__(self, addon):
         self.addon, self.marks = addon, addon.state.allowances.SIDE_EASES
@@ -43,7 +43,7 @@ class Allowances:
     first, second, unmarked = 15.0, 6.0, 10.0
     both = 15.0, 6.0
     stored, rounding = 0.01, 1e-4  # a Blender unit is 100 mm
-    twice = "have two allowances of one side.*mark their allowance again"
+    twice = "have two allowances on one side.*Mark their allowance again"
 
     def __init__(self, addon):
         self.addon, self.marks = addon, addon.state.allowances.SIDE_ALLOWANCES

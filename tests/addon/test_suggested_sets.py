@@ -307,7 +307,7 @@ def test_the_target_reaches_the_search_and_the_remaining_stretch_is_reported(add
     settings.aim_length, settings.aim_cuts = 0.9 * first.lengths[0], 9
     SUGGEST["DARTS"]()
     assert sum(found(addon, source).cuts[-1].lengths) <= settings.aim_length
-    assert "Allow more length, if any other cut helps." in draw_panels(addon)
+    assert "Allow more length, because another cut may help." in draw_panels(addon)
     settings.aim_length, settings.aim_cuts = 0.0, 2
     settings.aim_stretch = 100 * (first.strain + first.strain_before) / 2
     SUGGEST["DARTS"]()

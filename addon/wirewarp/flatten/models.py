@@ -25,7 +25,7 @@ from ..solve.report import Facts, ObjectReport, UvSeams, failure_report, object_
 from ..solve.steps import CanceledError, Steps, reported_as
 
 MIDDLE = "Lengths on the model are measured in the middle of the material's thickness."
-NO_ANGLE = "Grain Angle was not used: it needs Upright: Grain Wire and a grain wire."
+NO_ANGLE = "Grain Angle was not used. Choose Grain Wire under Upright, and mark a grain wire."
 
 
 @dataclass(frozen=True)

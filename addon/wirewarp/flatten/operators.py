@@ -182,7 +182,7 @@ class OBJECT_OT_wirewarp_flatten(FlattenSteps, bpy.types.Operator):
     @classmethod
     def description(cls, _context: bpy.types.Context, properties: bpy.types.OperatorProperties) -> str:
         if properties.only_active:  # set by the button Lay Out Again
-            return "Flatten this model again and lay out all its pieces again, also those that you moved"
+            return "Flatten this model again and lay out all its pieces again, including those that you moved"
         return cls.__doc__
 
     @classmethod

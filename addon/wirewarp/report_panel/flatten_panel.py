@@ -37,7 +37,7 @@ from .next_step import (
 
 ICON = "MATCLOTH"
 FAR_ENOUGH = "These stretch far enough for the present pieces"
-TO_TRY = "Other fabrics: each changes the pieces, so flatten to see"
+TO_TRY = "Other fabrics: flatten to see whether they stretch far enough"
 # fabrics sold for clothes; woven fabrics are left out, because they stretch only 3%
 EVERYDAY = {"fleece", "jersey", "swim"}
 

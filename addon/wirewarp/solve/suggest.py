@@ -293,7 +293,7 @@ def shortfall(kind: str, cuts: list[Cut], target: Target) -> str:
     if len(last.lengths) >= target.most:
         remedy = "Allow more cuts"
     elif target.length is not None:
-        remedy = "Allow more length, if any other cut helps"
+        remedy = "Allow more length, because another cut may help"
     else:
         remedy = f"No other {WORDS[kind][0]} helps"
     return f"{percent_text(last.strain)} is left, more than your target of {percent_text(target.strain)}. {remedy}."

@@ -74,8 +74,8 @@ class SidedMark:
         contradict = np.unique(corner_edges(mesh)[(corners != 0) & (marked != 0) & (corners != marked)])
         if len(contradict):
             sentence = (
-                f'Edges of "{mesh.name}" have two {self.what}s of one side, the one that was marked and another in the '
-                f"attribute {self.corner.name}: mark their {self.what} again."
+                f'Edges of "{mesh.name}" have two {self.what}s on one side: the one that was marked, and another in '
+                f"the attribute {self.corner.name}. Mark their {self.what} again."
             )
             raise ObjectError(Issue(f"{self.what}s_contradict", sentence, edges=_pairs(mesh, contradict)))
 

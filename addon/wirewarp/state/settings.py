@@ -334,7 +334,7 @@ class TargetSettings:
     )
     aim_cuts: IntProperty(
         name="Max Cuts",
-        description="Maximum number of cuts. Mirror images count as two, a set of first seams of a closed model as one",
+        description="Maximum number of cuts. Mirror images count as two cuts, the first seams of a closed model as one",
         min=1,
         max=100,
         soft_max=10,
