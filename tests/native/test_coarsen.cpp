@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <set>
 
@@ -53,6 +54,13 @@ struct Coarse {
   HeldNetwork network = build_held_network(chart);
   CoarseChart coarse;
 };
+
+Solution refine_from_scratch(Problem& problem) {
+  InternalOptions options;
+  options.large_chart = std::numeric_limits<std::size_t>::max();
+  Budget budget(100);
+  return refine_chart(problem, options, {budget});
+}
 
 TEST(Coarsen, RemovesMostVertices) {
   const int n = 40;
@@ -156,8 +164,7 @@ TEST(Prolong, FlipsNoTriangleOfAJitteredSheet) {
   const int n = 72;
   const Coarse c(with_cross(jittered_grid(n, 0.32, dome), n));
   Problem coarse_problem(c.coarse.chart, c.coarse.network, 0.3);
-  Budget budget(100);
-  const Positions2 coarse_uv = refine_from_scratch(coarse_problem, {budget}).shape.uv;
+  const Positions2 coarse_uv = refine_from_scratch(coarse_problem).shape.uv;
   Positions2 smooth = interpolate(c.chart, c.coarse, coarse_uv);
   prolong_wires(c.chart, c.network, c.coarse, coarse_uv, smooth);
   EXPECT_GT(ShapeError(c.chart).count_flips(smooth), 0);
@@ -171,11 +178,11 @@ void expect_same_minimum(const FlattenInput& input, double fairness = 0.3, int m
   const Charts charts = test::charts_of(input);
   const Chart& chart = charts.charts.at(0);
   Problem problem(chart, fairness);
-  Budget coarse_budget(100), budget(100), budget_from_scratch(100);
+  Budget coarse_budget(100), budget(100);
   const std::optional<Shape> start = start_from_coarse(problem, {coarse_budget});
   ASSERT_TRUE(start);
   const Solution found = minimize(problem, {}, *start, {budget});
-  const Solution from_scratch = refine_from_scratch(problem, {budget_from_scratch});
+  const Solution from_scratch = refine_from_scratch(problem);
   EXPECT_TRUE(found.is_exact());
   EXPECT_TRUE(found.is_converged());
   EXPECT_LT(found.length_error, 1e-12);

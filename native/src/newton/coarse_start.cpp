@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "newton/coarsen/prolong.h"
 #include "newton/refine_chart.h"
@@ -29,7 +30,9 @@ std::optional<Shape> start_from_coarse(const Problem& problem, const Control& co
   at_start.check();
   Budget budget(control.budget, std::min(kMaxCoarseFactorizations, control.budget.left() / 2));
   Problem coarse_problem(coarse.chart, coarse.network, problem.fairness());
-  const Solution solution = refine_from_scratch(coarse_problem, {budget, at_start});
+  InternalOptions from_scratch;
+  from_scratch.large_chart = std::numeric_limits<std::size_t>::max();  // no start from a chart that is coarser still
+  const Solution solution = refine_chart(coarse_problem, from_scratch, {budget, at_start});
   at_start.check();
   if (!solution.is_exact()) return std::nullopt;
   return Shape{prolong_positions(chart, problem.network(), coarse, solution.shape.uv),

@@ -8,10 +8,15 @@
 
 namespace wirewarp {
 
-Problem::Problem(const Chart& chart, double fairness) : Problem(chart, build_held_network(chart), fairness) {}
+Problem::Problem(const Chart& chart, double fairness)
+    : chart_(chart), network_(build_held_network(chart)), fairness_(fairness), area_(surface_area(chart.mesh)) {}
 
 Problem::Problem(const Chart& chart, HeldNetwork network, double fairness)
-    : chart_(chart), network_(std::move(network)), fairness_(fairness), area_(surface_area(chart.mesh)) {}
+    : chart_(chart),
+      network_(std::move(network)),
+      fairness_(fairness),
+      area_(surface_area(chart.mesh)),
+      slits_(std::in_place) {}
 
 const std::vector<Slit>& Problem::slits() {
   if (!slits_) slits_ = find_slits(chart_);

@@ -29,7 +29,8 @@ class Problem {
   /// The chart must outlive the problem. fairness: Options::fairness.
   Problem(const Chart& chart, double fairness);
 
-  /// Makes a problem with other lengths and angles than those of the chart. network: these lengths and angles.
+  /// Makes a problem with other lengths and angles than those of the chart. network: these lengths and angles. All
+  /// slits count as ordinary parts of the outline, because sewing would measure the lengths anew.
   Problem(const Chart& chart, HeldNetwork network, double fairness);
 
   const Chart& chart() const { return chart_; }

@@ -12,12 +12,12 @@
 namespace wirewarp {
 namespace {
 
-/// Returns the first exact shape. is_large: also tries the starts for large charts.
-Solution try_starts(Problem& problem, Stage stage, bool is_large, const Control& control) {
+/// Returns the first exact shape. large_chart: number of faces from which on the starts for large charts are tried.
+Solution try_starts(Problem& problem, Stage stage, std::size_t large_chart, const Control& control) {
   Solution found;
   bool is_any_infeasible = false;
   for (const Start& start : kStarts) {
-    if (start.is_for_large_charts && !is_large) continue;
+    if (start.is_for_large_charts && problem.chart().mesh.n_faces() < large_chart) continue;
     const std::optional<Shape> made = attempt([&] { return start.make(problem, control); });
     if (control.stop.is_stopped()) break;
     if (!made) continue;
@@ -43,9 +43,7 @@ Solution refine_with_slits(Problem& problem, const Stage& stage, std::size_t lar
     unfolded.start = kStarts.front().name;
     if (unfolded.is_converged()) return unfolded;
   }
-  const auto solve_sewn = [&](Problem& sewn) {
-    return try_starts(sewn, stage, sewn.chart().mesh.n_faces() >= large_chart, control);
-  };
+  const auto solve_sewn = [&](Problem& sewn) { return try_starts(sewn, stage, large_chart, control); };
   Solution opened = open_slits(problem, stage, solve_sewn, control.in("shape"));
   opened.start = opened.is_exact() ? "sewn" : "";
   return opened;
@@ -57,9 +55,7 @@ Solution refine_chart(Problem& problem, const InternalOptions& options, const Co
   const Stage stage{nullptr, nullptr, Injectivity::none, options.cloth ? Target::rough : options.target};
   Solution found;
   if (!problem.slits().empty()) found = refine_with_slits(problem, stage, options.large_chart, control);
-  if (!found.is_exact()) {
-    found = try_starts(problem, stage, problem.chart().mesh.n_faces() >= options.large_chart, control);
-  }
+  if (!found.is_exact()) found = try_starts(problem, stage, options.large_chart, control);
   if (options.makes_injective) make_injective(problem, stage, control, found);
   if (options.cloth && found.is_exact()) refine_cloth(problem, options, control.in("shape"), found);
   return found;
@@ -69,12 +65,6 @@ Solution refine_chart(const Chart& chart, const InternalOptions& options, const 
   Problem problem(chart, options.fairness);
   Budget budget(options.max_factorizations);
   return refine_chart(problem, options, {budget, stop});
-}
-
-Solution refine_from_scratch(Problem& problem, const Control& control) {
-  Solution found = try_starts(problem, {}, false, control);
-  make_injective(problem, {}, control, found);
-  return found;
 }
 
 }  // namespace wirewarp

@@ -22,7 +22,4 @@ Solution refine_chart(Problem& problem, const InternalOptions& options, const Co
 /// The same for a chart, with a budget of options.max_factorizations.
 Solution refine_chart(const Chart& chart, const InternalOptions& options, const StopToken& stop = {});
 
-/// Tries all starts except a coarser chart. Slits count as ordinary parts of the outline.
-Solution refine_from_scratch(Problem& problem, const Control& control);
-
 }  // namespace wirewarp

@@ -72,7 +72,6 @@ class PieceSearch {
 
   /// In canonical order.
   const Chart& chart() const { return chart_; }
-  const Chart& input_chart() const { return input_chart_; }
   const Forbidden& forbidden() const { return forbidden_; }
   const PieceFigures& before() const { return before_; }
 

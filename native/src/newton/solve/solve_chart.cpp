@@ -99,15 +99,6 @@ std::optional<FlattenError> flatten_by_refining(const Chart& chart, const Run& r
   return std::nullopt;
 }
 
-/// Sets the layout, or returns the error.
-std::optional<FlattenError> flatten_chart(const Chart& chart, const Run& run, Budget& budget, const StopToken& stop,
-                                          SolvedChart& solved) {
-  if (chart.error) return with_proposed_seams(*chart.error, propose_seams(chart, run, stop));
-  if (is_outline_too_short(chart)) return outline_too_short(chart, propose_seams(chart, run, stop));
-  const auto flatten = run.options.method == Method::refined ? flatten_by_refining : flatten_by_warping;
-  return flatten(chart, run, budget, stop, solved);
-}
-
 }  // namespace
 
 std::vector<VertexPair> propose_seams(const Chart& chart, const Run& run, const StopToken& stop) {
@@ -130,7 +121,14 @@ SolvedChart cancelled_chart() {
 SolvedChart solve_chart(const Chart& chart, const Run& run, Budget& budget, const StopToken& stop) {
   SolvedChart solved;
   try {
-    solved.error = flatten_chart(chart, run, budget, stop, solved);
+    if (chart.error) {
+      solved.error = with_proposed_seams(*chart.error, propose_seams(chart, run, stop));
+    } else if (is_outline_too_short(chart)) {
+      solved.error = outline_too_short(chart, propose_seams(chart, run, stop));
+    } else {
+      const auto flatten = run.options.method == Method::refined ? flatten_by_refining : flatten_by_warping;
+      solved.error = flatten(chart, run, budget, stop, solved);
+    }
   } catch (const Stopped&) {
     solved = cancelled_chart();
   } catch (const UnjoinedWires&) {
