@@ -71,7 +71,7 @@ def arm_python() -> Path:
         settings = {
             "APT::Architecture": "arm64",
             "APT::Architectures": "arm64",
-            "APT::Sandbox::User": "",  # the folders belong to the caller
+            "APT::Sandbox::User": "",  # no other user, because the folders belong to the caller
             "Dir::State::Lists": lists,
             "Dir::State::status": status,
             "Dir::Cache::archives": archives,

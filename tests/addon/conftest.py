@@ -49,7 +49,7 @@ def model():
 def everything_answers(model, addon, tmp_path, capfd):
     """Return a check of all answers with each object active, in both modes, or in modes that take turns.
 
-    The check spoils the file anew for each object and mode, and models keep their shape.
+    The check damages the file again for each object and mode, and models keep their shape.
 
     Handlers that Blender calls by itself must answer, too; Blender prints their errors.
     """

@@ -196,7 +196,7 @@ def call(command, settings, before):
 def use_everything(addon, name, mode, folder, commands):
     """Draw everything with this object active, and call these commands in this mode.
 
-    folder: for a pattern, and for the file, which is saved.
+    folder: folder for the pattern, and for the file, which is saved.
     """
     shown_map = "STRETCH_COLOR" if mode == "OBJECT" else "WEFT_STRAIN_COLOR"
     for command, settings in [(None, {}), *commands]:

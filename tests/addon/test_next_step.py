@@ -18,7 +18,7 @@ def step_of(addon, source, left_out=()):
 
 
 def ready(addon, source):
-    """Return whether the verdict is that all lengths are exact, for any fabric."""
+    """Return whether all lengths of the last report are exact, whatever the fabric."""
     return addon.state.reports.last_report(source).ok
 
 

@@ -109,7 +109,8 @@ def test_batches_are_sent_once_until_marks_change(addon, source, at_once, monkey
             batches.draw_lines(drawing.target, "", drawing.lines, drawing.failures, 1.0, batches.Layer.LINES)
         return len(gpu.sent)
 
-    sent = 2 * (5 + 2) + 2  # on model and pieces, two for each of five kinds with dashes; then arrows and cutting lines
+    # on the model and on the pieces, two batches for each of five kinds with dashes; then arrows and cutting lines
+    sent = 2 * (5 + 2) + 2
     assert redraw() == sent
     before = gpu.drawn
     assert redraw() == 0

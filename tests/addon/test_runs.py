@@ -243,7 +243,10 @@ def test_a_second_run_is_refused(addon, source, monkeypatch):
 
 
 def test_an_update_takes_the_undo_group_of_the_last_operator(addon):
-    """An update unregisters no operator, which would remove Adjust Last Operation; in the end the add-on does."""
+    """An update does not unregister operators, because that would remove Adjust Last Operation.
+
+    The add-on does so when it is disabled.
+    """
     updating = addon.flatten.auto_update.updating_in
     idnames = [updating(group).idname_py() for group in ("Move", "Mark Seam", "Move", "Update Flat Pieces")]
     assert len(set(idnames)) == 3 and idnames[0] == idnames[2] and idnames[3] == "object.wirewarp_update"

@@ -78,7 +78,7 @@ def add_layers(source):
 
 
 def check_layers(source):
-    """Check the values of add_layers() everywhere, also on new vertices and faces."""
+    """Check the values of add_layers() everywhere, even on new vertices and faces."""
     mesh = source.data
     now = places(source)[read(mesh.loops, "vertex_index", np.int32)]
     assert read(mesh.uv_layers["Mine"].data, "uv", np.float32, 2) == pytest.approx(now[:, :2], abs=1e-6)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Other libraries read each kind of file except PDF, and the rules of all kinds hold."""
+"""Other libraries read each kind of file except PDF, and each kind follows the rules for all kinds."""
 
 import io
 import re

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""If a coarse model gives a curve corners, a hint reports it; corners of the model are ignored."""
+"""If a curve has corners because the model is coarse, a hint reports it; corners of the model itself are ignored."""
 
 import numpy as np
 import pytest

@@ -33,7 +33,7 @@ def dev():
 
 @pytest.fixture
 def main(dev, monkeypatch):
-    """Run `./dev test WORDS` with steps that do nothing but end as their names say; return the exit code."""
+    """Run `./dev test WORDS` with steps that only end as their names say; return the exit code."""
     monkeypatch.setattr(dev, "missing_python_notice", lambda: None)
     monkeypatch.setattr(dev, "require_apt", lambda *names: None)
 

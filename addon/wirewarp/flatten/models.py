@@ -61,7 +61,9 @@ class Outcome:
 def solve_models(
     library: ModuleType, models: list[Model], choices: FlattenChoices, meters: float, *, tries_uv_seams: bool = True
 ) -> Steps[list[Outcome]]:
-    """Flattens every model. meters: in a Blender unit; tries_uv_seams: whether to try UV seams if the marked ones fail.
+    """Flattens every model.
+
+    meters: meters in a Blender unit; tries_uv_seams: whether to try UV seams if the marked ones fail.
 
     Canceling the attempt with UV seams keeps the pieces.
     """

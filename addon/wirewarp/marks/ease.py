@@ -270,7 +270,7 @@ def _sides_of_lines(mesh: bpy.types.Mesh, rows: np.ndarray, places: np.ndarray) 
 def _is_larger(areas: np.ndarray, one: list[int], other: list[int]) -> bool:
     """Return whether the piece on the first side of a line is larger; False for equal ones and outlines.
 
-    areas: from _piece_areas(); one, other: corners on the two sides.
+    areas: areas from _piece_areas(); one, other: corners on the two sides.
     """
     return bool(one and other) and areas[one[0]] > (1 + SAME_AREA) * areas[other[0]]
 

@@ -85,7 +85,10 @@ def shown_mesh(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> Abst
 
 
 def _lines(mesh: bpy.types.Mesh, is_edited: bool) -> LineEdges:
-    """Return the lines. is_edited: in Edit Mode, which shows the selection and hides hidden elements."""
+    """Return the lines.
+
+    is_edited: whether the object is in Edit Mode, which shows the selection and hides hidden elements.
+    """
     marks, seams = read_marks(mesh), read_seams(mesh)
     outlines = faces_at_edges(mesh) == 1
     is_shown = ~read_hidden_edges(mesh) if is_edited else True

@@ -47,7 +47,7 @@ def outlines(
 def cut_lines(parts: PatternParts | None, allowance: float, **options: object) -> CutLines:
     """Return the cutting lines. parts: see outlines; options: see PatternOptions.
 
-    allowance: at edges without a marked allowance, in millimeters.
+    allowance: the allowance at edges without a marked one, in millimeters.
     """
     if parts is None:
         return CutLines(None, False)

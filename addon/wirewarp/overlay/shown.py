@@ -213,10 +213,10 @@ def shown_copies(context: bpy.types.Context, source: bpy.types.Object, flat: bpy
 
 
 def piece_copies(context: bpy.types.Context, source: bpy.types.Object, flat: bpy.types.Object, name: str) -> str:
-    """Return a sentence on the copies and the symmetry of a piece. The flat object is not in Edit Mode.
+    """Return a sentence about the copies and the symmetry of a piece. The flat object must not be in Edit Mode.
 
-    The pattern is made once for each run, and again if a name or an allowance beside a marked one changes. Places of
-    pieces and an allowance of all edges do not change which pieces are equal.
+    The pattern is made once for each run, and again if a name changes, or the allowance of unmarked edges while others
+    have a marked one. Places of pieces and an allowance of all edges do not change which pieces are equal.
     """
     parts, allowance = _outlines(context, source, flat), context.scene.wirewarp.allowance
     if parts is None:

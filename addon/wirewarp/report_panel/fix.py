@@ -45,7 +45,7 @@ class Repairs:
 
 
 class BetweenRuns(OnMesh):
-    """Mixin of operators that work only while no run is under way."""
+    """Mixin of operators that work only while no run is in progress."""
 
     modes = WORKING_MODES
 

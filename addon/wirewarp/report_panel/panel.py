@@ -44,7 +44,7 @@ def draw_table(
     rows: list[ReportRow],
     names: Mapping[int, bpy.types.PropertyGroup],
 ) -> None:
-    """Draw the table. names: by the id of each seam, the item with its name, which the user can edit."""
+    """Draw the table. names: the item with the name of each seam, by the seam's id; the user can edit it."""
     units, meters = length_text(context.scene), meters_per_blender_unit(context.scene)
     column = layout.column(align=True)
     wide = is_wide(context)

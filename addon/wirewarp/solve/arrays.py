@@ -40,7 +40,7 @@ class NamedWire:
 class MeshArrays:
     """Indices are Blender's.
 
-    Triangles are counterclockwise seen from outside, also for mirrored objects.
+    Triangles are counterclockwise seen from outside, even for mirrored objects.
     """
 
     vertices: np.ndarray  # (n,3) float64, Blender units, with the object's rotation, scale and shear applied

@@ -295,7 +295,7 @@ def _highest_number(kind: str, names: Mapping[int, str], kinds: Mapping[int, str
 
     A seam that becomes a dart, or a dart that is cut through, leaves its number to the next one.
 
-    names: of all present and removed seams by id; kinds: of the present seams.
+    names: names of all present and removed seams, by id; kinds: kinds of the present seams.
     """
     given = {seam_id: GIVEN.fullmatch(name) for seam_id, name in names.items()}
     own = {i: match for i, match in given.items() if (match[1] if match else kinds.get(i, KINDS[0])) == kind}

@@ -35,7 +35,7 @@ def piece_of_vertices(
 
 @dataclass(frozen=True)
 class OutlineEdges:
-    """Outline edges, directed as in their face. `inward` points into the piece, also in mirrored pieces."""
+    """Outline edges, directed as in their face. `inward` points into the piece, even in mirrored pieces."""
 
     edges: np.ndarray  # (b,2) int64, vertices
     piece: np.ndarray  # (b,) int32

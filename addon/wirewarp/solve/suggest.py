@@ -96,7 +96,7 @@ def suggest_cuts(
 ) -> Steps[list[Cut]]:
     """Return cuts, the best first, or the steps to a target. Cut sets are not sorted.
 
-    If canceled, the cut sets found so far are returned. Raises ObjectError, also if there is nothing to gain.
+    If canceled, the cut sets found so far are returned. Raises ObjectError, for example if there is nothing to gain.
     """
     try:
         shared = library_arguments(library, arrays, choices)
@@ -140,7 +140,8 @@ def _start(
 ) -> "Job[list[DartProposal]]":
     """Start the search.
 
-    around_painted: edges (k,2) that smooth lines would cross to enter painted faces; allowance: in Blender units.
+    around_painted: edges (k,2) that smooth lines would cross to enter painted faces; allowance: width of the allowance
+    in Blender units.
     """
     target, is_dart = options.target, options.kind == "DARTS"
     if target is not None:

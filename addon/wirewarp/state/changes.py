@@ -25,7 +25,7 @@ def model_state(source: bpy.types.Object, base: MarkedMesh, with_modifiers: bool
 
 
 def present_state(source: bpy.types.Object, with_modifiers: bool, take: Take = read_anew) -> dict:
-    """Return the model_state without lengths, also in Edit Mode. take: read_anew, or kept. Raises ObjectError."""
+    """Return the model_state without lengths, even in Edit Mode. take: read_anew, or kept. Raises ObjectError."""
     digests = take(source.data, "digests", lambda _: _digests(marked_mesh(source, take)))
     return _state(source, digests, with_modifiers, take)
 
@@ -191,7 +191,7 @@ def rounding_of_sums(points: np.ndarray, distance: float) -> float:
 
 
 def _rounding(size: float, count: int) -> float:
-    """Return the largest change of sums of so many values by rounding, if no coordinate is larger than `size`."""
+    """Return the largest change of sums of this many values by rounding, if no coordinate is larger than `size`."""
     return float(ROUNDING * size * np.sqrt(max(count / BLOCKS, 1)))
 
 

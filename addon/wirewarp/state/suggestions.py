@@ -99,5 +99,5 @@ def are_current(source: bpy.types.Object, found: Suggestions, take: Take = kept)
         return True
     try:
         return found.no_seam.is_same(take(source, "no seam", read_no_seam))
-    except ObjectError:  # the attribute has changed, because it could be read during the search
+    except ObjectError:  # the attribute could be read during the search, so something has changed it since
         return False

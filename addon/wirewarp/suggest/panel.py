@@ -39,7 +39,7 @@ def draw_suggest(
 ) -> None:
     """Draw the buttons and the target. During a search, the progress is where the buttons were, and nothing moves.
 
-    place: of the results; piece: in the report, -1 for any.
+    place: of the results; piece: index in the report, -1 for any piece.
     """
     row, options = layout.row(align=True), layout.column()
     options.enabled = not draw_progress(row, SUGGEST, "object.wirewarp_suggest_darts")

@@ -60,7 +60,7 @@ Options woven(Orientation orientation) {
   return options;
 }
 
-/// Returns a sheet that seams cut into nine pieces. tolerance: of wires along the seams; 0: no wires.
+/// Returns a sheet that seams cut into nine pieces. tolerance: tolerance of wires along the seams; 0: no wires.
 FlattenInput nine_pieces(double tolerance) {
   FlattenInput input = bumpy_sheet(kPiece, 4, tolerance);
   std::vector<int> ends;

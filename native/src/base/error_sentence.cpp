@@ -237,7 +237,7 @@ std::string counted(int count, const std::string& noun) {
   return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }
 
-/// Returns ", has 3 flipped faces and overlaps itself at 1 face" and the like, for the guarantees that the error is not
+/// Returns text such as ", has 3 flipped faces and overlaps itself at 1 face", for the guarantees that the error is not
 /// about.
 std::string also(int num_flipped, int num_overlapping) {
   const std::string flips = "has " + counted(num_flipped, "flipped face");

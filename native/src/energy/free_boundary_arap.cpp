@@ -29,7 +29,7 @@ constexpr double kRegularization = 1e-12;
 class GlobalStep {
  public:
   /// Doubles one diagonal entry of K, which fixes its vertex, because the entries of a gradient sum to 0. positions:
-  /// for the elimination order.
+  /// positions that determine the elimination order.
   GlobalStep(Eigen::SparseMatrix<double> hessian, const Positions2& positions, const StopToken& stop)
       : cholesky_(hessian, nested_dissection(graph_of(hessian, 1), positions), 1, has_second_core()) {
     hessian.coeffRef(0, 0) *= 2;

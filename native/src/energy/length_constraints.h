@@ -35,7 +35,8 @@ class LengthConstraints {
     int elastic;    // index into h; -1 if h is 0
   };
 
-  /// targets: null for nominal lengths in a layout that is free to rotate. layout: for the scale of rotation rows.
+  /// targets: null for nominal lengths in a layout that is free to rotate. layout: a layout that determines the scale
+  /// of rotation rows.
   LengthConstraints(const Chart& chart, const HeldNetwork& network, const TargetLengths* targets = nullptr,
                     const Positions2& layout = {});
 

@@ -79,7 +79,7 @@ class QuadraticForm {
           const Eigen::Matrix2d block =
               term.weight * matrix_of(term.factors[i]).transpose() * matrix_of(term.factors[j]);
           if (row > column) hessian.add(hessian.block(row, column), block);
-          if (row == column) hessian.add_diagonal(row, block);  // also if a vertex is in a term twice
+          if (row == column) hessian.add_diagonal(row, block);  // correct even if a vertex is in a term twice
         }
       }
     }

@@ -36,7 +36,8 @@ std::optional<Shape> reach_injectively(Problem& problem, const Stage& stage, con
   const Chart& chart = problem.chart();
   Positions2 map = problem.free_map(control.stop.in("start"));
   if (injectivity_of(chart, map) < stage.injectivity) map = tutte_embedding(chart, control.stop.in("start"));
-  if (injectivity_of(chart, map) < stage.injectivity) return std::nullopt;  // rounding spoils the embedding
+  if (injectivity_of(chart, map) < stage.injectivity)
+    return std::nullopt;  // rounding errors have flipped triangles of the embedding
   return injective_start(problem, stage, map, control.in("shape"));
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kFirstStiffness = 1;   // first value of ρ l / √area: a wire is as stiff as the surface beside it
 constexpr double kStiffening = 4;       // factor by which ρ grows if an update of λ reduces the length errors by less
-constexpr double kStiffest = 1e6;       // with a larger ρ, rounding errors spoil the steps
+constexpr double kStiffest = 1e6;       // with a larger ρ, rounding errors make the steps useless
 constexpr double kStiff = 1e4;          // from this ρ on, errors above kHopeless mean contradicting lengths
 constexpr double kHopeless = 1e-2;      // strain
 constexpr int kStepsPerMultiplier = 5;  // most steps between updates of λ; the minimum of Φ need not be exact

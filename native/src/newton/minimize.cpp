@@ -16,7 +16,8 @@ bool stays_flipped(const NewtonState& state) {
   return state.num_factorizations() >= NewtonConstants::patience && state.objective.count_flips(state.now.uv) > 0;
 }
 
-/// Takes steps that keep exact lengths, down to the minimum of f. outcome: of the step that reached exact lengths.
+/// Takes steps that keep exact lengths, down to the minimum of f. outcome: outcome of the step that reached exact
+/// lengths.
 SolutionStatus descend(NewtonState& state, StepOutcome outcome) {
   const auto is_enough = [&] {
     return state.stage.target == Target::newton_step && state.objective.count_flips(state.now.uv) == 0;

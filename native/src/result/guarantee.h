@@ -14,8 +14,8 @@ namespace wirewarp {
 ///   flipped_faces      metrics.flipped_faces is not empty
 ///   overlapping_faces  metrics.overlapping_faces is not empty
 /// The error's sentence also mentions other broken guarantees, and its has_layout is true. uv, variation (h per wire
-/// part) and metrics: of the final layout. wires: the input's, for the names. proposed_seams: proposal for a flipped or
-/// overlapping piece.
+/// part) and metrics: those of the final layout. wires: the input's wires, for their names. proposed_seams: the
+/// proposal for a flipped or overlapping piece.
 std::optional<FlattenError> check_guarantee(const Chart& chart, const WireNetwork& network,
                                             const std::vector<Wire>& wires, const Positions2& uv,
                                             const std::vector<double>& variation, const Metrics& metrics,

@@ -20,7 +20,7 @@ Metrics measure_metrics(const Chart& chart, const WireNetwork& network, const Po
 /// Returns Metrics::cloth_energy. flat: x along the weft, y along the warp.
 double measure_cloth_energy(const Chart& chart, const Positions2& flat, const Cloth& cloth);
 
-/// Returns a sentence on how far the strain of the fabric exceeds its limits, or nullopt if it does not. For each
+/// Returns a sentence about how far the strain of the fabric exceeds its limits, or nullopt if it does not. For each
 /// direction, uses the strain that 99% of the area do not exceed, because single slivers do not matter.
 std::optional<std::string> warn_of_limits(const Chart& chart, const Metrics& metrics, const Cloth& cloth);
 

@@ -32,7 +32,7 @@ def unfinished(verdict: str, code: str, problem: str) -> Line:
 
 
 def with_faults_answered(work: Callable[[R], Line]) -> Callable[[R], Line]:
-    """Return a function that does the work and returns a line, also for a fault of the model or of a file."""
+    """Return a function that does the work and returns a line, even if the model or a file has a fault."""
 
     @wraps(work)
     def answer(request: R) -> Line:

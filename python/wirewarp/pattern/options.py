@@ -19,7 +19,7 @@ class PatternOptions(TypedDict, total=False):
     # (k,3) width on one side of an edge: the side of the triangle in which it runs from the first vertex to the second
     side_allowances: npt.ArrayLike | None
     folds: npt.ArrayLike | None  # (k,2) open edges at which the fabric is folded and not cut
-    pairs: bool  # draw pieces of one shape once, "Cut 4", also mirrored ones, "Cut 1 pair" (False)
+    pairs: bool  # draw pieces of one shape once, "Cut 4", and mirror images, "Cut 1 pair" (False)
     on_fold: bool  # draw one half of each symmetric piece, "Cut 1 on the fold" (False)
     measures: Sequence[tuple[str, float]]  # names and finished lengths, for the proof sheet (default: the rigid wires)
     notch_spacing: float  # along seams, 0 for none (100)

@@ -20,7 +20,8 @@ def kept(line: WireReport | BoundaryReport) -> bool:
 def asked_of_wire(wire: WireReport, ease: float) -> float:
     """Return the target length of the wire with its ease, before the change h that its tolerance allows.
 
-    The flat length of a wire that was kept contains the stretch of the fabric, which the library does not report.
+    The flat length is used if the wire kept its length, because it contains the stretch of the fabric, which the
+    library does not report.
     """
     return wire.length_2d * (1 + ease) / (1 + wire.variation) if kept(wire) else wire.length_3d * (1 + ease)
 
@@ -45,7 +46,7 @@ def asked_of_outline(piece: Piece, vertices: np.ndarray, sides: dict[tuple[int, 
 
 
 def _mean_ratio(chain: BoundaryReport, ratios: dict[tuple[int, int], float], vertices: np.ndarray) -> float:
-    """Return the mean weighted by length. ratios: of the directed edges with a longer or shorter target."""
+    """Return the mean weighted by length. ratios: ratios of the directed edges that have a longer or shorter target."""
     lengths = np.linalg.norm(np.diff(vertices[chain.vertices], axis=0), axis=1)
     own = [ratios.get(step, 1.0) for step in pairwise(chain.vertices.tolist())]
     return float(np.average(own, weights=lengths))

@@ -102,7 +102,7 @@ def widespread(values: np.ndarray, areas: np.ndarray) -> float:
 def threads_of(metrics: Metrics, areas: np.ndarray, wanted: Wanted, cloth: Cloth, name: str, limits: Limits) -> Threads:
     """Return the strain of the fabric along its threads in a piece with a layout.
 
-    name: of the fabric's preset, or "custom"; limits: its maximum stretch.
+    name: name of the fabric's preset, or "custom"; limits: its maximum stretch.
     """
     across, along = (
         max((1 + widespread(strain, areas)) / wanted.stretch - 1, 0.0) for strain in thread_strains(metrics).values()
@@ -174,7 +174,7 @@ def _neighbors(faces: np.ndarray, vertex_count: int) -> np.ndarray:
 
 
 def edge_keys(pairs: np.ndarray, count: int) -> np.ndarray:
-    """Return one number for each pair of vertices in any order. count: of all vertices."""
+    """Return one number for each pair of vertices in any order. count: number of all vertices."""
     keys: np.ndarray = np.sort(np.asarray(pairs, dtype=np.int64).reshape(-1, 2), axis=1) @ np.array([count, 1])
     return keys
 

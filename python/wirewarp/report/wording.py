@@ -46,7 +46,7 @@ def beyond_fabric(names: str, threads: Threads) -> str:
 def needs_stretch(names: str, is_exact: bool, stretch: str) -> str:
     """Return the sentence.
 
-    names: names of the pieces, "" for all; is_exact: no wire has a tolerance; stretch: in percent.
+    names: names of the pieces, "" for all; is_exact: no wire has a tolerance; stretch: stretch in percent.
     """
     which = f"Lengths of {names}" if names else "Lengths"
     kept = "exact" if is_exact else "exact or within their tolerance"

@@ -40,7 +40,7 @@ class LineEvaluation {
   PiecesAlong cut_along(const CutMesh& cut) const;
 
   /// Returns the figures with cuts along lines from outlines to tips inside; nullopt if the lines meet, if a part has
-  /// no flat shape, or if the cuts spoil other pieces. Lines must not divide an edge on a wire or outline. May be
+  /// no flat shape, or if the cuts make other pieces worse. Lines must not divide an edge on a wire or outline. May be
   /// called in any thread. Throws Stopped.
   std::optional<LineFigures> figures_along(const std::vector<SurfacePath>& lines) const;
 

@@ -227,8 +227,8 @@ std::vector<HalfEdgeChain> PieceSearch::without_mirror_images(const std::vector<
   return kept;
 }
 
-/// Returns the figures of each chain; nullopt if the chain is empty, if a part has no flat shape, or if the cut spoils
-/// other pieces.
+/// Returns the figures of each chain; nullopt if the chain is empty, if a part has no flat shape, or if the cut makes
+/// other pieces worse.
 std::vector<std::optional<PieceFigures>> PieceSearch::evaluate(const std::vector<HalfEdgeChain>& chains) const {
   std::vector<std::optional<PieceFigures>> found(chains.size());
   run_in_threads(

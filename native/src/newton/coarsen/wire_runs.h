@@ -24,7 +24,7 @@ struct WireRun {
 /// are not unrolled yet. stays: one flag per chart vertex.
 std::vector<WireRun> find_wire_runs(const Chart& chart, const WireNetwork& network, const std::vector<char>& stays);
 
-/// Sets all fields of a run from its half-edges. node_at_arrival: of the network.
+/// Sets all fields of a run from its half-edges. node_at_arrival: as returned for the network.
 void unroll(const WireNetwork& network, const std::vector<int>& node_at_arrival, WireRun& run);
 
 }  // namespace wirewarp

@@ -19,8 +19,8 @@ FlattenError with_proposed_seams(FlattenError error, std::vector<VertexPair> pro
 /// Returns the error of an outline that is too short to enclose the piece (surface/charts/isoperimetric.h).
 FlattenError outline_too_short(const Chart& chart, std::vector<VertexPair> proposed_seams);
 
-/// Returns the error of a chart for which no shape with all lengths was found. tolerances: with these, the refined
-/// method found a shape. ran_out: whether options.max_factorizations ended the search.
+/// Returns the error of a chart for which no shape with all lengths was found. tolerances: tolerances with which the
+/// refined method found a shape. ran_out: whether options.max_factorizations ended the search.
 FlattenError infeasible_wires(const Chart& chart, const std::vector<Wire>& wires, const Options& options,
                               std::vector<ProposedTolerance> tolerances, bool ran_out);
 

@@ -27,8 +27,8 @@ struct GroupMember {
 
 class GroupSolver {
  public:
-  /// Searches for an injective shape of a chart that is flipped or overlaps itself. Its elastic seams are fixed at the
-  /// common lengths meanwhile. The solution may be inexact or not injective; the caller checks.
+  /// Searches for an injective shape of a chart that is flipped or overlaps itself. During the search, its elastic
+  /// seams are fixed at the common lengths. The solution may be inexact or not injective; the caller checks.
   using RefineInjective = std::function<Solution(std::size_t member, Budget& budget)>;
 
   struct Outcome {

@@ -72,8 +72,8 @@ double length_of_side(const Chart& chart, const HalfEdgeChain& chain, const PerE
   return length;
 }
 
-/// Returns warnings for charts at seams whose sides would have different lengths. ratios: from the directions alone;
-/// empty for a chart without a layout.
+/// Returns warnings for charts at seams whose sides would have different lengths. ratios: ratios that follow from the
+/// directions alone; empty for a chart without a layout.
 std::vector<std::vector<std::string>> warn_of_sides(const Charts& charts, const std::vector<PerEdge>& ratios) {
   std::vector<std::vector<std::string>> warnings(charts.charts.size());
   for (const Seam& seam : charts.seams) {

@@ -12,7 +12,7 @@
 namespace wirewarp {
 
 /// Fills the panel and the Schur complement of a front before its factorization, from the values of a lower triangle
-/// and the Schur complements of the front's children. factor, schurs: of all fronts.
+/// and the Schur complements of the front's children. factor, schurs: panels and Schur complements of all fronts.
 void assemble_front(const FrontLayout& layout, int node, const double* values, Tile* factor, Tile* schurs);
 
 /// Number of tile multiplications between two calls of the stop token, about a tenth of a second. Each call also

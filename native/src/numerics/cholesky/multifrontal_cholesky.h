@@ -29,7 +29,7 @@ class MultifrontalCholesky {
   /// k v to k v + k - 1 belong to vertex v of the tree's graph, k = unknowns_per_vertex. in_threads: whether two
   /// threads work on independent subtrees; factor and solutions are the same to the last bit. keeps_root: whether the
   /// unknowns of the tree's last node are not eliminated (schur_complement()). Throws std::invalid_argument if the tree
-  /// does not contain each vertex once or does not separate vertices that lower couples.
+  /// does not contain each vertex once or does not separate vertices that are coupled in `lower`.
   MultifrontalCholesky(const Eigen::SparseMatrix<double>& lower, const DissectionTree& tree, int unknowns_per_vertex,
                        bool in_threads = false, const FrontKernels& kernels = fastest_kernels(),
                        bool keeps_root = false);

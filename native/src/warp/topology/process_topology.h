@@ -15,8 +15,8 @@ namespace wirewarp {
 /// - new vertices follow, with source_vertex -1; source_face of a divided face is the input face that contains it;
 /// - helper wires follow the chart's wire parts: super-elastic, wire_index -1, parts counted from 0.
 ///
-/// Throws UnjoinedWires if no such network is found, because rounding errors spoil a path or join_separate_loops()
-/// fails. Throws Stopped.
+/// Throws UnjoinedWires if no such network is found, because rounding errors make a path impossible or
+/// join_separate_loops() fails. Throws Stopped.
 std::optional<Chart> process_topology(const Chart& chart, const StopToken& stop = {});
 
 }  // namespace wirewarp

@@ -61,7 +61,7 @@ def marks(
 def walks_of(
     laid: Sequence[Laid], names: Sequence[str], seams: Sequence[Sequence[SewnSide]], points: dict[int, list[Point]]
 ) -> list[SeamWalk]:
-    """Return the walk of each seam: its lengths, notches and allowances on all sides. points: from marks()."""
+    """Return the walk of each seam: its lengths, notches and allowances on all sides. points: the result of marks()."""
     return [
         SeamWalk(
             name,

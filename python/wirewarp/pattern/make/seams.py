@@ -125,8 +125,8 @@ def sewn_sides(
 ) -> list[list[SewnSide]]:
     """Return the sides of each of the `count` seams, over the outlines of all pieces.
 
-    starts: by seam, the vertex where its sides that are whole outlines begin; by default where a side is open, or
-    else their lowest vertex.
+    starts: for each seam, the vertex where its sides that are whole outlines begin. The default is the end of a side
+    that is open, or else their lowest vertex.
     """
     sides: list[list[Side]] = [[] for _ in range(count)]
     for side in (side for loop in loops for side in loop):
