@@ -245,7 +245,7 @@ shorter than the one before, for a target strain of {100 * TARGETS[0]:.0f}%. If 
 does so for targets of {", ".join(f"{100 * target:.0f}%" for target in TARGETS[1:])}. The column *without darts* has
 the shortest set
 below the bound. Darts are added to a surface that is flat without cuts, and to the {FEWEST} sets with the fewest
-cuts, until the energy is below the bound. Each time, the dart is chosen from {CHOICE} of `propose_darts`: the one
+cuts, until the energy is below the bound. Each dart is chosen from {CHOICE} of `propose_darts`: the one
 with the largest decrease of energy for its length. The shorter result counts. WireWarp keeps the length of every cut
 and outline, so that the sides of a
 cut can be sewn together. OptCuts does not; it only limits the distortion over the area. The section on the price of

@@ -132,8 +132,9 @@ both directions. Then choose a fabric that allows the total stretch in the repor
 {plain_percent(as_made[SWIMSUIT].weft, 0)} across and {plain_percent(as_made[SWIMSUIT].warp, 0)} along. If one piece
 must be fuller than the other, as at a sleeve head or an elbow, use ease on one side. With
 {1000 * eased(as_made[SLEEVE]):.0f} mm of it, *E* of the sleeve and its bodice
-{change(plain_sleeve, as_made[SLEEVE].energy)}. For gathers, use an ease of 50% to 150%, a larger fairness, so that
-the long edge stays smooth, and no fabric. The strain there becomes folds, against which fabric has hardly any
+{change(plain_sleeve, as_made[SLEEVE].energy)}. For gathers, choose no fabric, and use an ease of 50% to 150% and a
+larger fairness, so that the long edge stays smooth. The strain there becomes folds, against which fabric has hardly
+any
 resistance. With a woven,
 the pieces would shear instead: by {degrees(woven.shear)}, compared with {degrees(unwoven.shear)} without a fabric.
 """

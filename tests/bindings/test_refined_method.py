@@ -79,7 +79,7 @@ def test_free_wires_have_no_effect():
     chains = [range(36, 45), range(4, 81, 9)]
     free = wirewarp.flatten(vertices, faces, wires=[wirewarp.Wire(chain, math.inf) for chain in chains])
     unmarked = wirewarp.flatten(vertices, faces)
-    # They may be rotated in the plane, because a piece is aligned with its wires.
+    # The two pieces may differ by a rotation, because a piece is aligned with its wires.
     assert free.pieces[0].report.objective == pytest.approx(unmarked.pieces[0].report.objective, rel=1e-12)
     assert free.pieces[0].metrics.face_arap == pytest.approx(unmarked.pieces[0].metrics.face_arap, rel=1e-9)
     for part in free.pieces[0].wires:

@@ -44,34 +44,34 @@ def read_attribute(mesh: bpy.types.Mesh, name: str, data_type: str, domain: str)
 
 
 def vertex_places(mesh: bpy.types.Mesh) -> np.ndarray:
-    """(n,3) float32"""
+    """Return the places of the vertices, (n,3) float32."""
     if not HAS_ATTRIBUTES or not len(mesh.vertices):
         return read(mesh.vertices, "co", np.float32, 3)
     return read(mesh.attributes["position"].data, "vector", np.float32, 3)
 
 
 def edge_vertices(mesh: bpy.types.Mesh) -> np.ndarray:
-    """(e,2) int32"""
+    """Return the vertices of each edge, (e,2) int32."""
     return _indices(mesh.edges, "vertices", 2)
 
 
 def corner_vertices(mesh: bpy.types.Mesh) -> np.ndarray:
-    """(l,) int32"""
+    """Return the vertex of each corner, (l,) int32."""
     return _of_corners(mesh, ".corner_vert", "vertex_index")
 
 
 def corner_edges(mesh: bpy.types.Mesh) -> np.ndarray:
-    """(l,) int32, the edge from each corner to the next of its face."""
+    """Return the edge from each corner to the next of its face, (l,) int32."""
     return _of_corners(mesh, ".corner_edge", "edge_index")
 
 
 def face_starts(mesh: bpy.types.Mesh) -> np.ndarray:
-    """(f,) int32, the first corner of each face."""
+    """Return the first corner of each face, (f,) int32."""
     return _indices(mesh.polygons, "loop_start")
 
 
 def face_sizes(mesh: bpy.types.Mesh) -> np.ndarray:
-    """(f,) int32"""
+    """Return the number of corners of each face, (f,) int32."""
     if not HAS_ATTRIBUTES:
         return _indices(mesh.polygons, "loop_total")
     return np.diff(face_starts(mesh), append=np.int32(len(mesh.loops)))
@@ -83,27 +83,27 @@ def triangle_corners(mesh: bpy.types.Mesh) -> np.ndarray:
 
 
 def triangle_vertices(mesh: bpy.types.Mesh) -> np.ndarray:
-    """(m,3) int32"""
+    """Return the vertices of each triangle, (m,3) int32."""
     return _indices(mesh.loop_triangles, "vertices", 3)
 
 
 def triangle_faces(mesh: bpy.types.Mesh) -> np.ndarray:
-    """(m,) int32"""
+    """Return the face of each triangle, (m,) int32."""
     return _indices(mesh.loop_triangles, "polygon_index")
 
 
 def read_seams(mesh: bpy.types.Mesh) -> np.ndarray:
-    """(e,) bool"""
+    """Return which edges are seams, (e,) bool."""
     return _edge_flags(mesh, SEAM, "use_seam")
 
 
 def read_selected_edges(mesh: bpy.types.Mesh) -> np.ndarray:
-    """(e,) bool"""
+    """Return which edges are selected, (e,) bool."""
     return _edge_flags(mesh, ".select_edge", "select")
 
 
 def read_hidden_edges(mesh: bpy.types.Mesh) -> np.ndarray:
-    """(e,) bool"""
+    """Return which edges are hidden, (e,) bool."""
     return _edge_flags(mesh, ".hide_edge", "hide")
 
 
@@ -124,7 +124,7 @@ def _edge_flags(mesh: bpy.types.Mesh, attribute: str, name: str) -> np.ndarray:
 
 
 def read_uv(layer: bpy.types.MeshUVLoopLayer) -> np.ndarray:
-    """(l,2) float32"""
+    """Return the place of each corner in the map, (l,2) float32."""
     return read(layer.uv, "vector", np.float32, 2) if HAS_UV_ATTRIBUTES else read(layer.data, "uv", np.float32, 2)
 
 
@@ -139,7 +139,7 @@ def write_edited_uv(mesh: bpy.types.Mesh, name: str, places: np.ndarray) -> None
 
 
 def write_uv(layer: bpy.types.MeshUVLoopLayer, places: np.ndarray) -> None:
-    """(l,2) float32, in Object Mode"""
+    """Write the place of each corner, (l,2) float32, in Object Mode."""
     if HAS_UV_ATTRIBUTES:
         layer.uv.foreach_set("vector", places.ravel())
     else:
@@ -152,7 +152,7 @@ def write_edges(mesh: bpy.types.Mesh, vertices: np.ndarray) -> None:
 
 
 def write_corners(mesh: bpy.types.Mesh, vertices: np.ndarray, edges: np.ndarray) -> None:
-    """(l,) int32 each: the vertex, and the edge to the next corner of the face."""
+    """Write, for each corner, the vertex and the edge to the next corner of the face, (l,) int32 each."""
     if HAS_ATTRIBUTES:
         mesh.attributes[".corner_vert"].data.foreach_set("value", vertices)
         found = mesh.attributes.get(".corner_edge") or mesh.attributes.new(".corner_edge", "INT", "CORNER")
@@ -163,7 +163,7 @@ def write_corners(mesh: bpy.types.Mesh, vertices: np.ndarray, edges: np.ndarray)
 
 
 def write_faces(mesh: bpy.types.Mesh, starts: np.ndarray, sizes: np.ndarray) -> None:
-    """(f,) int32"""
+    """Write the number of corners of each face, (f,) int32."""
     mesh.polygons.foreach_set("loop_start", starts.view(np.uint32))
     if not HAS_ATTRIBUTES:  # later versions of Blender derive the sizes from the starts
         mesh.polygons.foreach_set("loop_total", sizes.view(np.uint32))
@@ -206,7 +206,7 @@ def _of_corners(mesh: bpy.types.Mesh, attribute: str, name: str) -> np.ndarray:
 
 
 def faces_of_corners(mesh: bpy.types.Mesh) -> np.ndarray:
-    """(l,) int64, the face of each corner."""
+    """Return the face of each corner, (l,) int64."""
     return np.repeat(np.arange(len(mesh.polygons)), face_sizes(mesh))
 
 
@@ -216,7 +216,7 @@ def faces_at_edges(mesh: bpy.types.Mesh) -> np.ndarray:
 
 
 def next_loops(mesh: bpy.types.Mesh) -> np.ndarray:
-    """(l,) the next corner of its face for each corner."""
+    """Return the next corner (l,) of its face for each corner."""
     return next_corners(face_sizes(mesh))
 
 

@@ -84,7 +84,8 @@ class _Sides:
     """The limits of the view in one direction, left and right or bottom and top, between which all points must be."""
 
     def __init__(self, places: np.ndarray, nearer: np.ndarray, covered: float) -> None:
-        """places (n,): of the points, at distance 1 in units of half the view; covered: share of the view, at its end.
+        """places (n,): places of the points at distance 1, in units of half the view; covered: covered share of the
+        view, at its end.
 
         A point is inside if -begin * depth <= place - center <= end * depth, with depth = distance - nearer.
         """

@@ -137,7 +137,7 @@ def _mark_borders(mesh: bpy.types.Mesh, layer: bpy.types.MeshUVLoopLayer) -> int
 
 
 def _borders(mesh: bpy.types.Mesh, layer: bpy.types.MeshUVLoopLayer) -> np.ndarray:
-    """(e,) bool"""
+    """Return which edges are borders of islands, (e,) bool."""
     return island_borders(corner_edges(mesh), corner_vertices(mesh), next_loops(mesh), read_uv(layer), len(mesh.edges))
 
 

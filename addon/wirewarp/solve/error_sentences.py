@@ -64,7 +64,7 @@ def _listed(words: list[str]) -> str:
 
 
 def percent(fraction: float) -> str:
-    """ "3.25%"."""
+    """Return a percentage, such as "3.25%"."""
     return f"{100 * fraction:.3g}%"
 
 

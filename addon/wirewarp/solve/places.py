@@ -77,7 +77,7 @@ class _Pieces:
         return piece_id not in self._vertices
 
     def points(self, piece_id: int) -> np.ndarray:
-        """(k,2)"""
+        """Return the points (k,2) of the piece."""
         if self.is_away(piece_id):
             return self._away[piece_id][:, 2:]
         return self._pieces.vertices[self._vertices[piece_id]]

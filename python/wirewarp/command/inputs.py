@@ -68,6 +68,6 @@ def _in_list(path: Path) -> Iterator[Found]:
                 entry[option] = str(path.parent / str(entry[option]))
         if not isinstance(model, str) or not all(isinstance(value, str | int | float) for value in entry.values()):
             raise InputError(f"{source}: a model and its options are texts, numbers or true")
-        # keeps the folder of the model in the list
+        # within the folder of the list, the model keeps its folder
         is_inside = not Path(model).is_absolute() and ".." not in Path(model).parts
         yield Found(path.parent / model, Path(model).parent if is_inside else Path(), entry, source)

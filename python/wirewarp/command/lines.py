@@ -21,7 +21,7 @@ SAME_UV = 1e-6  # share of the unit square; files have about six decimals
 
 
 def seams_of(model: Model, wanted: str) -> np.ndarray:
-    """Return edges (k,2) of vertices. wanted: "uv", "sharp", a path, or "". Raises InputError."""
+    """Return the wanted edges (k,2) as pairs of vertices. wanted: "uv", "sharp", a path, or "". Raises InputError."""
     if not wanted:
         return np.empty((0, 2), dtype=np.int64)
     if wanted == "uv":
@@ -120,7 +120,7 @@ def _island_borders(model: Model, corner_uv: np.ndarray) -> np.ndarray:
 
 
 def _sharp_edges(model: Model) -> np.ndarray:
-    """Return edges (k,2) of vertices."""
+    """Return the sharp edges (k,2) as pairs of vertices."""
     sides = _sides_at_edges(model.faces)
     a, b, c = model.vertices[model.faces].transpose(1, 0, 2)
     normals = np.cross(b - a, c - a)

@@ -8,7 +8,7 @@ from typing import Literal
 
 Units = Literal["metric", "imperial"]
 INCH = 25.4
-FINEST = 16  # smallest fraction of an inch on a tape measure: a sixteenth
+FINEST = 16  # denominator of the smallest fraction of an inch on a tape measure
 
 
 def counted(count: int, noun: str) -> str:

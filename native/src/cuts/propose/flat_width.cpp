@@ -14,8 +14,8 @@
 namespace wirewarp {
 namespace {
 
-/// Number of grid points along the largest requested radius. The connection of two points is judged wrongly for at most
-/// 0.7 of their distance.
+/// Number of grid points along the largest requested radius. The error in the radius at which two points become
+/// disconnected is at most 0.7 of the distance between grid points.
 constexpr double kPointsPerRadius = 10;
 
 /// A shape that is more than this many grid points long gets a coarser grid, so that huge shapes do not fill the

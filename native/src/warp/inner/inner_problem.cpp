@@ -118,9 +118,9 @@ bool InnerProblem::restore(const Eigen::VectorXd& lengths, Eigen::VectorXd& psi)
   return largest(gap) < kClosed;
 }
 
-/// Factors the system with the largest tried share of the closures' curvature for which the step goes downhill, which
-/// share 0 always does. Returns whether the full curvature was used. If the full curvature fails, `share` is tried
-/// next: it is increased for the next call if it works, and halved otherwise.
+/// Factors the system with a share of the closures' curvature for which the step goes downhill: the full curvature, or
+/// else `share` of it, half of that, or 0, with which the step always goes downhill. Returns whether the full curvature
+/// was used. If not, `share` is increased for the next call if it works, and halved otherwise.
 bool InnerProblem::factor_downhill(const Eigen::VectorXd& closure_hessian, const Eigen::SparseMatrix<double>& jacobian,
                                    double& share) {
   if (kkt_.factor(eq1_.laplacian(), closure_hessian, jacobian)) return true;

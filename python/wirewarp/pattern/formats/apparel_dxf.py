@@ -19,7 +19,7 @@ from ..units import INCH
 from .dxf_tags import Tags, block_names, escaped_text, plain_text, section
 
 LONGEST_NAME = 20  # AccuMark cuts off longer names
-CORNER = math.radians(30)  # degrees; points where the outline turns more are turn points, others are curve points
+CORNER = math.radians(30)  # radians; points where the outline turns more are turn points, others are curve points
 TURN_POINT, CURVE_POINT = "2", "3"
 NOTCH_WIDTH = 2.0  # millimeters, at the edge
 TEXT_HEIGHT = 5.0

@@ -153,8 +153,8 @@ class _Drawing:
     def _add_path(self, layer: ElementTree.Element, stroke: Stroke) -> None:
         down = (stroke.points * (1, -1) + (0, self._height)) / self._unit
         corners = " ".join(f"{x:.{DECIMALS}f},{y:.{DECIMALS}f}" for x, y in down)
-        # Return the attributes of a line. Every line has its own, because the programs of many cutters ignore style
-        # sheets and attributes of groups.
+        # Every line has its own attributes, because the programs of many cutters ignore style sheets and attributes of
+        # groups.
         width = (self._preset.stroke or stroke.look.stroke) / self._unit
         look = {"fill": "none", "stroke": stroke.look.color, "stroke-width": f"{width:.3g}"}
         look |= {"stroke-linejoin": "round", "data-role": stroke.role}

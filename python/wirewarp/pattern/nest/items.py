@@ -75,7 +75,7 @@ def _upright(piece: PatternPiece) -> float:
 
 
 def _outline(piece: PatternPiece, gap: float, upright: float) -> np.ndarray:
-    """Return the cut line with room around it. If it is upright, its greatest width is exact.
+    """Return the cut line with room around it, simplified. Its width and height are exact if the piece is upright.
 
     Parts that touch are united.
     """

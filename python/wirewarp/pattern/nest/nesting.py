@@ -40,7 +40,7 @@ class Cloth:
     grain: Grain
 
     def __post_init__(self) -> None:
-        """Convert all fields to valid values. Raises FlattenError."""
+        """Convert the lengths to floats, and check all fields. Raises FlattenError."""
         for name, least, most in (("width", 1.0, WIDEST), ("length", 1.0, WIDEST), ("gap", 0.0, MOST_GAP)):
             given = getattr(self, name)
             if given is not None or name != "length":
