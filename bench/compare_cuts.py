@@ -201,9 +201,10 @@ def in_brief(rows: list[tuple[Outcome, Outcome]]) -> str:
         f"{sum(bool(own.figures and not peer.figures) for peer, own in rows)}, OptCuts alone "
         f"{sum(bool(peer.figures and not own.figures) for peer, own in rows)}. Of these {len(both)} WireWarp has the "
         f"shorter cuts on {won} and OptCuts on {len(both) - won}; the median of WireWarp's length over that of OptCuts "
-        f"is {ratio:.2f}. Medians of OptCuts and of WireWarp: sides of a cut that differ by {1000 * mismatch[0]:.3g} "
-        f"and by {1000 * mismatch[1]:.2g} mm per m, strain {100 * strain[0]:.0f}% and {100 * strain[1]:.0f}%, "
-        f"{charts[0]:.3g} and {charts[1]:.3g} charts, {seconds[0]:,.1f} and {seconds[1]:,.1f} s."
+        f"is {ratio:.2f}. The medians of OptCuts and of WireWarp, in this order, are {1000 * mismatch[0]:.3g} and "
+        f"{1000 * mismatch[1]:.2g} mm per m for the difference between the sides of a cut, {100 * strain[0]:.0f}% and "
+        f"{100 * strain[1]:.0f}% for the strain, {charts[0]:.3g} and {charts[1]:.3g} for the number of charts, and "
+        f"{seconds[0]:,.1f} and {seconds[1]:,.1f} s for the time."
     )
 
 

@@ -104,8 +104,8 @@ def worn_subsection(inputs: Inputs) -> str:
     return f"""### Simulated fit
 
 A smaller energy of the flat pieces does not guarantee a better garment. NVIDIA Newton's SolverStyle3D, a physics engine
-that shares no code with WireWarp, sews the same pieces, as a woven with the ratios of the preset, and puts them on
-their model (`results/wear_in_newton.py`), without gravity and friction.
+that shares no code with WireWarp, sews the same pieces, as woven fabric with the stiffness ratios of the preset, and
+puts them on their model (`results/wear_in_newton.py`), without gravity and friction.
 
 {table(["pieces flattened for", "gap, rms mm", "slide, rms mm", "strain", "worst wire"], rows)}
 

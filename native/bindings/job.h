@@ -42,8 +42,8 @@ class Job {
   bool is_done() const;
   std::pair<std::string, double> progress() const;
 
-  /// Waits for the result. Throws the exceptions of the work, and those that a signal raises in Python, which also
-  /// cancels.
+  /// Waits for the result. Throws the exceptions of the work. If a signal raises an exception in Python, cancels the
+  /// work and throws it.
   py::object result();
 
  private:

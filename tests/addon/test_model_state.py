@@ -116,7 +116,7 @@ def test_what_else_happens_when_a_scale_is_applied_is_a_change(source, has_chang
 
 
 def test_a_change_of_one_vertex_counts_without_an_applied_transformation(source, has_changed):
-    """It is below the rounding of applied ones."""
+    """The change is smaller than the rounding errors of applied transformations."""
     source.data.vertices[40].co.z = np.nextafter(np.float32(source.data.vertices[40].co.z), np.float32(1))
     source.data.update()
     bpy.context.view_layer.update()
@@ -204,7 +204,7 @@ def test_changed_modifiers_are_seen_by_report_export_and_auto(addon, smooth, tmp
     assert bpy.ops.object.wirewarp_export_svg(filepath=str(path)) == {"FINISHED"}
     CHANGES[change](smooth)
     assert taken() == [smooth]
-    assert taken() == []  # once for each state
+    assert taken() == []  # each state is reported once
     assert addon.state.changes.has_changed(smooth, addon.state.reports.last_report(smooth).model_state)
     with pytest.raises(RuntimeError, match="has changed since it was flattened"):
         bpy.ops.object.wirewarp_export_svg(filepath=str(path))

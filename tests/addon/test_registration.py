@@ -142,7 +142,7 @@ def test_papers_keep_the_numbers_that_files_store():
     numbers = {item.value: item.identifier for item in items}
     names = ("A4", "LETTER", "A4_LETTER", "A3", "TABLOID", "A0", "36IN", "24IN", "ROLL", "PROJECTOR")
     assert numbers == dict(enumerate(names))
-    assert items[-1].identifier == "ROLL"  # behind all papers of the library
+    assert items[-1].identifier == "ROLL"  # after all papers of the library
 
 
 def test_missing_arguments_come_from_the_scene(addon):
@@ -153,9 +153,9 @@ def test_missing_arguments_come_from_the_scene(addon):
     addon.properties.take_settings(operator, settings)
     assert (operator.mirror, operator.spacing, operator.method) == (True, 0.25, "REFINED")
     grid("Bump", bump)
-    bpy.ops.object.wirewarp_flatten()  # a script's call uses its own properties only
+    bpy.ops.object.wirewarp_flatten()  # a call by a script uses only the properties that it passes
     assert bpy.data.objects["Bump Flat"].data.polygons[0].normal.z > 0
-    assert addon.properties.preferences(bpy.context).moves_view  # unless the user says otherwise
+    assert addon.properties.preferences(bpy.context).moves_view  # by default
 
 
 class MenuLayout(SimpleNamespace):
@@ -177,7 +177,7 @@ class MenuLayout(SimpleNamespace):
 
 
 def test_menu_entries_use_the_settings_of_the_scene_and_are_under_the_name_of_the_add_on(addon):
-    """F3 finds them by this name."""
+    """The search by F3 finds them by the name of the add-on."""
     tools = SimpleNamespace(mesh_select_mode=(False, True, False))
     menus = addon.ui.menus
     for name, draw in menus.ADDED.items():

@@ -184,7 +184,7 @@ def buttons_keep_their_places_during_a_run() -> drive.Tour:
 
 
 def escape_ends_the_search() -> drive.Tour:
-    source = grid("Bump", bump, size=200)  # searches for many seconds
+    source = grid("Bump", bump, size=200)  # its search takes many seconds
     remember()
     with drive.in_view():
         bpy.ops.object.wirewarp_suggest_seams("INVOKE_DEFAULT", True)
@@ -205,7 +205,7 @@ def a_model_that_changes_during_the_search_gets_no_suggestion() -> drive.Tour:
 
 
 def a_search_ends_under_a_tool() -> drive.Tour:
-    """The search then does not leave Edit Mode, which would crash Blender."""
+    """The end of the search does not leave Edit Mode while the tool runs, because that would crash Blender."""
     source = grid("Bump", bump)
     select_edges(source, on_line(0, 0.0))
     remember()
@@ -225,7 +225,7 @@ def a_search_ends_under_a_tool() -> drive.Tour:
     yield lambda: not window_run.is_running()
     yield from drive.ticks(10)
     assert source.mode == "EDIT" and current(source)
-    assert drive.window_manager().operators[-1].name != "Move"  # it still runs
+    assert drive.window_manager().operators[-1].name != "Move"  # Move still runs
     yield from drive.press("ESC")
     assert source.mode == "EDIT" and current(source)
 

@@ -152,7 +152,7 @@ class NextStep(NamedTuple):
 
 
 def next_step(report: ObjectReport, left_out: list[str]) -> NextStep | None:
-    """Return the step. Return None if the pieces can be cut, or if the buttons of suggestions below are the next step.
+    """Return the next step for the user, or None.
 
     Return None if the pieces can be cut, or if the buttons of suggestions below are the next step. left_out: see
     as_seen(), for the model as it is now.

@@ -101,7 +101,7 @@ std::vector<ClothRefinement::Turn> ClothRefinement::best_turns(const Positions2&
   return turns;
 }
 
-/// Minimizes for a few fixed directions, and takes Newton steps by the angle from the best of these shapes.
+/// Minimizes for a few fixed directions, and takes Newton steps in the angle from the best of these shapes.
 Solution ClothRefinement::minimize_turning(const Shape& upright) {
   Solution best;
   double curvature = 0;

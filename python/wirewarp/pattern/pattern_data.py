@@ -118,7 +118,7 @@ class PatternData:
     def with_only(self, kinds: Iterable[str]) -> Self:
         """Return the pattern with only cut lines, folds, and these kinds of other lines, marks and texts.
 
-        kinds: of "sew", "wires", "grain", "notches", "texts", "line names". Raises FlattenError for others.
+        kinds: some of "sew", "wires", "grain", "notches", "texts" and "line names". Raises FlattenError for others.
         """
         wanted = set(kinds)
         if not wanted <= set(KINDS):

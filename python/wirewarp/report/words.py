@@ -12,7 +12,7 @@ _AREA_DECIMALS = {"mm": 1, "um": 1, "cm": 1, "in": 2, "thou": 2, "ft": 3}
 
 
 def counted(count: int, one: str, many: str = "") -> str:
-    """Return "1 edge", "2 edges". many: the plural if it does not end in s, "edges lie"."""
+    """Return "1 edge", "2 edges". many: the plural, such as "edges lie", if it is not the noun with an s."""
     return f"{count} {one if count == 1 else many or f'{one}s'}"
 
 

@@ -141,7 +141,7 @@ CutSetSearch::CutSet CutSetSearch::with_figures(CutMask cut, FlatPieces pieces) 
   return set;
 }
 
-/// before: the pieces with some of the cuts.
+/// Returns the set for this cut, with exact figures. before: the pieces with some of its cuts.
 CutSetSearch::CutSet CutSetSearch::evaluate(const FlatPieces& before, const CutMask& cut) const {
   return with_figures(cut, exact_.with_cut(before, edges_by_section(chart_, cut)));
 }
