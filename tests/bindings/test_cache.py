@@ -2,13 +2,12 @@
 """Only changed pieces are solved again, and the result is the same as without the cache."""
 
 import math
-from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import pytest
 import wirewarp
 from surfaces import chain_edges, column_chain, grid, half_cylinder
-from wirewarp import Cache, ErrorCode, Options, Wire
+from wirewarp import Cache, ErrorCode, Wire
 
 COLUMNS, ROWS = 12, 6
 
@@ -67,23 +66,6 @@ def test_only_the_piece_of_a_changed_wire_is_solved(sheet):
     run_again(cache, sheet | {"wires": [Wire(wire.vertices, wire.tolerance) for wire in sheet["wires"]]}, 2)
 
 
-def test_a_moved_vertex_changes_its_pieces(sheet):
-    cache = Cache()
-    run_again(cache, sheet, 0)
-    for vertex, reused in ((1, 2), (4, 1)):  # a change in the first piece; a change on the seam between the first two
-        moved = sheet["vertices"].copy()
-        moved[vertex, 2] = np.nextafter(moved[vertex, 2], 1)
-        run_again(cache, sheet | {"vertices": moved}, reused)
-        run_again(cache, sheet, reused)
-
-
-def test_a_new_seam_changes_its_piece(sheet):
-    cache = Cache()
-    run_again(cache, sheet, 0)
-    dart = chain_edges(column_chain(COLUMNS, ROWS, 9)[:4])
-    run_again(cache, sheet | {"seams": [*sheet["seams"], *dart]}, 2)
-
-
 def test_another_numbering_elsewhere_changes_nothing(sheet):
     """Vertices and faces added before all others shift every index."""
     cache = Cache()
@@ -98,33 +80,6 @@ def test_another_numbering_elsewhere_changes_nothing(sheet):
     }
     result = run_again(cache, shifted, 3)
     assert len(result.pieces) == 4
-
-
-CHANGED = {
-    "method": ("wirewarp++", 0),
-    "node_weight": ("uniform", 0),
-    "inner": ("least-norm", 0),
-    "fairness": (0.2, 0),
-    "max_factorizations": (2, 0),
-    "layout": ("row", 3),
-    "orientation": ("boundary", 3),
-    "grain": (1, 3),
-    "up": ((0, 1, 0), 3),
-    "gap": (0.2, 3),
-    "mirror": (True, 3),
-    "cloth": ("woven", 0),
-    "grain_angle": (0.1, 3),
-    "thickness": (0.01, 0),
-    "surface": ("middle", 3),
-}
-
-
-@pytest.mark.parametrize("name", Options().to_dict())
-def test_solver_options_matter_and_layout_options_do_not(sheet, name):
-    value, reused = CHANGED[name]
-    cache = Cache()
-    run_again(cache, sheet, 0)
-    run_again(cache, sheet | {"options": Options(**{name: value})}, reused)
 
 
 def test_an_error_is_reused_only_if_it_names_the_same_elements():
@@ -159,21 +114,6 @@ def test_a_canceled_run_keeps_reused_pieces(sheet):
     wirewarp.flatten(**changed, cache=cache, progress=lambda stage, fraction: stage == "charts")
     assert cache.size == 2
     run_again(cache, sheet | {"vertices": vertices}, 2)
-
-
-def test_threads_share_a_cache(sheet):
-    cache = Cache()
-    expected = contents(wirewarp.flatten(**sheet))
-    reported = [[] for _ in range(8)]
-
-    def run(number):
-        progress = lambda stage, _: reported[number].append(stage)  # noqa: E731
-        return contents(wirewarp.flatten(**sheet, cache=cache, progress=progress))
-
-    with ThreadPoolExecutor(4) as pool:
-        results = list(pool.map(run, range(8)))
-    assert results == [expected] * 8 and all(reported)
-    assert cache.size == 3
 
 
 def test_a_cleared_cache_knows_nothing(sheet):

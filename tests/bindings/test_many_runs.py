@@ -5,7 +5,6 @@ import os
 import sys
 from pathlib import Path
 
-import numpy as np
 import pytest
 import wirewarp
 from surfaces import spherical_patch
@@ -19,25 +18,6 @@ def flatten(method, progress=None):
     return wirewarp.flatten(
         VERTICES, FACES, wires=WIRES, options=wirewarp.Options(method=method), progress=progress
     ).pieces[0]
-
-
-@pytest.mark.parametrize("method", METHODS)
-def test_a_piece_of_a_run_canceled_at_any_call_is_canceled_or_exact(method):
-    calls = []
-    whole = flatten(method, lambda *call: calls.append(call))
-    assert whole.error is None
-    for last in range(len(calls)):
-        asked = []
-        piece = flatten(method, lambda *call, asked=asked, last=last: asked.append(call) or len(asked) <= last)
-        if piece.error is None:  # without an error, the guarantee holds
-            assert piece.report.termination in ("cancelled", "converged", "stalled")
-            assert not piece.report.objective < (1 - 1e-9) * whole.report.objective  # NaN except for the refined method
-            assert max(chain.max_edge_error for chain in (*piece.wires, *piece.boundaries)) < 1e-9
-            said = any(warning.startswith("Canceled") for warning in piece.report.warnings)
-            assert said == (piece.report.termination == "cancelled")
-        else:
-            assert piece.error.code == "cancelled" and not piece.error.has_layout
-            assert np.isnan(piece.vertices).all()
 
 
 def resident_megabytes():
