@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <sstream>
+#include <string>
 
 #include "base/planar.h"
 #include "judge.h"
@@ -15,15 +17,25 @@ namespace {
 
 using test::charts_of;
 
-long euler_characteristic(const Chart& chart) {
-  return static_cast<long>(chart.mesh.n_vertices()) - static_cast<long>(chart.mesh.n_edges()) +
-         static_cast<long>(chart.mesh.n_faces());
-}
-
-std::size_t outline_edges(const Chart& chart) {
-  std::size_t count = 0;
-  for (const BoundaryChain& chain : chart.boundary_chains) count += chain.half_edges.size();
-  return count;
+/// Returns the faces and loops of each chart with its wire parts, then each seam with the charts of its sides, such as
+/// "24 faces around 16, elastic part 0 of 2; 1 edge between 0 0".
+std::string described(const Charts& charts) {
+  std::ostringstream text;
+  for (const Chart& chart : charts.charts) {
+    text << (text.str().empty() ? "" : "; ") << chart.source_face.size() << " faces around";
+    for (const HalfEdgeChain& loop : chart.boundary_loops) text << ' ' << loop.size();
+    for (const WirePart& part : chart.wire_parts) {
+      text << (part.kind == WireKind::boundary  ? ", outline"
+               : part.kind == WireKind::elastic ? ", elastic"
+                                                : ", rigid")
+           << " part " << part.part << " of " << part.half_edges.size();
+    }
+  }
+  for (const Seam& seam : charts.seams) {
+    text << "; " << seam.edges.size() << " edges between";
+    for (const Seam::Side& side : seam.sides) text << ' ' << side.chart;
+  }
+  return text.str();
 }
 
 void expect_sound(const Charts& charts, const FlattenInput& input) {
@@ -45,68 +57,50 @@ void expect_sound(const Charts& charts, const FlattenInput& input) {
         EXPECT_EQ(chart.mesh.to_vertex_handle(loop[i]), chart.mesh.from_vertex_handle(loop[(i + 1) % loop.size()]));
       }
     }
-    EXPECT_EQ(outline_edges(chart), loop_edges) << "the chains together are the loops";
+    for (const BoundaryChain& chain : chart.boundary_chains) loop_edges -= chain.half_edges.size();
+    EXPECT_EQ(loop_edges, 0u) << "the chains together are the loops";
   }
   EXPECT_EQ(std::count(seen.begin(), seen.end(), 1), static_cast<long>(seen.size())) << "every face in one chart";
 }
 
-TEST(Charts, ASeamAcrossMakesTwoChartsWithOneSeam) {
-  const int n = 6;
-  FlattenInput input = test::flat_rectangle(n, n, 1, 1);
-  test::add_seam(input, test::grid_column(n, n, 2));
-  const Charts charts = charts_of(input);
-  expect_sound(charts, input);
-  ASSERT_EQ(charts.charts.size(), 2u);
-  EXPECT_EQ(charts.charts[0].source_face.size(), 2u * 2 * n);
-  ASSERT_EQ(charts.seams.size(), 1u);
-  EXPECT_EQ(charts.seams[0].edges.size(), static_cast<std::size_t>(n));
-  ASSERT_EQ(charts.seams[0].sides.size(), 2u);
-  EXPECT_EQ(std::set<int>({charts.seams[0].sides[0].chart, charts.seams[0].sides[1].chart}), std::set<int>({0, 1}));
-  // Each outline consists of the seam's side and one section of the rectangle's edge.
-  for (const Chart& chart : charts.charts) EXPECT_EQ(chart.boundary_chains.size(), 2u);
+constexpr int kN = 6;  // squares along a side of the sheet, each of two triangles
+
+FlattenInput sheet(const std::vector<int>& seam, const std::vector<std::vector<int>>& wires = {}) {
+  FlattenInput input = test::flat_rectangle(kN, kN, 1, 1);
+  test::add_seam(input, seam);
+  for (const std::vector<int>& wire : wires) test::add_wire(input, wire, 0.1);
+  return input;
 }
 
-TEST(Charts, ADartIsOneChartWithBothSidesOfTheSeam) {
-  const int n = 6;
-  FlattenInput input = test::flat_rectangle(n, n, 1, 1);
-  std::vector<int> dart = test::grid_column(n, n, 3);
-  dart.resize(4);  // three edges up from the lower edge
-  test::add_seam(input, dart);
-  const Charts charts = charts_of(input);
-  expect_sound(charts, input);
-  ASSERT_EQ(charts.charts.size(), 1u);
-  EXPECT_EQ(euler_characteristic(charts.charts[0]), 1) << "a disk";
-  ASSERT_EQ(charts.seams.size(), 1u);
-  ASSERT_EQ(charts.seams[0].sides.size(), 2u);
-  EXPECT_EQ(charts.seams[0].sides[0].chart, 0);
-  EXPECT_EQ(charts.seams[0].sides[1].chart, 0);
-  EXPECT_NE(charts.seams[0].sides[0].boundary_chain, charts.seams[0].sides[1].boundary_chain);
-  EXPECT_EQ(outline_edges(charts.charts[0]), static_cast<std::size_t>(4 * n + 2 * 3));
+/// The first edges of a line.
+std::vector<int> part_of(std::vector<int> line, std::size_t edges, std::size_t begin = 0) {
+  return {line.begin() + static_cast<long>(begin), line.begin() + static_cast<long>(begin + edges + 1)};
 }
 
-TEST(Charts, ASeamInsideAChartIsASlit) {
-  const int n = 6;
-  FlattenInput input = test::flat_rectangle(n, n, 1, 1);
-  const std::vector<int> column = test::grid_column(n, n, 3);
-  test::add_seam(input, {column[2], column[3], column[4]});
-  const Charts charts = charts_of(input);
-  expect_sound(charts, input);
-  ASSERT_EQ(charts.charts.size(), 1u);
-  EXPECT_EQ(charts.charts[0].boundary_loops.size(), 2u);
-  EXPECT_EQ(charts.charts[0].boundary_loops[0].size(), static_cast<std::size_t>(4 * n)) << "the outer loop first";
-}
-
-TEST(Charts, ASeamThatClosesOnItselfCutsOutADisk) {
-  const int n = 6;
-  FlattenInput input = test::flat_rectangle(n, n, 1, 1);
-  test::add_seam(input, test::grid_square(n, 3, 3, 1));
-  const Charts charts = charts_of(input);
-  expect_sound(charts, input);
-  ASSERT_EQ(charts.charts.size(), 2u);
-  ASSERT_EQ(charts.seams.size(), 1u) << "one chain without a junction";
-  EXPECT_EQ(charts.seams[0].edges.size(), 8u);
-  EXPECT_EQ(charts.charts[0].boundary_loops.size(), 2u);
-  EXPECT_EQ(charts.charts[1].boundary_loops.size(), 1u);
+TEST(Charts, HaveTheirFacesLoopsSeamsAndPartsOfWires) {
+  const std::vector<int> column = test::grid_column(kN, kN, 2), row = test::grid_row(kN, 3);
+  std::vector<int> up_and_right = part_of(column, 3);  // three edges up the seam, then across to the right
+  up_and_right.insert(up_and_right.end(), row.begin() + 3, row.end());
+  const std::vector<std::pair<FlattenInput, std::string>> cases = {
+      {sheet(column), "24 faces around 16; 48 faces around 20; 6 edges between 0 1"},
+      {sheet(part_of(column, 3)), "72 faces around 30; 3 edges between 0 0"},       // a dart
+      {sheet(part_of(column, 2, 2)), "72 faces around 24 4; 2 edges between 0 0"},  // a slit; the outer loop first
+      {sheet(test::grid_square(kN, 3, 3, 1)), "64 faces around 24 8; 8 faces around 8; 8 edges between 0 1"},
+      {sheet(column, {row}),
+       "24 faces around 16, elastic part 0 of 2; 48 faces around 20, elastic part 1 of 4; 6 edges between 0 1"},
+      // through the tip of a dart, and across the dart
+      {sheet(part_of(column, 3), {row, test::grid_row(kN, 2)}),
+       "72 faces around 30, elastic part 0 of 2, elastic part 1 of 4, elastic part 0 of 2, elastic part 1 of 4; "
+       "3 edges between 0 0"},
+      {sheet(column, {up_and_right}),
+       "24 faces around 16, outline part 0 of 3; 48 faces around 20, outline part 0 of 3, elastic part 1 of 4; "
+       "6 edges between 0 1"},
+  };
+  for (const auto& [input, expected] : cases) {
+    const Charts charts = charts_of(input);
+    EXPECT_EQ(described(charts), expected);
+    expect_sound(charts, input);
+  }
 }
 
 TEST(Charts, FiveFacesOnASeamEdgeMakeFiveSides) {
@@ -114,10 +108,9 @@ TEST(Charts, FiveFacesOnASeamEdgeMakeFiveSides) {
   const Charts charts = charts_of(input);
   expect_sound(charts, input);
   ASSERT_EQ(charts.charts.size(), 5u);
-  ASSERT_EQ(charts.seams.size(), 1u);
-  std::set<int> pieces;
-  for (const Seam::Side& side : charts.seams[0].sides) pieces.insert(side.chart);
-  EXPECT_EQ(pieces.size(), 5u);
+  const std::string expected = "; 3 edges between 0 1 2 3 4";
+  const std::string found = described(charts);
+  EXPECT_EQ(found.substr(found.size() - expected.size()), expected);
 }
 
 TEST(Charts, TheOuterLoopTurnsLeftEvenIfAHoleIsLonger) {
@@ -132,60 +125,6 @@ TEST(Charts, TheOuterLoopTurnsLeftEvenIfAHoleIsLonger) {
   ASSERT_EQ(chart.boundary_loops.size(), 2u);
   const HalfedgeHandle h = chart.boundary_loops[0][0];
   EXPECT_NEAR(chart.mesh.point(chart.mesh.from_vertex_handle(h)).norm(), 2, 1e-9);
-}
-
-TEST(Charts, AWireAcrossASeamHasAPartOnEachSide) {
-  const int n = 6;
-  FlattenInput input = test::flat_rectangle(n, n, 1, 1);
-  test::add_seam(input, test::grid_column(n, n, 2));
-  test::add_wire(input, test::grid_row(n, 3), 0.05, "bust");
-  const Charts charts = charts_of(input);
-  ASSERT_EQ(charts.charts[0].wire_parts.size(), 1u);
-  ASSERT_EQ(charts.charts[1].wire_parts.size(), 1u);
-  EXPECT_EQ(charts.charts[0].wire_parts[0].part, 0);
-  EXPECT_EQ(charts.charts[1].wire_parts[0].part, 1);
-  EXPECT_EQ(charts.charts[0].wire_parts[0].half_edges.size(), 2u);
-  EXPECT_EQ(charts.charts[1].wire_parts[0].half_edges.size(), 4u);
-  EXPECT_EQ(charts.charts[1].wire_parts[0].kind, WireKind::elastic);
-}
-
-TEST(Charts, AWireThroughTheTipOfADartIsCutThere) {
-  const int n = 6;
-  FlattenInput input = test::flat_rectangle(n, n, 1, 1);
-  std::vector<int> dart = test::grid_column(n, n, 3);
-  dart.resize(4);
-  test::add_seam(input, dart);
-  test::add_wire(input, test::grid_row(n, 3));  // through the tip
-  test::add_wire(input, test::grid_row(n, 2));  // across the dart
-  const Chart chart = test::chart_of(input);
-  EXPECT_EQ(chart.wire_parts.size(), 4u);
-}
-
-TEST(Charts, AWireAlongTheOutlineIsABoundaryPart) {
-  const int n = 6;
-  FlattenInput input = test::flat_rectangle(n, n, 1, 1);
-  test::add_seam(input, test::grid_column(n, n, 2));
-  std::vector<int> wire = test::grid_column(n, n, 2);
-  wire.resize(4);
-  for (int i = 3; i <= n; ++i) wire.push_back(i + (n + 1) * 3);  // three edges up the seam, then across to the right
-  test::add_wire(input, wire, 0.1);
-  const Charts charts = charts_of(input);
-  ASSERT_EQ(charts.charts[0].wire_parts.size(), 1u);
-  EXPECT_EQ(charts.charts[0].wire_parts[0].kind, WireKind::boundary);
-  EXPECT_EQ(charts.charts[0].wire_parts[0].tolerance, 0.1);
-  ASSERT_EQ(charts.charts[1].wire_parts.size(), 2u);
-  EXPECT_EQ(charts.charts[1].wire_parts[0].kind, WireKind::boundary);
-  EXPECT_EQ(charts.charts[1].wire_parts[0].part, 0);
-  EXPECT_EQ(charts.charts[1].wire_parts[1].kind, WireKind::elastic);
-  EXPECT_EQ(charts.charts[1].wire_parts[1].part, 1);
-  for (const Chart& chart : charts.charts) {
-    for (const WirePart& part : chart.wire_parts) {
-      for (std::size_t i = 0; i + 1 < part.half_edges.size(); ++i) {
-        EXPECT_EQ(chart.mesh.to_vertex_handle(part.half_edges[i]),
-                  chart.mesh.from_vertex_handle(part.half_edges[i + 1]));
-      }
-    }
-  }
 }
 
 /// Two flat disks of six triangles, one level and one upright, that share vertex 0 as their center. Their rims are
@@ -240,7 +179,7 @@ TEST(Charts, AWireThroughThePointWhereChartsTouchHasAPartInEach) {
 }
 
 TEST(Charts, PartsOfAClosedWirePartlyAlongTheOutlineDoNotDependOnWhereItsListBegins) {
-  const int n = 6;
+  constexpr int n = kN;
   const auto vertex = [&](int i, int j) { return i + (n + 1) * j; };
   std::vector<int> ring;  // a closed wire along the lower edge from column 1 to 5, and back at height 3
   for (int i = 1; i < 5; ++i) ring.push_back(vertex(i, 0));
@@ -253,13 +192,7 @@ TEST(Charts, PartsOfAClosedWirePartlyAlongTheOutlineDoNotDependOnWhereItsListBeg
     chain.push_back(chain.front());
     FlattenInput input = test::flat_rectangle(n, n, 1, 1);
     test::add_wire(input, chain, 0.05);
-    const Chart chart = test::chart_of(input);
-    const std::vector<WirePart>& parts = chart.wire_parts;
-    ASSERT_EQ(parts.size(), 2u) << turn;
-    EXPECT_EQ(parts[0].kind, WireKind::boundary);
-    EXPECT_EQ(parts[0].half_edges.size(), 4u);
-    EXPECT_EQ(parts[1].kind, WireKind::elastic);
-    EXPECT_EQ(parts[1].half_edges.size(), 10u);
+    EXPECT_EQ(described(charts_of(input)), "72 faces around 24, outline part 0 of 4, elastic part 1 of 10") << turn;
   }
 }
 

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Random input of every topology, legal and not, keeps all guarantees. The step `random` runs more of it.
+#include <gtest/gtest.h>
+
+#include "judge_random_case.h"
+
+namespace wirewarp::test_random_cases {
+namespace {
+
+constexpr int kSeeds = 20;  // seeds of a test, so that tests can run at once
+
+class RandomCases : public testing::TestWithParam<int> {};
+
+TEST_P(RandomCases, KeepEveryGuarantee) {
+  for (int seed = kSeeds * GetParam(); seed < kSeeds * (GetParam() + 1); ++seed) {
+    const test::RandomCase random_case = test::make_random_case(static_cast<std::uint64_t>(seed));
+    const test::Outcome outcome = test::judge(random_case);
+    EXPECT_EQ(outcome.broken, std::vector<std::string>{}) << "seed " << seed << ": " << random_case.description;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, RandomCases, testing::Range(0, 20));
+
+}  // namespace
+}  // namespace wirewarp::test_random_cases
