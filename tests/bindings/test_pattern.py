@@ -199,7 +199,10 @@ def test_a_slit_inside_a_piece(tmp_path):
         pattern = Pattern.from_result(result, darts=how)
         (piece,) = pattern.pieces
         found[how] = [line_string(line).length for line in piece.of_role("inner_cut")]
-        assert sum(point.role == "drill" for point in piece.points) == (0 if how == "cut" else 2)
+        holes = [point.at for point in piece.points if point.role == "drill"]
+        assert len(holes) == (0 if how == "cut" else 2)
+        if holes:  # 13 mm before either end
+            assert np.linalg.norm(holes[0] - holes[1]) == pytest.approx(3 * 40 - 2 * 13)
         assert [warning.count("fills 1 of 1 holes") for warning in pattern.warnings] == ([1] if how == "cut" else [])
         for ending in ("svg", "pdf", "dxf", "plt"):
             pattern.write(tmp_path / f"slit.{ending}")
@@ -220,7 +223,10 @@ def test_an_inward_corner_is_clipped():
     result = quads(points, [(0, 1, 4, 3), (1, 2, 5, 4), (3, 4, 7, 6)])
     (piece,) = Pattern.from_result(result).pieces
     (clip,) = [point for point in piece.points if point.role == "clip"]
-    assert clip.depth == pytest.approx(10 * math.sqrt(2) - 2, abs=1e-3)  # measured from the corner of the cut line
+    assert clip.depth == pytest.approx(10 * math.sqrt(2) - 2, abs=1e-3)  # from the corner of the cut line
+    start, end = (shapely.Point(place) for place in clip.stroke)
+    assert cut_polygon(piece).exterior.distance(start) < 1e-3
+    assert sew_polygon(piece).exterior.distance(end) == pytest.approx(math.sqrt(2), abs=1e-3)
 
 
 def test_a_gap_filled_by_allowance_has_no_clips():

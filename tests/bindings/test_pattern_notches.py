@@ -165,3 +165,11 @@ def test_the_hole_of_a_curved_dart_is_where_its_legs_lead_from_the_tip():
     first = Side(0, np.array([1, 2, 3]), legs[0], 0, False)
     second = Side(0, np.array([3, 2, 1]), legs[1][::-1], 0, False)
     assert drill_hole(Dart(first, second)).at == pytest.approx(13 * np.array([8.0, -30.0]) / np.hypot(8, 30))
+
+
+def test_the_hole_of_legs_in_one_line_is_on_the_first():
+    """The middle between them is no direction."""
+    tip, ends = np.array([30.0, 5.0]), np.array([(30.0, -15.0), (30.0, 25.0)])
+    first = Side(0, np.array([1, 2]), np.array([ends[0], tip]), 0, False)
+    second = Side(0, np.array([2, 1]), np.array([tip, ends[1]]), 0, False)
+    assert drill_hole(Dart(first, second)).at == pytest.approx([30, 5 - 20 / 2])
