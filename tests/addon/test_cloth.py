@@ -47,17 +47,6 @@ def test_the_shape_for_a_fabric_is_that_of_the_library(source, addon):
         assert found == pytest.approx(wanted[of_flat], abs=1e-5)
 
 
-def test_a_custom_fabric_with_the_same_ratios_gives_the_same_pieces(source):
-    bpy.ops.object.wirewarp_flatten(cloth="DENIM", keep_places=False)
-    denim = flat_places(source)
-    bpy.ops.object.wirewarp_flatten(
-        cloth="CUSTOM", cloth_across=2.1, cloth_along=10.0, cloth_shear=0.6, keep_places=False
-    )
-    assert flat_places(source) == pytest.approx(denim, abs=1e-5)
-    bpy.ops.object.wirewarp_flatten(keep_places=False)
-    assert np.abs(flat_places(source) - denim).max() > 1e-3
-
-
 def test_maps_of_threads_need_a_fabric(source, addon):
     bpy.ops.object.wirewarp_flatten(cloth="WOVEN")
     flat = flat_of(source).data
@@ -83,15 +72,6 @@ def test_a_fabric_that_does_not_stretch_enough_is_reported_with_the_place(source
     assert 0 < len(hint.faces) < len(source.data.polygons)
     assert addon.core.verdict(report).kind == "beyond fabric"
     assert bpy.ops.mesh.wirewarp_select_result(what="HINT", index=report.hints.index(hint)) == {"FINISHED"}
-
-
-@pytest.mark.parametrize(("cloth", "kind"), [("DENIM", "beyond fabric"), ("SWIM", "ready")])
-def test_a_fabric_stretches_as_far_as_the_table_says(source, addon, cloth, kind):
-    bpy.ops.object.wirewarp_flatten(cloth=cloth)
-    report = last_report(addon, source)
-    assert addon.core.verdict(report).kind == kind
-    gives = report.pieces[0].threads.gives
-    assert (gives.across, gives.along) == addon.core.Cloth.preset(cloth.lower()).limits
 
 
 @pytest.mark.parametrize(

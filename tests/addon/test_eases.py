@@ -28,15 +28,6 @@ def test_all_sides_of_a_seam_are_eased_alike_in_percent_or_millimeters(source):
     assert [100 * (left - spatial), 100 * (right - spatial)] == pytest.approx([12.0, 12.0], abs=1e-3)
 
 
-def test_an_outline_and_a_wire_inside_are_eased(source):
-    ease(source, HEM, sides="OTHER", ease_percent=3.0)  # an outline has no other side
-    ease(source, on_line(1, 0.0), sides="ALL", ease_percent=2.0)
-    bpy.ops.object.wirewarp_flatten()
-    for line, ratio in ((HEM, 0.03), (on_line(1, 0.0), 0.02)):
-        spatial, left, right = lengths(source, line)
-        assert left + right == pytest.approx((1 + ratio) * spatial, rel=1e-5)
-
-
 def test_clearing_removes_every_ease(source):
     ease(source, SEAM, sides="ALL", ease_percent=2.0)
     ease(source, SEAM, sides="ONE", ease_percent=5.0)
@@ -303,14 +294,6 @@ def test_an_eased_outline_has_its_target_length(source, addon):
     asked = 100 * 0.05 * half / outlines[0].sides[0].length_3d
     assert all(row.note == f"ease +{asked:.3g}%" for row in outlines)
     assert eases_of(addon, report, "Open edge") == pytest.approx([asked, asked], rel=1e-5)
-
-
-def test_the_ease_of_all_sides_is_in_the_table_for_spreadsheets(source, addon):
-    ease(source, SEAM, sides="ALL", ease_percent=-10.0)
-    ease(source, SEAM, sides="ONE", ease_percent=5.0)
-    bpy.ops.object.wirewarp_flatten()
-    report = addon.state.reports.last_report(source)
-    assert sorted(eases_of(addon, report, "Seam")) == pytest.approx([-10, 100 * (0.9 * 1.05 - 1)], abs=1e-4)
 
 
 @pytest.mark.parametrize(("percent", "longer", "how"), [(5.0, 0.05, "ease"), (-40.0, 0.4, "gather")])

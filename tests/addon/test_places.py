@@ -139,16 +139,6 @@ def test_a_new_piece_goes_beside_the_others(source):
     assert_true(source)
 
 
-def test_several_new_pieces_do_not_overlap(source):
-    for line in (-0.75, -0.5, -0.25, 0.25, 0.5, 0.75):
-        mark_seam(source, on_line(1, line))
-    flatten(source)
-    found = list(boxes(source).values())
-    assert len(found) == 14
-    crowded = [(k, j) for k in range(14) for j in range(k) if not are_apart(found[k], found[j])]
-    assert len(crowded) <= 1  # boxes of the two that stayed may overlap, because the pieces may be rotated
-
-
 def test_a_piece_that_grew_into_another_is_moved_beside_it_with_a_message(source, notes):
     before = places_of(source)
     for vertex in source.data.vertices:

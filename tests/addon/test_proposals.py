@@ -60,13 +60,6 @@ def joined(source, *others):
     return source
 
 
-def test_one_proposal_leaves_the_others_good():
-    joined(tube(), tube("Other", rows=9, place=4.0, length=2.0))
-    flatten_fails(CUT)
-    assert take(issue=0) == take(issue=1) == {"FINISHED"}
-    assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
-
-
 def test_two_sleeves_are_fixed_at_once_as_mirror_images(addon):
     """The second sleeve's own proposal would put its seam on the same side as that of the first."""
     source, other = tube(place=-2.0), tube("Other", place=2.0)

@@ -7,10 +7,9 @@ import bpy
 import numpy as np
 import pytest
 from everything import draw_panels
-from suggesting import SUGGEST, are_mirrored, found, needed, pairs
-from surfaces import bump, flat_of, grid, mark, mark_seam, on_line, read
+from suggesting import SUGGEST, found, needed, pairs
+from surfaces import bump, flat_of, grid, mark_seam, on_line, read
 from test_proposals import seams_of
-from test_suggestions import two_hills
 from view_context import view_context
 
 
@@ -215,13 +214,6 @@ def test_no_cut_enters_a_painted_area(addon, kind):
         assert not pairs(cut) & pairs(other.edges)
 
 
-def test_a_painted_closed_model_has_no_cut_sets():
-    source = ball()
-    source.vertex_groups.new(name="wirewarp_no_seam").add(range(len(source.data.vertices)), 1.0, "REPLACE")
-    with pytest.raises(RuntimeError, match='no seams were found.* Seams are also not allowed where "wirewarp_no_seam"'):
-        SUGGEST["SEAMS"]()
-
-
 @pytest.mark.parametrize("data_type", ["INT8", "INT", "FLOAT"])
 def test_a_fully_painted_model_has_no_cuts(data_type):
     paint(grid("Bump", bump, size=6), data_type)
@@ -259,17 +251,6 @@ def test_a_row_is_marked_with_all_earlier_ones_and_leaves_its_stretch(addon, set
     assert needed(addon, source) == pytest.approx(chosen.strain, rel=1e-5)  # single precision
 
 
-def test_seams_divide_the_piece_and_its_parts(addon, settings):
-    source = grid("Bump", bump, size=6)
-    bpy.ops.object.wirewarp_flatten()
-    SUGGEST["SEAMS"](piece=0)
-    words = draw_panels(addon)
-    assert "Stretch with Seams, Bump  1 seam: " in words and " 2 seams: " in words
-    assert bpy.ops.object.wirewarp_mend(what="SUGGESTION") == {"FINISHED"}
-    pieces = addon.state.reports.last_report(source).pieces
-    assert len(pieces) == 3 and all(piece.ok for piece in pieces)
-
-
 def test_figures_of_the_model_are_those_of_its_worst_piece(addon, settings):
     source = grid("Bump", bump)
     mark_seam(source, on_line(0, 0.25))
@@ -285,16 +266,6 @@ def test_figures_of_the_model_are_those_of_its_worst_piece(addon, settings):
     left = max(apart[cut.piece].strain, apart[1 - cut.piece].strain_before)
     assert cut.strain == pytest.approx(left, rel=1e-6)
     assert "Stretch with Darts, Bump  1 dart: " in draw_panels(addon)
-
-
-def test_mirror_images_are_one_row(addon, settings):
-    source = two_hills()
-    mark(source, on_line(0, 0.0))  # no dart crosses it, so two hills need two darts
-    SUGGEST["DARTS"]()
-    (cut,) = found(addon, source).cuts
-    assert len(cut.lengths) == 2
-    assert are_mirrored(source, cut.edges)
-    assert "2 darts: " in draw_panels(addon)
 
 
 def test_the_target_reaches_the_search_and_the_remaining_stretch_is_reported(addon, settings, capfd):
@@ -316,12 +287,3 @@ def test_the_target_reaches_the_search_and_the_remaining_stretch_is_reported(add
     settings.aim_stretch = 100.0
     with pytest.raises(RuntimeError, match=r"is flat enough.* and 100% is accepted"):
         SUGGEST["DARTS"]()
-
-
-def test_cut_sets_meet_the_target(addon, settings):
-    source = ball()
-    settings.aim_stretch = 30.0
-    SUGGEST["SEAMS"]()
-    (cut,) = found(addon, source).cuts
-    assert cut.is_first and cut.strain <= 0.3
-    assert f"Stretch with Seams, {source.name}  First seams: " in draw_panels(addon)
