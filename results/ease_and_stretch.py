@@ -135,6 +135,6 @@ must be fuller than the other, as at a sleeve head or an elbow, use ease on one 
 {change(plain_sleeve, as_made[SLEEVE].energy)}. For gathers, choose no fabric, and use an ease of 50% to 150% and a
 larger fairness, so that the long edge stays smooth. The strain there becomes folds, against which fabric has hardly
 any
-resistance. With a woven,
+resistance. With a woven fabric,
 the pieces would shear instead: by {degrees(woven.shear)}, compared with {degrees(unwoven.shear)} without a fabric.
 """

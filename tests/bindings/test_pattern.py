@@ -114,7 +114,8 @@ def junction() -> wirewarp.FlattenResult:
 
 
 def test_both_allowances_of_a_seam_end_on_the_cut_lines_that_cross_it():
-    # The cross seam is straight across seams 1-4 and 4-7, so these are sewn first; pressed open, they end on it.
+    # The cross seam continues straight across seams 1-4 and 4-7, so these are sewn first. Their allowances are pressed
+    # open, and end on the cut line of the cross seam.
     result = junction()
     sticks_out, falls_short = np.zeros(4), np.zeros(4)
     for piece in Pattern.from_result(result).pieces:

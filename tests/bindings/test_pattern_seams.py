@@ -71,7 +71,7 @@ def off_when_pressed(piece: PatternPiece, points: np.ndarray) -> tuple[float, fl
 
     allowance = np.array(beside(30).exterior.coords)
     folded = shapely.Polygon(allowance - 2 * ((allowance - end) @ outward)[:, None] * outward)
-    return folded.difference(cut).area, beside(-9.9).difference(folded).area  # 10 mm wide
+    return folded.difference(cut).area, beside(-9.9).difference(folded).area  # the allowance is 10 mm wide
 
 
 @pytest.mark.parametrize(("name", "count"), [("Cushion", 8), ("Armchair cover", 4)])

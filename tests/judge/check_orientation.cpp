@@ -11,7 +11,7 @@ namespace wirewarp::test {
 namespace {
 
 constexpr double kDirectionRounding = 1e-6;
-constexpr double kShortChord = 0.1;  // chord over length; of a line with a shorter chord, the box is upright instead
+constexpr double kShortChord = 0.1;  // chord over length; if it is less, the line's box is upright instead of the chord
 constexpr double kStraight = 0.087266462599716;  // 5 degrees
 constexpr double kLevel = 0.01;
 

@@ -305,8 +305,8 @@ TEST(Isoperimetric, KnownShapesHaveTheirRatios) {
     return isoperimetric_ratio(chart);
   };
   EXPECT_NEAR(ratio(test::flat_rectangle(3, 3, 1, 1)), 16 / (4 * kPi), 1e-12);
-  EXPECT_NEAR(ratio(cap(200, 100, 1e-6, kPi / 2)), 0.5, 1e-3);                 // (2 pi)^2 / 4 pi over 2 pi
-  EXPECT_NEAR(ratio(test::cylinder_tube(200, 2, 1, 4)), 1 / (2 * 4.0), 1e-3);  // pi over 2 pi 4
+  EXPECT_NEAR(ratio(cap(200, 100, 1e-6, kPi / 2)), 0.5, 1e-3);                 // (2 pi)^2 / (4 pi 2 pi)
+  EXPECT_NEAR(ratio(test::cylinder_tube(200, 2, 1, 4)), 1 / (2 * 4.0), 1e-3);  // pi / (2 pi 4)
 }
 
 TEST(ShortOutline, IsNotReportedForPiecesThatCanBeFlattened) {

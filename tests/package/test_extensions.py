@@ -59,7 +59,7 @@ def test_there_is_an_extension():
 
 
 def sha256(content: bytes) -> str:
-    """Return the hash in the form of wheels."""
+    """Return the hash as the RECORD of a wheel writes it."""
     return "sha256=" + base64.urlsafe_b64encode(hashlib.sha256(content).digest()).rstrip(b"=").decode()
 
 

@@ -251,7 +251,8 @@ def _name_on_line(texts: tuple[str, ...], lines: LineEdges, rows: np.ndarray, ro
     place = middles[np.argmin(np.linalg.norm(middles - middles.mean(axis=0), axis=1))]
     by_distance = np.argsort(np.linalg.norm(middles - place, axis=1), kind="stable")
     first = (np.array([0, *ALONG]) * len(rows)).astype(int)
-    best = by_distance[np.unique(np.concatenate([first, first[1:] + 1]).clip(max=len(rows) - 1))]  # on both sides
+    # the edge after each in this order is usually on the other side of the middle
+    best = by_distance[np.unique(np.concatenate([first, first[1:] + 1]).clip(max=len(rows) - 1))]
     reach = float(np.linalg.norm(lines.ends[rows] - place, axis=2).max())
     piece = int(lines.pieces[rows[0]])
     return Name(

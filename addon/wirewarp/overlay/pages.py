@@ -60,7 +60,7 @@ def cut_lines(parts: PatternParts | None, allowance: float, **options: object) -
 def cut_places(cut: CutLines, millimeters: float) -> np.ndarray:
     """Return the ends (2k,3) float32 of the lines in Blender units; empty if nothing is added to the pieces.
 
-    millimeters: in a Blender unit.
+    millimeters: number of millimeters in a Blender unit.
     """
     return _in_space(_outlines(cut.made) if cut.made and cut.has_allowance else [], np.zeros(2), millimeters)
 
@@ -76,7 +76,8 @@ class PageChoices:
 def page_preview(cut: CutLines, drawn: CutLines, choices: PageChoices, millimeters: float) -> PagePreview:
     """Return the pages over the pieces, or below them if the pieces are elsewhere in the file.
 
-    The library lays the pages out as for a PDF. drawn: the cutting lines in the file; millimeters: in a Blender unit.
+    The library lays the pages out as for a PDF. drawn: the cutting lines in the file; millimeters: number of
+    millimeters in a Blender unit.
     """
     made = drawn.made
     if made is None or cut.made is None:

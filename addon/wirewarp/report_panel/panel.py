@@ -122,7 +122,7 @@ def _flat_numbers(side: Side, text: LengthText) -> tuple[str, str, str]:
 def longer_sides(sides: Sequence[Side], units: LengthText, meters: float) -> list[str]:
     """Return the texts of the pattern on an eased seam, such as "Sleeve 12 mm longer, ease between notches".
 
-    meters: in a Blender unit.
+    meters: meters in a Blender unit.
     """
     asked = {side.label: side.length_asked for side in sides if side.length_2d is not None and side.length_asked}
     millimeters = 1000 * meters

@@ -123,7 +123,7 @@ def object_report(
     meters: float,
     cloth: ClothChoice | None = None,
 ) -> ObjectReport:
-    """Return the report. identities: names and ids of pieces; meters: in one Blender unit."""
+    """Return the report. identities: names and ids of pieces; meters: meters in a Blender unit."""
     report = _library_report(result, arrays, meters, cloth)
     for piece, identity in zip(report.pieces, identities, strict=True):
         piece.name, piece.piece_id = identity.name, identity.piece_id

@@ -350,7 +350,7 @@ class TargetSettings:
 
 
 def choices_of(settings: FlattenSettings, meters: float) -> FlattenChoices:
-    """Return the choices from the settings of the scene or an operator. meters: in a Blender unit."""
+    """Return the choices from the settings of the scene or an operator. meters: meters in a Blender unit."""
     return FlattenChoices(**{each.choice: each.to_choice(settings, meters) for each in SETTINGS if each.choice})
 
 

@@ -22,7 +22,7 @@ struct ModelStep {
   Eigen::VectorXd d;
   double length = 0;       // |d|_G
   double decrease = 0;     // -q(d) > 0
-  bool is_inside = false;  // shorter than the radius: a minimum of q
+  bool is_inside = false;  // whether d is shorter than the radius, and is therefore a minimum of q
 };
 
 class LanczosTrustRegion {

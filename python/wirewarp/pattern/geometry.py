@@ -98,7 +98,7 @@ def _distances(points: np.ndarray, obstacles: np.ndarray) -> np.ndarray:
 def crossings(point: np.ndarray, direction: np.ndarray, a: np.ndarray, b: np.ndarray) -> np.ndarray:
     """Return lengths (n,) from the point (2,) along the unit vector to segments a (s,2) to b; negative behind it."""
     along, to = b - a, a - point
-    with np.errstate(divide="ignore", invalid="ignore"):  # segments in this direction
+    with np.errstate(divide="ignore", invalid="ignore"):  # the slope of parallel segments is 0
         slope = _cross(direction, along)
         distance, share = _cross(to, along) / slope, _cross(to, direction) / slope
     found: np.ndarray = distance[(share >= -1e-9) & (share <= 1 + 1e-9)]

@@ -14,7 +14,7 @@ namespace wirewarp {
 /// A line between two points, or a closed one.
 struct RelaxedLine {
   SurfacePoint start, end;  // not used if the line is closed
-  MeshPath between;         // vertices, and points where it crosses edges; for a closed line, also the first one
+  MeshPath between;         // vertices of the line and its crossings with edges; a closed line repeats the first one
   bool is_closed = false;
 };
 

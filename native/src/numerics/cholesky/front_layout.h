@@ -19,7 +19,7 @@ struct Front {
   int first_vertex;       // in FrontLayout::vertices
   int num_pivots;         // vertices
   int num_rows;           // vertices
-  int num_own_rows;       // vertices; the first rows, which are pivots of fronts in the same share of subtrees
+  int num_own_rows;       // vertices: those first rows that are pivots of fronts in the same share of subtrees
   int pivot_tiles;        // m
   int row_tiles;          // r
   int first_entry;        // in FrontLayout::entries; the next front's value is the end

@@ -100,7 +100,7 @@ class CutLines:
 
     outer: list[np.ndarray]
     holes: list[np.ndarray]
-    pockets: list[np.ndarray]  # a part outside the piece that its allowance encloses is not cut out
+    pockets: list[np.ndarray]  # areas outside the piece that its allowance encloses; they are not cut out
 
 
 def cut_lines(loops: Sequence[Sequence[Section]]) -> CutLines:
