@@ -20,7 +20,7 @@ addon = sys.modules[module]
 
 
 def die(*_):
-    os.kill(os.getpid(), getattr(signal, "SIGKILL", signal.SIGTERM))  # which is as hard on Windows
+    os.kill(os.getpid(), getattr(signal, "SIGKILL", signal.SIGTERM))  # which ends a process as abruptly on Windows
 
 
 if where == "solve":

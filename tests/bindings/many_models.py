@@ -103,7 +103,7 @@ def run_with_kills(models, out, jobs, seed=0):
         # Some files are not models, so this is the best exit code that a run can have.
         assert process.returncode in (-9, 2, 3), process.returncode
     while any(line["verdict"] == "stopped" for line in run(models, out, jobs)):
-        pass  # until no model is left unfinished by a kill
+        pass  # until every model that a kill interrupted is finished
     # A process that ends just after its driver may leave a hidden folder, which the next run removes.
     return run(models, out, jobs), killed
 

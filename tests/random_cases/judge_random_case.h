@@ -15,7 +15,7 @@ using Counts = std::map<std::string, int>;
 struct Outcome {
   std::string name;  // "flat", or the code of the error
   std::vector<std::string> broken;
-  Counts starts = {};  // starts of the pieces without an error
+  Counts starts = {};  // number of pieces without an error, by their start
 
   void add(std::vector<std::string> sentences) {
     for (std::string& sentence : sentences) broken.push_back(std::move(sentence));

@@ -19,8 +19,8 @@ namespace wirewarp {
 /// whose ratio to the largest useful strain is nearest to 1, if three sets are enough. least: the first strain.
 std::vector<double> allowed_strains(double least, double target);
 
-/// Returns the strain that the fabric of a set allows: the target, or the least of its doubles that the set keeps. With
-/// the default target, it is 5% for woven fabric, 10%, and 20% for plush.
+/// Returns the strain that the fabric of a set allows: the smallest of 1, 2, 4, 8, … times the target that the set
+/// keeps. With the default target, it is 5% for woven fabric, 10%, and 20% for plush.
 double limit_of_set(const DartProposal& set, const CutOptions& cut_options);
 
 /// Searches for sets of cuts of one piece whose flat shape is missing or needs too much strain. First it finds a cut
