@@ -5,6 +5,7 @@ import bpy
 import numpy as np
 import pytest
 from everything import draw_panels
+from mathutils import Vector
 from surfaces import (
     bump,
     edge_vertices,
@@ -203,3 +204,25 @@ def test_the_seams_of_the_map_are_solved_once(addon):
     flatten(source)
     _, by_map = addon.flatten.read.solved_pieces(source)
     assert by_map.size == 2
+
+
+def test_seams_of_the_map_are_offered_although_no_fabric_can_do_some_of_their_pieces(addon):
+    """A cube is unfolded. Of a sphere, only the cap is an island of its own."""
+    bpy.ops.mesh.primitive_uv_sphere_add(segments=16, ring_count=8)
+    sphere = bpy.context.active_object
+    mesh = sphere.data
+    uv = mesh.uv_layers.active.data
+    for face in mesh.polygons:
+        for loop in face.loop_indices:
+            uv[loop].uv = mesh.vertices[mesh.loops[loop].vertex_index].co.xy / 4 + Vector((face.center.z > 0.4, 0.5))
+    source = cube()
+    sphere.select_set(True)
+    bpy.ops.object.join()
+    flatten_fails("is closed")
+    found = uv_seams_of(addon, source)
+    assert (found.pieces, found.failed, found.beyond_any, found.is_good) == (3, 0, 1, True)
+    said = f"make 3 pieces, 1 with a stretch over 100%, the others with {addon.core.percent_text(found.stretch)}."
+    assert said in draw_panels(addon)
+    assert bpy.ops.object.wirewarp_mend(what="UV_SEAMS") == {"FINISHED"}
+    pieces = addon.state.reports.last_report(source).pieces
+    assert sorted(piece.needed > 1 for piece in pieces) == [False, False, True]

@@ -137,12 +137,14 @@ def _try_uv_seams(
     except ObjectError:
         return None  # faults of the whole model are in the report
     found = uv_seams(result, tried, meters, choices.cloth)
+    needed = [piece.needed for piece in report.pieces if piece.ok]
+    usable = sum(each <= ANY_LIMIT for each in needed)
+    bad, is_less = found.pieces - found.usable, found.stretch < max(needed, default=0.0)
     if not report.issues:
-        is_better = not found.failed and found.stretch < max(piece.needed for piece in report.pieces)
+        is_better = not found.failed and bad <= len(needed) - usable and is_less
     else:
-        good = sum(piece.ok for piece in report.pieces)
-        is_better = found.pieces - found.failed > good and found.failed <= max(len(report.pieces) - good, 1)
-    return found if is_better and found.stretch < ANY_LIMIT else None
+        is_better = found.usable > usable and bad <= max(len(report.pieces) - usable, 1)
+    return found if is_better else None
 
 
 def _outcome(model: Model, result: FlattenResult, choices: FlattenChoices, meters: float) -> Outcome:

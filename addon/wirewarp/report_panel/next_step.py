@@ -186,7 +186,12 @@ def uv_step(found: UvSeams | None) -> NextStep:
     sentence = ""
     if found:
         beyond = ", more than this fabric has" if found.is_beyond_fabric else ""
-        became = f"{found.failed} of them fail" if found.failed else f"stretch {percent_text(found.stretch)}{beyond}"
+        stretch = percent_text(found.stretch)
+        became = f"stretch {stretch}{beyond}"
+        if found.failed:
+            became = f"{found.failed} of them fail"
+        elif found.beyond_any:
+            became = f"{found.beyond_any} with a stretch over 100%, the others with {stretch}{beyond}"
         sentence = f"The seams of the UV map make {counted(found.pieces, 'piece')}, {became}."
     return NextStep(sentence, "Use UV Map Seams", "UV", MEND, {"what": "UV_SEAMS"})
 

@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 
 from ..core import (
+    ANY_LIMIT,
     CLOSED_CODE,
     TORN,
     FlattenResult,
@@ -57,12 +58,18 @@ class UvSeams:
 
     pieces: int
     failed: int
-    stretch: float  # largest Piece.stretch of the good pieces
+    stretch: float  # largest Piece.needed of the pieces that some fabric can be cut for
+    beyond_any: int = 0  # pieces beyond every fabric
     is_beyond_fabric: bool = False  # whether this is more than the chosen fabric stretches
 
     @property
+    def usable(self) -> int:
+        return self.pieces - self.failed - self.beyond_any
+
+    @property
     def is_good(self) -> bool:
-        return not (self.failed or self.is_beyond_fabric)
+        """Return whether to offer these seams first. A few pieces may need more seams, such as laces of a shoe."""
+        return not (self.failed or self.is_beyond_fabric) and self.usable > self.beyond_any
 
 
 @dataclass(kw_only=True)
@@ -139,10 +146,12 @@ def uv_seams(result: FlattenResult, arrays: MeshArrays, meters: float, cloth: Cl
     """Return the result. arrays: the model with the seams of the UV map."""
     pieces = _library_report(result, arrays, meters, cloth).pieces
     good = [piece for piece in pieces if piece.ok]
+    needed = [piece.needed for piece in good if piece.needed <= ANY_LIMIT]
     return UvSeams(
         pieces=len(pieces),
         failed=len(pieces) - len(good),
-        stretch=max((piece.needed for piece in good), default=0.0),
+        stretch=max(needed, default=0.0),
+        beyond_any=len(good) - len(needed),
         is_beyond_fabric=bool(known_stretch(cloth)) and any(piece.is_strained for piece in good),
     )
 
