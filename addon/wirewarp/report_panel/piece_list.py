@@ -16,7 +16,9 @@ from .flatten_panel import offered_piece
 from .panel import draw_select
 
 NO_STRAIN = 5e-4  # smaller values are shown as 0.0%
-MOST_ROWS = 16  # most rows: more would get a scroll bar, which leaves less room for the names
+MOST_ROWS = 16  # more rows get a scroll bar, in the place of the buttons that select a piece
+NAMES = 0.7  # share of a line for the name: ">100%" fits beside it
+SELECT = "Select Piece"
 WORTH_A_CUT = 0.005  # smallest strain for which the library proposes cuts
 
 
@@ -27,7 +29,7 @@ class WIREWARP_UL_pieces(bpy.types.UIList):
         self,
         context: bpy.types.Context,
         layout: bpy.types.UILayout,
-        _source: bpy.types.Object,
+        source: bpy.types.Object,
         entry: bpy.types.PropertyGroup,
         _icon: int,
         _active_source: bpy.types.Object,
@@ -38,7 +40,7 @@ class WIREWARP_UL_pieces(bpy.types.UIList):
         if row is None:
             line.prop(entry, "name", text="", emboss=False, icon="BLANK1")
             return
-        columns = line.split(factor=0.78)
+        columns = line.split(factor=NAMES)
         mark = mark_of(row.ok, row.is_strained) if _is_current(context) else {"icon": "BLANK1"}
         columns.prop(entry, "name", text="", emboss=False, **mark)
         if row.has_layout:
@@ -46,7 +48,8 @@ class WIREWARP_UL_pieces(bpy.types.UIList):
             figure.alignment = "RIGHT"
             # a longer text would not fit the column
             figure.label(text=percent_text(row.needed) if row.needed < 1 else ">100%")
-            draw_select(line, "PIECE", index)
+            if len(source.wirewarp_pieces) <= MOST_ROWS:
+                draw_select(line, "PIECE", index)
 
     def filter_items(
         self, context: bpy.types.Context, source: bpy.types.Object, entries_name: str
@@ -98,6 +101,9 @@ class VIEW3D_PT_wirewarp_pieces(SidebarPanel, bpy.types.Panel):
             "WIREWARP_UL_pieces", "", source, "wirewarp_pieces", source, "wirewarp_active_piece", rows=rows
         )
         chosen = _row_of(context, source.wirewarp_active_piece)
+        if chosen and chosen.has_layout and len(source.wirewarp_pieces) > MOST_ROWS:
+            button = self.layout.operator("mesh.wirewarp_select_result", text=SELECT, icon="RESTRICT_SELECT_OFF")
+            button.what, button.index = "PIECE", chosen.index
         if chosen:  # buttons first, so that their results are in view
             report = shown_report(context)
             # the piece that has buttons below Flatten
