@@ -44,7 +44,7 @@ def search_finds_commands_by_the_add_on_s_name() -> drive.Tour:
 
 
 def the_first_pieces_are_brought_into_view() -> drive.Tour:
-    """The view moves only once, and not at all if the preference is off."""
+    """The view moves again only if the layout becomes much larger, and not at all if the preference is off."""
     source = grid("Bump", bump)
     view = drive.view_area().spaces.active.region_3d
     view.view_location, view.view_distance = (100, 100, 100), 1
@@ -55,6 +55,10 @@ def the_first_pieces_are_brought_into_view() -> drive.Tour:
     view.view_location = elsewhere = Vector((100, 100, 100))
     yield from flatten()
     assert view.view_location == elsewhere
+    source.scale = (2, 2, 2)
+    yield from flatten()
+    assert all(in_sight(view, each) for each in (source, flat_of(source)))
+    view.view_location = elsewhere
     drive.replace(wirewarp_addon.properties.preferences(bpy.context), "moves_view", False)
     select_only(grid("Other", bump))
     yield from flatten()

@@ -29,6 +29,8 @@ from .places import (
 )
 from .read import RunSettings, find_source
 
+GROWN = 1.5  # a layout that is longer by this factor is shown, although its first pieces were shown before
+
 
 def write_results(context: bpy.types.Context, outcomes: list[Outcome], settings: RunSettings) -> None:
     """Writes the UV layer, flat object, maps and report of every object that has a layout."""
@@ -91,7 +93,9 @@ def _place(source: bpy.types.Object, outcome: Outcome, earlier: bpy.types.Object
     """Return the pieces in their places in the flat object `earlier`, and the upward direction (3,) of that layout."""
     options = outcome.report.options
     pieces, crowded = pieces_in_place(outcome.pieces, earlier, gap_between(outcome.arrays, options["spacing"]))
-    outcome.is_elsewhere = bool(crowded) or earlier is None
+    was = np.ptp(np.array(earlier.bound_box), axis=0)[:2] if earlier else np.zeros(2)
+    has_grown = bool(np.any(np.ptp(pieces.vertices, axis=0) > GROWN * was))  # many pieces are new
+    outcome.is_elsewhere = bool(crowded) or has_grown
     if crowded:
         name_of = {identity.piece_id: identity.name for identity in outcome.identities}
         outcome.report.notes.append(note(crowded_text([name_of[piece_id] for piece_id in crowded])))

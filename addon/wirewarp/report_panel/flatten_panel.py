@@ -111,8 +111,9 @@ class VIEW3D_PT_wirewarp_flatten(SidebarPanel, bpy.types.Panel):
             _draw_state(context, layout, source, report)
         if report and settings.auto_update and waits_for_object_mode(source):
             draw_sentence(context, layout, WAITS, "INFO")
-        if report and find_flat_object(source):
-            layout.operator("view3d.wirewarp_frame", icon="VIEWZOOM")
+        if report:
+            text = "Show Model and Pieces" if find_flat_object(source) else "Show Model"
+            layout.operator("view3d.wirewarp_frame", text=text, icon="VIEWZOOM")
         if settings.method == "WIREWARPING" and _has_loose_wires(active):
             draw_sentence(context, layout, "This method keeps elastic and free wires rigid too.", "INFO")
 

@@ -213,7 +213,7 @@ class VIEW3D_OT_wirewarp_frame(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        return context.area is not None and context.area.type == "VIEW_3D" and len(_objects(context)) == 2
+        return context.area is not None and context.area.type == "VIEW_3D" and bool(_objects(context))
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         show_objects(context, context.area, _objects(context))
@@ -223,7 +223,7 @@ class VIEW3D_OT_wirewarp_frame(bpy.types.Operator):
 def _objects(context: bpy.types.Context) -> list[bpy.types.Object]:
     """Return the active model and its flat pieces, if they exist."""
     active = context.active_object
-    if active is None:
+    if active is None or active.type != "MESH":
         return []
     source = model_or_self(active)
     return [each for each in (source, find_flat_object(source)) if each is not None]
