@@ -53,9 +53,9 @@ def opening(version: str, sections: list[str]) -> str:
 
 Written by `./dev results`, which regenerates every number and picture of this page; commit {version}.
 
-The examples of "WireWarping++" (Zhang, Wang), section IV, on our own geometry (`blend_samples/shapes/`), with the
-methods that the paper compares and with WireWarp's default method: {", ".join(METHODS)}. All of them are measured by
-the same code, `wirewarp.measure`.
+This page repeats the examples of "WireWarping++" (Zhang, Wang), section IV, on our own geometry
+(`blend_samples/shapes/`). It compares the methods of the paper and WireWarp's default method: {", ".join(METHODS)}. All
+of them are measured by the same code, `wirewarp.measure`.
 
 {contents(sections)}
 

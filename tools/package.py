@@ -190,7 +190,8 @@ def build_wheel_alone(version: str, python: Path) -> Path:
         "SOURCE_DATE_EPOCH": TIME_STAMP,
         "PATH": f"{interpreter.parent}:{clean_environment()['PATH']}",
     }
-    options = {"build-dir": str(BUILD / f"wheel-{tag}")}  # uses the core in build/release, which is the same
+    # compiles the core as build/release does, so that both share objects in ccache
+    options = {"build-dir": str(BUILD / f"wheel-{tag}")}
     # warnings are not errors in users' builds, because their compilers may be newer
     options["cmake.define.CMAKE_COMPILE_WARNING_AS_ERROR"] = "ON"
     options |= {f"cmake.define.{name}": value for name, value in old_glibc.cmake_definitions().items()}

@@ -90,7 +90,8 @@ class VIEW3D_PT_wirewarp_flatten(SidebarPanel, bpy.types.Panel):
         row = layout.row(align=True)
         row.scale_y = 1.5
         layout = layout.column()
-        layout.enabled = not draw_progress(row, FLATTEN, "object.wirewarp_flatten")  # gray, but nothing moves
+        # gray during a run, so that no button moves
+        layout.enabled = not draw_progress(row, FLATTEN, "object.wirewarp_flatten")
         if layout.enabled:
             row.operator("object.wirewarp_flatten", icon="MOD_UVPROJECT")
             row.prop(settings, "auto_update", text="", icon="FILE_REFRESH")

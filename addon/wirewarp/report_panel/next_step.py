@@ -152,10 +152,9 @@ class NextStep(NamedTuple):
 
 
 def next_step(report: ObjectReport, left_out: list[str]) -> NextStep | None:
-    """Return the next step for the user, or None.
+    """Return the next step; None if the pieces can be cut, or if the buttons of suggestions below are the next step.
 
-    Return None if the pieces can be cut, or if the buttons of suggestions below are the next step. left_out: see
-    as_seen(), for the model as it is now.
+    left_out: see as_seen(), for the model as it is now.
     """
     remedies = [remedy_of(issue) for issue in report.issues]
     if report.with_modifiers and any(remedies):

@@ -60,7 +60,7 @@ class MeshArrays:
     # (l,) float32, ease of the edge that begins at each corner, on the side of the corner's face; 0: none
     side_eases: np.ndarray
     grain_wire: int  # id of the wire that is upright in its pieces; 0: no wire was chosen
-    piece_ids: np.ndarray  # (f,) int32, the piece of each polygon in the last run; 0 none
+    piece_ids: np.ndarray  # (f,) int32, the piece of each polygon in the last run; 0: none
     regions: FaceRegions
     materials: np.ndarray  # (f,) int32, the slot of each polygon
     uv_maps: dict[str, np.ndarray]  # (l,2) float32, the model's own maps by name

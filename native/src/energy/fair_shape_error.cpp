@@ -197,7 +197,7 @@ void FairShapeError::add_constant_hessian(VertexMatrix& hessian) const {
   bending_.add_hessian(hessian);
 }
 
-/// Adds the curvature of E without its Laplacian, or of φ.
+/// Adds the Hessian of φ with a cloth. Without a cloth, adds that of E without its Laplacian.
 void FairShapeError::add_energy_curvature(std::size_t i, const ShapeError::LinearMap& map, Curvature curvature,
                                           VertexMatrix& hessian) const {
   const ShapeError::Triangle& t = shape_error_.triangles()[i];

@@ -63,7 +63,7 @@ def ready(which: str) -> str:
 
 
 def ready_for_stretch(which: str, stretch: float) -> str:
-    """Return the sentence for a fabric of unknown maximum stretch whose built-in stretch is as large."""
+    """Return the sentence for a fabric whose maximum stretch is unknown. stretch: the largest that the pieces need."""
     return f"Ready to cut from fabric that stretches at least {percent_text(stretch)}: {which}"
 
 

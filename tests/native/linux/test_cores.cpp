@@ -60,7 +60,7 @@ TEST(Cores, ChartsThatKeepAllCoresBusyStartNoThreadsOfTheirOwn) {
   const FlattenInput input = test::sphere_of_gores(12, 4, 16);
   const test::RefuseThreads refuse;
   flatten(input);
-  EXPECT_EQ(refuse.num_refused(), 1);  // shared by all charts
+  EXPECT_EQ(refuse.num_refused(), 1);  // the only thread that the run starts, which is for all charts
 }
 
 }  // namespace

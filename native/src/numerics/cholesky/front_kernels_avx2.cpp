@@ -4,7 +4,7 @@
 namespace {
 constexpr int kLanes = 4;
 constexpr int kRowsAtOnce = 3;  // 12 registers of sums and four of operands
-constexpr int kRowsSummed = 4;  // 4 registers of x and one of sums at a time
+constexpr int kRowsSummed = 4;  // uses 4 registers for x and one for sums
 }  // namespace
 
 #include "numerics/cholesky/front_kernels_body.h"

@@ -3,7 +3,7 @@
 namespace {
 constexpr int kLanes = 2;
 constexpr int kRowsAtOnce = 1;  // 8 registers of sums; two rows would use all registers
-constexpr int kRowsSummed = 2;  // 4 registers of x and one of sums at a time
+constexpr int kRowsSummed = 2;  // uses 4 registers for x and one for sums
 }  // namespace
 
 #include "numerics/cholesky/front_kernels_body.h"

@@ -97,7 +97,7 @@ struct Seam {
 struct Charts {
   std::vector<Chart> charts;
   std::vector<Seam> seams;
-  std::vector<char> is_boundary_wire;  // per wire of the input: all of it is on seams and boundaries
+  std::vector<char> is_boundary_wire;  // per wire of the input: whether all of it is on seams and boundaries
 };
 
 }  // namespace wirewarp

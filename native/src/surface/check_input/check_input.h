@@ -7,7 +7,7 @@
 
 namespace wirewarp {
 
-/// Coordinates must be smaller in magnitude, scene units.
+/// Coordinates in scene units must be smaller in magnitude.
 constexpr double kCoordinateLimit = 1e60;
 
 /// Throws invalid_option unless every option is in its documented range for an input with num_wires wires.

@@ -47,8 +47,8 @@ void InnerProblem::linearize(const InnerSolution& solution, const Eigen::VectorX
               eq1_.closure_jacobian(solution.psi, lengths));
 }
 
-/// A minimum satisfies ∇F + Jᵀλ = 0 and c = 0. Its derivative by the lengths is K [dψ; dλ] = -[∂(Jᵀλ)/∂l; ∂c/∂l] dl,
-/// where K is the matrix of the optimality system. c is linear in the lengths.
+/// A minimum satisfies ∇F + Jᵀλ = 0 and c = 0. Its derivative with respect to the lengths is K [dψ; dλ] = -[∂(Jᵀλ)/∂l;
+/// ∂c/∂l] dl, where K is the matrix of the optimality system. c is linear in the lengths.
 Eigen::VectorXd InnerProblem::change_of_headings(const InnerSolution& solution,
                                                  const Eigen::VectorXd& change_of_lengths) const {
   const Eigen::VectorXd by_lengths = eq1_.closure_by_headings_and_lengths(solution.psi, solution.multipliers);

@@ -101,7 +101,7 @@ def _sewn_sides(laid: Laid) -> list[Side]:
 class SeamGroup:
     """Seams whose notches are at the same places."""
 
-    turned: dict[int, bool]  # by seam: places are measured from the end opposite to the first seam's start
+    turned: dict[int, bool]  # for each seam: whether places are measured from its end instead of its start
     is_symmetric: bool = False  # whether a copy maps a seam to itself with its ends exchanged
 
 
