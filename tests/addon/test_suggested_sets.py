@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Suggested cuts: up to a target, for closed models and models with modifiers, and outside areas without cuts."""
 
+from dataclasses import replace
 from itertools import pairwise
+from types import SimpleNamespace
 
 import bpy
 import numpy as np
@@ -287,3 +289,35 @@ def test_the_target_reaches_the_search_and_the_remaining_stretch_is_reported(add
     settings.aim_stretch = 100.0
     with pytest.raises(RuntimeError, match=r"is flat enough.* and 100% is accepted"):
         SUGGEST["DARTS"]()
+
+
+def test_steps_of_a_target_fit_a_row(addon, settings):
+    source = ball()
+    settings.aim_stretch = 30.0
+    SUGGEST["SEAMS"]()
+    (cut,) = found(addon, source).cuts
+    assert f"Stretch with Seams, {source.name}  First seams: " in draw_panels(addon)
+    step, lengths = replace(cut, lengths=[*cut.lengths, 1.0]), addon.core.LengthText("mm", 1000)
+    assert addon.solve.suggest.row_text("SEAMS", step, found(addon, source).target, lengths).startswith("and 1 seam: ")
+
+
+class Buttons:
+    """A layout that keeps the operators that are drawn into it."""
+
+    def __init__(self):
+        self.drawn = []
+
+    def __getattr__(self, _name):
+        return lambda *_, **__: self
+
+    def operator(self, name):
+        self.drawn.append(SimpleNamespace(name=name))
+        return self.drawn[-1]
+
+
+def test_a_target_is_for_all_pieces_below_flatten_and_for_one_in_the_list(addon, settings):
+    for together, place, piece in ((True, "FLATTEN", -1), (True, "PIECES", 3), (False, "FLATTEN", 3)):
+        settings.suggest_together = together
+        layout = Buttons()
+        addon.suggest.panel.draw_suggest(layout, settings, place, 3, has_seams=False)
+        assert [(button.place, button.piece) for button in layout.drawn] == 2 * [(place, piece)]

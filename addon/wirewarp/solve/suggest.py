@@ -282,7 +282,9 @@ def row_text(kind: str, cut: Cut, target: Target | None, text: LengthText) -> st
         return f"{counted(cut.num_pieces, 'piece')}, {_shares(cut)}, {text.rough(cut.lengths[0])}"
     if target is None:
         return cut_text(cut, text)
-    step = step_text(kind, cut, text)
+    step = step_text(kind, cut, text).removeprefix("first seams and ")  # the row above says so
+    if step[0].isdigit() and cut.is_first:
+        return f"and {step}"
     return step[0].upper() + step[1:]
 
 

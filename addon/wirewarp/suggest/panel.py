@@ -22,9 +22,11 @@ LABELS = {"DARTS": "Suggested Darts", "SEAMS": "Suggested Seams", "FEWER": "Fewe
 TARGET_LABELS = {"DARTS": "Stretch with Darts", "SEAMS": "Stretch with Seams"}
 COLUMNS = "Pieces, stretch, length of {}."
 FROM_FEW = "Above: fewer pieces. Below: less stretch."
+ALL_PIECES = "All Pieces up to a Target"
 WIDTH = "Narrowest place of a piece: {}."
 NARROW = "A piece is only {} wide in one place, less than two allowances. It may be too narrow to sew."
 BEYOND = "This fabric stretches only {} in its tighter direction, so the pieces may need another fabric."
+RESERVED = 10  # of Blender's own pixels for the button beside the heading, which has no icon
 TARGET = ("aim_stretch", "aim_cuts", "aim_length")
 
 
@@ -39,17 +41,17 @@ def draw_suggest(
 ) -> None:
     """Draw the buttons and the target. During a search, the progress is where the buttons were, and nothing moves.
 
-    place: of the results; piece: index in the report, -1 for any piece.
+    place: of the results; piece: index in the report, -1 for any piece. Below Flatten, a target is for all pieces.
     """
-    row, options = layout.row(align=True), layout.column()
+    row, options, is_of_all = layout.row(align=True), layout.column(), place == "FLATTEN"
     options.enabled = not draw_progress(row, SUGGEST, "object.wirewarp_suggest_darts")
     for kind in kinds if options.enabled else ():
         button = row.operator(f"object.wirewarp_suggest_{kind}")
-        button.place, button.piece = place, piece
+        button.place, button.piece = place, -1 if is_of_all and settings.suggest_together else piece
     row = options.row(align=True)
     row.enabled = not settings.suggest_together
     row.prop(settings, "dart_lines", expand=True)
-    options.prop(settings, "suggest_together")
+    options.prop(settings, "suggest_together", **({"text": ALL_PIECES} if is_of_all else {}))
     if settings.suggest_together:
         column = options.column(align=True)
         for name in TARGET:
@@ -81,7 +83,7 @@ def draw_suggestions(context: bpy.types.Context, layout: bpy.types.UILayout, pla
     column = layout.column(align=True)
     for name in dict.fromkeys(found.names):
         row = column.row()
-        row.label(text=f"{labels[found.kind]}, {name}")
+        draw_sentence(context, row, f"{labels[found.kind]}, {name}", reserved=RESERVED)
         if name == found.names[0]:
             row.operator("object.wirewarp_drop_suggestions", text="", icon="X", emboss=False)
         for index in (index for index, own in enumerate(found.names) if own == name):
