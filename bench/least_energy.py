@@ -37,7 +37,8 @@ class Triangles:
         height = np.linalg.norm(np.cross(first, second), axis=1) / length
         self.index, self.fixed = index, fixed
         self.shares = length * height / (length * height).sum()
-        self.inverse = np.zeros((len(points), 2, 2))  # of the triangle's edges in its own plane
+        # inverse of the matrix of two edges, in the plane of each triangle
+        self.inverse = np.zeros((len(points), 2, 2))
         self.inverse[:, 0, 0] = 1 / length
         self.inverse[:, 0, 1] = -(first * second).sum(axis=1) / (length**2 * height)
         self.inverse[:, 1, 1] = 1 / height

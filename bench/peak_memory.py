@@ -21,7 +21,7 @@ def cost_of(work: Callable[[], Answer]) -> tuple[Answer, float, float]:
 
     It uses CPU seconds because other work on the machine lengthens wall time.
     """
-    Path("/proc/self/clear_refs").write_text("5")  # VmHWM becomes VmRSS
+    Path("/proc/self/clear_refs").write_text("5")  # resets the peak (VmHWM) to the present memory (VmRSS)
     before = resident_megabytes("VmRSS")
     begin = time.process_time()
     answer = work()

@@ -15,9 +15,9 @@ Field = Callable[[np.ndarray], np.ndarray]  # approximate distance of points (..
 COARSE, FINE = 19, 27  # number of cells along each side; odd, so that vertices are on the mirror plane
 SMOOTH = ("ball", "egg", "cube", "heart")  # models for which the coarse cells are enough
 HALF = 170.0  # mm, half of the side of the cube that the cells fill
-ROUNDS = 10  # of smoothing
-SAME = 1e-6  # of a cell: lengths of diagonals that differ less are equal
-SLOPE_STEP = 1e-4  # of a cell, for differences
+ROUNDS = 10  # number of rounds of smoothing
+SAME = 1e-6  # share of a cell; lengths of diagonals that differ by less are equal
+SLOPE_STEP = 1e-4  # share of a cell; step of the difference quotients
 
 
 def ellipsoid(x: float, y: float, z: float, *radii: float) -> Field:

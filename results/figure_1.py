@@ -21,7 +21,7 @@ CASES = {  # method and tolerances
     f"Refined:\nmeridian elastic, ±{100 * TOLERANCE:.0f}%": ("refined", ONE),
     f"Refined:\nboth elastic, ±{100 * TOLERANCE:.0f}%": ("refined", BOTH),
 }
-DRAWN = 4  # the first
+DRAWN = 4  # number of cases that are drawn, from the first on
 HEADER = ["", "*E*", "max *E_r*", "Meridian", "Cross arc", "angles: rms", "largest", "flipped"]
 
 

@@ -19,7 +19,7 @@ CASES = {  # method and tolerance of both wires
     "Refined, ±3%": ("refined", 0.03),
     "Refined, ±5%": ("refined", 0.05),
 }
-DRAWN = 4  # the first
+DRAWN = 4  # number of cases that are drawn, from the first on
 
 
 def section(inputs: Inputs) -> str:

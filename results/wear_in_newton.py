@@ -25,7 +25,7 @@ from shapes import Shape, all_shapes
 
 CLOTH = (1000.0, 1000.0, 50.0)  # N/m for weft, warp and shear, in the ratios of the preset "woven"
 BENDING = (2e-5, 2e-5, 1e-5)  # N m, of a shirt: too soft to keep a shape by itself
-DENSITY = 0.2  # kg/m²; has no weight without gravity
+DENSITY = 0.2  # kg/m²; there is no gravity, so the fabric has no weight
 CLEARANCE = 0.002  # meters: offset of the body below the model, and of the fabric above the body
 CONTACT = 1e4  # N/m; the fabric sinks in by up to 3 mm under its tension
 STEP, STEPS, ITERATIONS = 1 / 240, 80, 10  # afterwards the rms distance changes by less than 3% in 20 steps

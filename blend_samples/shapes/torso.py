@@ -25,7 +25,7 @@ PROFILE = np.array([
     [0.538, 0.081, 0.089, 0.194],
     [0.585, 0.048, 0.054, 0.199],
     [0.600, 0.000, 0.000, 0.200],
-    [0.585, -.048, -.054, 0.199],  # beyond it, so that it is round
+    [0.585, -.048, -.054, 0.199],  # a row beyond the end, so that the end is round
 ])  # fmt: skip
 WAIST, BUST, UNDERARM = 0.20, 0.37, 0.42  # heights
 SHOULDER_DROP = 0.060  # drop of the shoulder line from the middle to the half width
@@ -33,7 +33,8 @@ BUST_POINT = np.array([0.078, 0.37])  # |x| and z
 BUST_RISE, BUST_SIZE = 0.032, 0.058
 # Below the hip.
 CROTCH = np.array([-0.075, 0.0, 0.0, 0.165])  # as a row of PROFILE
-CROTCH_ARRIVAL = np.array([0.0, -0.20, -0.22, 0.0])  # derivative there: level, from front and back
+# derivative at CROTCH: the surface arrives level from front and back
+CROTCH_ARRIVAL = np.array([0.0, -0.20, -0.22, 0.0])
 CROTCH_V = -0.22  # distance from the hip, over the distance from hip to shoulder
 
 _lengths = chord_lengths(PROFILE[:, :2])

@@ -144,7 +144,7 @@ def test_a_report_file_that_fails_at_the_end_keeps_the_pattern(source, tmp_path,
         raise OSError(28, "No space left on device")
 
     monkeypatch.setattr(addon.export.steps, "replaced_file", full)
-    export(tmp_path, report_path=str(tmp_path / "warnings.json"))  # has finished
+    export(tmp_path, report_path=str(tmp_path / "warnings.json"))  # the export finishes
     said = capfd.readouterr().out
     assert 'warnings.json": No space left on device.' in said and '"a.svg": 2 pieces' in said
 

@@ -150,7 +150,7 @@ def test_an_upright_grain_arrow_lies_inside_every_piece(addon, source):
     outline = np.concatenate([lines["seam"], lines["outline"]])
     for corners in lines["default grain"].reshape(2, -1, 3):
         assert np.linalg.norm(outline[:, None] - corners, axis=2).min() > 0.05
-        level = outline[np.abs(outline[:, 1] - corners[1, 1]) < 0.3]  # beside the tip
+        level = outline[np.abs(outline[:, 1] - corners[1, 1]) < 0.3]  # parts of the outline at the height of the tip
         assert level[:, 0].min() < corners[1, 0] < level[:, 0].max()
 
 
@@ -191,4 +191,4 @@ def test_a_flat_object_seen_edge_on_and_a_thin_strap_have_room_for_names(addon):
     mark(sheet, on_line(1, 1.0))
     for target, eye in ((strap, (0, 0, 10)), (sheet, (0, 10, 0))):
         (name,) = look(addon, target, eye, (0, 0, 0), perspective=False).values()
-        assert name.room == pytest.approx(100, abs=1)  # of 200 pixels
+        assert name.room == pytest.approx(100, abs=1)  # half of the length of 200 pixels

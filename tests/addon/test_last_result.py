@@ -129,7 +129,7 @@ def test_shape_keys_and_groups_of_earlier_pieces_are_gone(source):
 
 
 def test_export_notices_a_change_that_blender_was_not_notified_of(source, tmp_path, addon):
-    assert READY in draw_panels(addon)  # the panel keeps its answer
+    assert READY in draw_panels(addon)  # the panel keeps this verdict
     places = read(source.data.vertices, "co", np.float32, 3)
     source.data.vertices.foreach_set("co", (2 * places).ravel())
     assert '"Bump" has changed since it was flattened' in export(tmp_path)

@@ -71,7 +71,7 @@ def test_two_sleeves_are_fixed_at_once_as_mirror_images(addon):
     assert [issue.both_sides for issue in addon.state.reports.last_report(source).issues] == [True, True]
     assert take(issue=0) == {"FINISHED"}
     assert len(seams_of(source)) and are_mirrored(source, seams_of(source))
-    assert take(issue=1) == {"CANCELLED"}  # already done
+    assert take(issue=1) == {"CANCELLED"}  # these seams are marked already
     assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
 
 

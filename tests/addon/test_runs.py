@@ -208,7 +208,7 @@ def test_only_changed_models_with_pieces_are_updated(addon, source):
     assert taken(addon) == []
     move_a_vertex(source)
     assert taken(addon) == ["Bump"]
-    assert taken(addon) == []  # tried once
+    assert taken(addon) == []  # each change is tried only once
     mark_seam(source, on_line(0, 0.0))
     assert taken(addon) == ["Bump"]
     bpy.ops.object.mode_set(mode="EDIT")

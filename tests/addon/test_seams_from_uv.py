@@ -117,7 +117,7 @@ def test_the_seams_of_the_map_are_tried_and_offered_first_where_pieces_fail(addo
     found = uv_seams_of(addon, source)
     assert (found.pieces, found.failed, found.is_good) == (1, 0, True)
     assert found.stretch == pytest.approx(0, abs=1e-6)
-    assert len(seam_edges(source.data)) == 0  # only tried
+    assert len(seam_edges(source.data)) == 0  # the seams were tried, but not marked
     report = addon.state.reports.last_report(source)
     step = addon.report_panel.next_step.next_step(report, [])
     assert step.sentence == "The seams of the UV map make 1 piece, stretch 0.0%."

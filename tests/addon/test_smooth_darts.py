@@ -73,7 +73,7 @@ def add_layers(source):
     mesh.polygons.foreach_set("material_index", [face.center.x > 0 for face in mesh.polygons])
     source.shape_key_add(name="Basis")
     twice = source.shape_key_add(name="Twice")
-    twice.value = 0.0  # Blender 5 shows new keys
+    twice.value = 0.0  # Blender 5 creates keys with the value 1
     twice.data.foreach_set("co", (2 * places(source)).astype(np.float32).ravel())
 
 

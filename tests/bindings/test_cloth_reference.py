@@ -19,7 +19,7 @@ from test_reference_figures import CASES, SHARED, read_case
 FIGURES = SHARED / "reference" / "cloth.json"
 WOVEN = wirewarp.Cloth(1, 1, 0.05)
 CLOTHS = {"woven": (1, 1, 0.05), "denim": (0.21, 1, 0.06), "isotropic": (1, 1, 0.5)}
-HAS_OTHER_MINIMA = "bodysuit_collar"  # a few percent apart
+HAS_OTHER_MINIMA = "bodysuit_collar"  # piece with several minima, whose energies differ by a few percent
 WITH_SMOOTHING = "shear .05, smoothing .005"
 
 pytestmark = pytest.mark.skipif(not FIGURES.exists(), reason="the reference figures are not at hand")

@@ -247,7 +247,7 @@ def test_a_tip_inside_of_a_section_is_a_mitre_that_is_cut_square_at_its_limit(de
     half = math.radians(degrees / 2)
     tip, leg = np.array([0.0, 0.0]), 400.0
     ends = leg * np.array([[-math.cos(half), -math.sin(half)], [-math.cos(half), math.sin(half)]])
-    outline = np.array([ends[1], [-1.5 * leg, 0.0], ends[0], tip, ends[1]])  # starts elsewhere
+    outline = np.array([ends[1], [-1.5 * leg, 0.0], ends[0], tip, ends[1]])  # the outline does not start at the tip
     (outer,) = cut_lines([[Section(outline, width)]]).outer
     straight_on = shapely.LineString([tip, (50 * width, 0)]).intersection(shapely.LinearRing(outer))
     expected = min(2.5 * width, width / math.sin(half))

@@ -21,7 +21,7 @@ def test_outlines_that_cross_or_contain_each_other_overlap():
     assert not overlap(big, square(20, 0, 1))
     ring = big + square(2, 2, 6)
     assert not overlap(ring, square(3, 3, 1))  # a square in the hole of the ring
-    assert not overlap(ring, square(2, 2, 6))  # fills it
+    assert not overlap(ring, square(2, 2, 6))  # a square that fills the hole
     assert overlap(ring, square(1.9, 2, 6))
 
 

@@ -91,5 +91,5 @@ def test_eased_sides_and_no_others_are_longer(name):
 
 def test_the_sleeve_head_is_eased_by_two_to_three_centimeters():
     head = [seam for seam in flattened_as_made("Set-in sleeve").seams if any(seam.eases)]
-    assert len(head) == 2  # to the front and to the back
+    assert len(head) == 2  # the seams with the front and the back
     assert 0.020 <= sum(max(seam.length_2d) - min(seam.length_2d) for seam in head) <= 0.030

@@ -17,7 +17,7 @@ FlattenInput rough_sheet_with_two_slits() {
     const bool is_corner = (s == 0 || s == 1) && (t == 0 || t == 1);
     return Eigen::Vector3d(s, t, is_spike ? 20 : is_corner ? 0.3 : 0);
   });
-  test::add_seam(input, {3 + 7 * 2, 3 + 7 * 3});  // both spikes
+  test::add_seam(input, {3 + 7 * 2, 3 + 7 * 3});  // joins both spikes
   test::add_seam(input, {1 + 7 * 5, 2 + 7 * 5});
   return input;
 }

@@ -19,7 +19,7 @@
 namespace wirewarp::test_known_optimizer {
 namespace {
 
-constexpr double kNothingBetter = 1e-4;  // relative
+constexpr double kNothingBetter = 1e-4;  // share by which another optimizer may be better
 constexpr double kFree = std::numeric_limits<double>::infinity();
 
 struct OuterCase {

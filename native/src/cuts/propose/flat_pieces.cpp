@@ -30,8 +30,10 @@ std::shared_ptr<const FlatPiece> as_flat_piece(Chart chart, const Piece& piece, 
     flat.strain = needed.of(piece);
     flat.uv = piece.vertices;
     flat.face_strain = needed.of_faces(piece);
-    const bool is_large = flat.chart.mesh.n_faces() >= options.large_chart;  // its coarse start gets half of the limit
-    const bool may_turn = options.cloth && options.orientation == Orientation::best;  // the limit ends the comparison
+    // More factorizations may help a large chart, because its coarse start gets half of them, and may continue the
+    // comparison of directions.
+    const bool is_large = flat.chart.mesh.n_faces() >= options.large_chart;
+    const bool may_turn = options.cloth && options.orientation == Orientation::best;
     flat.is_final = piece.report.termination == Termination::converged && !is_large && !may_turn;
   }
   return std::make_shared<FlatPiece>(std::move(flat));

@@ -152,7 +152,7 @@ std::optional<std::vector<std::array<int, 3>>> MeshCut::parts_of(int face) const
   if (sites.size() == 3) return std::nullopt;
   FaceToDivide parts;
   for (int side = 0; side < 3; ++side) {
-    parts.sides.push_back({(side + 2) % 3, side});  // the corner
+    parts.sides.push_back({(side + 2) % 3, side});  // the corner is on both of these sides
     parts.sides.insert(parts.sides.end(), sites_.along_side(face, side).size() - 2, {side, side});
   }
   parts.places.resize(static_cast<Eigen::Index>(sites.size()), 3);

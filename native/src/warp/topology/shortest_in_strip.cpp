@@ -33,7 +33,7 @@ std::vector<Gate> unfold(const HalfEdgeMesh& mesh, const WireMask& wires, const 
   for (std::size_t i = 0; i < strip.crossings.size(); ++i) {
     const HalfedgeHandle h = strip.crossings[i];
     if (i > 0) {
-      const HalfedgeHandle entry = mesh.opposite_halfedge_handle(strip.crossings[i - 1]);  // from `to` to `from`
+      const HalfedgeHandle entry = mesh.opposite_halfedge_handle(strip.crossings[i - 1]);  // leads from `to` to `from`
       (h == mesh.next_halfedge_handle(entry) ? to : from) = apex;
     }
     gates.push_back({from, to, wires.has(mesh.from_vertex_handle(h)) ? kKeptAway : 0,
@@ -105,8 +105,9 @@ double crossing_parameter(const Gate& gate, Planar a, Planar b) {
   const Planar along = gate.to - gate.from;
   const double left = cross(b - a, gate.to - a);
   const double right = cross(gate.from - a, b - a);
-  const double t = left + right > 0 ? right / (left + right)
-                                    : std::real(std::conj(along) * (a - gate.from)) / std::norm(along);  // along it
+  // If the sum is 0, the line runs along the gate.
+  const double t =
+      left + right > 0 ? right / (left + right) : std::real(std::conj(along) * (a - gate.from)) / std::norm(along);
   return std::clamp(t, gate.first_t, gate.last_t);
 }
 

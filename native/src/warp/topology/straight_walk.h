@@ -12,7 +12,7 @@ namespace wirewarp {
 /// A vertex, or a point in a face or on its border.
 struct SurfacePoint {
   VertexHandle vertex;  // valid if the point is a vertex
-  FaceHandle face;      // otherwise the face
+  FaceHandle face;      // valid if the point is not a vertex
   Planar place;         // in the plane of the face's first half-edge: see apex_over()
 
   static SurfacePoint at_vertex(VertexHandle v) { return {v, FaceHandle(), Planar(0)}; }

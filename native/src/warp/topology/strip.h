@@ -17,7 +17,7 @@ struct Strip {
 
 /// Where the shortest path in a strip turns around a vertex on the strip's border.
 struct StripTurn {
-  std::size_t crossing = 0;  // a crossing at the vertex
+  std::size_t crossing = 0;  // index of a crossing at the vertex
   VertexHandle vertex;
   bool is_left = false;  // the vertex is on the left side of the strip
   double angle = 0;      // angle by which the path turns towards the vertex, radians in [0, pi]

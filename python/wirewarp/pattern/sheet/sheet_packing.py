@@ -154,7 +154,8 @@ def _new_sheets(used: np.ndarray, needed: np.ndarray, per_sheet: np.ndarray) -> 
     n, m, columns, rows = needed.shape
     unused = np.pad(~used, ((0, columns), (0, rows)), constant_values=True)
     windows = np.lib.stride_tricks.sliding_window_view(unused, (columns, rows))[: used.shape[0], : used.shape[1]]
-    costs = np.tensordot(windows.astype(float), needed.astype(float), axes=([2, 3], [2, 3]))  # by BLAS
+    # tensordot uses BLAS, which is fast
+    costs = np.tensordot(windows.astype(float), needed.astype(float), axes=([2, 3], [2, 3]))
     return costs.transpose(0, 2, 1, 3).reshape(used.shape[0] * n, used.shape[1] * m).astype(np.int64)
 
 
