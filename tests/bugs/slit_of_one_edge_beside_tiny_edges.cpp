@@ -22,7 +22,7 @@ TEST(Bugs, ASlitOfOneEdgeBesideTinyEdgesHasAFactor) {
       return Eigen::Vector3d(std::pow(3, -16 * s), t, 0.3 * t * t);
     };
     FlattenInput input = test::make_grid(n, 3, graded);
-    test::add_seam(input, {begin, end});  // along both axes, where a closure vanishes, and diagonally
+    test::add_seam(input, {begin, end});  // along an axis, where a closure vanishes, or diagonally
     const Chart chart = test::process(input).refined;
     const WireNetwork network = build_wire_network(chart);
     const Eq1 eq1(network, NodeWeight::length);

@@ -127,9 +127,9 @@ class LineEdges:
     pieces: np.ndarray  # (k,) int32, index on the flat pieces; 0 on the model
     seams: np.ndarray  # (k,) bool
     seam_ids: np.ndarray  # (k,) int32, of the seams of the edges in the last run; 0 none
-    outlines: np.ndarray  # (k,) bool, has one face only
+    outlines: np.ndarray  # (k,) bool, whether the edge has only one face
     marks: EdgeMarks  # (k,)
-    selected: np.ndarray  # (k,) bool, in Edit Mode
+    selected: np.ndarray  # (k,) bool, whether the edge is selected in Edit Mode
 
 
 @dataclass(frozen=True)

@@ -106,7 +106,7 @@ class FlatMesh:
     source_face: np.ndarray  # (f,) int32, face of the source
     face_piece: np.ndarray  # (f,) int32, index of the piece
     piece_id: np.ndarray  # (f,) int32, the piece's id for the next run
-    failed: np.ndarray  # (f,) bool, the piece failed
+    failed: np.ndarray  # (f,) bool, whether the piece failed
     arap_energy: np.ndarray  # (f,) float32, Eq. (6)
     energy_density: np.ndarray  # (f,) float32, Eq. (6) by 3D area
     aspect_ratio: np.ndarray  # (f,) float32

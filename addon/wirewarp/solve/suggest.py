@@ -28,7 +28,7 @@ PAINTED = f' Seams are also not allowed where "{NO_SEAM}" is painted.'
 class NoSeam:
     """Faces and vertices that the user has painted: no seam may cross them."""
 
-    faces: np.ndarray  # (f,) bool, of the mesh
+    faces: np.ndarray  # (f,) bool, whether a face of the mesh is painted
     vertices: np.ndarray  # (n,) bool
 
     def is_same(self, other: "NoSeam") -> bool:

@@ -174,7 +174,7 @@ std::vector<CutMask> OpeningSearch::cuts_through(const Chart& piece) const {
   return cuts;
 }
 
-/// The best first.
+/// Returns the divisions of a piece, the best first.
 std::vector<Division> OpeningSearch::divisions(const Chart& piece) const {
   std::vector<Division> found;
   std::vector<double> covered, prices;

@@ -14,7 +14,7 @@ namespace wirewarp {
 
 /// Vertices and edges that paths must avoid.
 struct Forbidden {
-  std::vector<char> vertices;  // per vertex of the chart, for example on wires
+  std::vector<char> vertices;  // per vertex of the chart: for example, vertices on wires
   std::vector<char> edges;     // per edge of the chart
 };
 
