@@ -45,7 +45,7 @@ struct Cloth {
   static constexpr double most_anisotropy = 1e4;
 };
 
-/// A fabric that can be chosen by its name. Its figures are those of an ordinary fabric of this kind: measure yours.
+/// A fabric that can be chosen by its name. Its figures are for an ordinary fabric of this kind, so measure your own.
 struct ClothPreset {
   std::string name;         // as in Options
   std::string label;        // name for users: "Woven Cotton"

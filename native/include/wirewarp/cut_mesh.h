@@ -31,15 +31,16 @@ struct CutMesh {
 /// triangle of the input, and vertices keep their numbers. Faces keep their orientation, and a manifold remains one.
 /// Paths may cross, touch and follow each other and edges; a crossing becomes a vertex.
 ///
-/// To avoid slivers, a point moves if it is nearer to something than `snap`: to an edge if the barycentric coordinate
-/// of the opposite corner is less, to a vertex if the share of the other end of their edge is less, and to another
-/// point if all their coordinates differ by less. A line that passes a point within half of `snap` leads through it.
-/// snap is from 0.0001 to 0.25. With snap 0.05 and edges of 10 mm, a line moves by 1 mm at most. The parts of a
-/// triangle that a straight line crosses have at least snap (1 - snap) times its height, and the line does not move if
-/// it is cut again. Lines that meet at small angles leave smaller parts.
+/// To avoid slivers, a point moves to an edge if the barycentric coordinate of the opposite corner is less than `snap`,
+/// to a vertex if the share of the other end of their edge is less, and to another point if all their coordinates
+/// differ by less. A line that passes a point within half of `snap` leads through it. snap is from 0.0001 to 0.25. With
+/// snap 0.05 and edges of 10 mm, a line moves by 1 mm at most. The parts of a triangle that a straight line crosses
+/// have at least snap (1 - snap) times its height, and the line does not move if it is cut again. Lines that meet at
+/// small angles leave smaller parts.
 ///
 /// Throws empty_mesh, vertex_out_of_range, non_finite_coordinates, repeated_vertex_in_face, and invalid_option for a
-/// path that is not on the mesh, has two consecutive points in no common triangle, or is within reach of one point.
+/// path that is not on the mesh, has two consecutive points in no common triangle, or is so short that its points snap
+/// together.
 CutMesh cut_mesh(const Positions3& vertices, const Triangles& faces, const std::vector<SurfacePath>& paths,
                  double snap = 0.05);
 

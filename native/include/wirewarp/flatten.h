@@ -15,8 +15,8 @@
 
 namespace wirewarp {
 
-/// A measuring line: a chain of mesh edges with a length (1 + h) l, |h - ease| <= tolerance. Along a seam or outline it
-/// sets the length of that section, on all its sides alike.
+/// A measuring line: a chain of mesh edges. Its flat length is (1 + h) l with |h - ease| <= tolerance, where l is its
+/// length on the surface. Along a seam or outline, it sets the length of that section, equally on all sides.
 struct Wire {
   std::vector<int> vertices;  // (n,) each joined to the next by an edge; a closed wire repeats its first vertex
   double tolerance = 0;       // dimensionless; 0: rigid; finite: elastic; infinity: free, with any length
@@ -31,7 +31,7 @@ void check_wire(const Wire& wire);
 /// One side of a seam, or a section of outline, that becomes longer by the factor 1 + ratio, evenly. Typical ratios are
 /// 0.05 for a sleeve head and 1 for gathers.
 struct Ease {
-  VertexPairs half_edges;  // (k, 2) vertices a, b: the side in the triangle that has b after a
+  VertexPairs half_edges;  // (k, 2) vertices a and b of each edge, on the side of the triangle that has b after a
   double ratio = 0;        // dimensionless: finite, above -1
 };
 
@@ -63,9 +63,9 @@ using Progress = std::function<bool(const std::string& stage, double fraction)>;
 FlattenResult flatten(const FlattenInput& input, const Options& options = {}, const Progress& progress = {},
                       Cache* cache = nullptr);
 
-/// Measures and checks a flattening made elsewhere, as flatten() does, in scene units. It neither packs nor scales, and
-/// returns corner_uv unchanged. A chart with a corner that is not finite, or not below 1e60 in magnitude, has the error
-/// no_layout. Nothing is solved: a million triangles take about a second.
+/// Measures and checks a flattening that was made elsewhere, by the same rules as flatten(), in scene units. It neither
+/// packs nor scales, and returns corner_uv unchanged. A chart with a corner that is not finite, or not below 1e60 in
+/// magnitude, has the error no_layout. Nothing is solved: a million triangles take about a second.
 FlattenResult measure(const FlattenInput& input, const CornerUv& corner_uv);
 
 }  // namespace wirewarp

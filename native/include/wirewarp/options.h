@@ -22,11 +22,11 @@ enum class NodeWeight {
   uniform,  // 1, as in the paper; the result depends on where the mesh has vertices
 };
 
-/// Planar angles that the inner problem returns.
+/// Planar angles that the inner problem, Eq. (1), returns.
 enum class Inner {
   minimum,     // the local minimizer of Eq. (1) reached from the surface angles
-  least_norm,  // the first feasible point of the paper's least-norm steps, all wires rigid; depends on the mesh, for
-               // comparison
+  least_norm,  // for comparison: the first feasible point of the paper's least-norm steps, with all wires rigid;
+               // depends on the mesh
 };
 
 /// How the pieces are placed.
@@ -64,9 +64,9 @@ struct Options {
 
   /// For the refined method: maximum number of Newton factorizations for a piece. A piece that reaches it keeps its
   /// current shape. All starts and stages count: a coarser mesh, closed slits and elastic seams. A factorization of
-  /// pieces coupled by elastic seams counts for each of them. The same limit applies again to the stretch of a fabric,
-  /// which starts from the piece without stretch, and again to each coupled piece alone if no stretched shapes with
-  /// common lengths are found, and to each piece that is flipped or overlaps itself without the stretch. The search for
+  /// pieces coupled by elastic seams counts for each of them. The limit applies anew to each of these: the stretch of a
+  /// fabric, which starts from the piece without stretch; each coupled piece alone, if no stretched shapes with common
+  /// lengths are found; and each piece that is flipped or overlaps itself without the stretch. The search for
   /// contradicting wires has its own limits. >= 1.
   int max_factorizations = 200;
 
@@ -76,7 +76,7 @@ struct Options {
   std::optional<Cloth> cloth;
 
   /// Thickness of the material in scene units, finite and at least 0. Bent material keeps its length in the middle of
-  /// its thickness, so that surface is flattened, and all lengths and areas refer to it.
+  /// its thickness. Therefore the middle surface is flattened, and all lengths and areas refer to it.
   double thickness = 0;
 
   Surface surface = Surface::inside;  // surface of the thick material that the input represents
@@ -85,7 +85,7 @@ struct Options {
   Orientation orientation = Orientation::wire;  // direction that is up in each piece
 
   /// For Orientation::wire: index of the wire that is upright in the pieces that it crosses, in [-1, number of wires).
-  /// For -1, and for pieces that it does not cross, it is the piece's first wire.
+  /// For -1, and in pieces that this wire does not cross, the piece's first wire is upright.
   int grain = -1;
 
   /// For Orientation::wire: angle of the chain from +y, counterclockwise, in radians, in [-π, π]. With a cloth, y is
@@ -98,7 +98,7 @@ struct Options {
   /// Space between pieces, as a fraction of the side of a square with the area of all pieces. In [0, 1].
   double gap = 0.03;
 
-  /// Whether the pieces are seen from inside, from behind the front faces.
+  /// Whether the pieces are seen from inside, that is, from behind the front faces.
   bool mirror = false;
 };
 

@@ -20,16 +20,16 @@ namespace wirewarp {
 struct DartProposal {
   int piece = -1;                  // index of the piece that it cuts, in the result of flatten() without the cut
   std::vector<VertexPair> edges;   // (k, 2) in order from the outline, to be added to the input's seams; for a cut
-                                   // set one line after the other; empty if a path crosses triangles
+                                   // set, one line after the other; empty if a path crosses triangles
   std::vector<SurfacePath> paths;  // the same as lines, for cut_mesh(): one for a dart or seam, one or more for a set
   double length = 0;               // length on the surface, scene units
   int num_pieces = 0;              // number of pieces into which the piece is divided; 1 for a dart
-  double energy = 0;               // of the piece with the cut: Eq. (4), or cloth energy, divided by its 3D area
-  double energy_before = 0;        // the same without the cut; infinite for a cut set
-  double strain = 0;               // of the worst part with the cut: how far the fabric must stretch
-  double strain_before = 0;        // the same without the cut; infinite for a cut set
+  double energy = 0;               // energy of the piece with the cut: Eq. (4), or cloth energy, divided by its 3D area
+  double energy_before = 0;        // energy without the cut; infinite for a cut set
+  double strain = 0;               // strain of the worst part with the cut: how far the fabric must stretch
+  double strain_before = 0;        // strain without the cut; infinite for a cut set
   std::optional<int> twin;         // index of its mirror image in the list; none if it has no mirror image
-  std::optional<double> energy_with_twin;  // of the piece with both cuts; none if they meet or are no better than one
+  std::optional<double> energy_with_twin;  // energy with both cuts; none if they meet or are no better than one
   std::optional<double> strain_with_twin;  // the strain with both cuts
   std::optional<double> strain_left;  // for a plan: largest strain of a flat part after this cut, its mirror image in
                                       // the same step, and all earlier ones; see CutTarget::piece
@@ -54,11 +54,11 @@ struct CutOptions {
 /// to a point inside, along smooth chains of edges, and do not cross wires. With is_smooth, they are smooth lines
 /// across triangles without corners, straight unless a bend gains clearly more. The best dart along edges is added if
 /// it leaves at least 5% less strain than all smooth darts. cut_mesh() turns lines into edges, and the figures are
-/// those of flatten() with these edges as seams. Around the tip of a smooth dart, made with its mirror image if both
-/// are better than one, the mean strain is at most 3%, or the strain of the piece before if that is larger. All lengths
-/// stay exact. The result does not depend on how the input is turned, mirrored or numbered, except for the order of
-/// equal darts. Throws the errors of flatten(), the error of the requested piece if it has no flat shape, no_proposal
-/// if a piece is flat already, has no room or gains nothing, and cancelled.
+/// those of flatten() with these edges as seams. Around the tip of a smooth dart, the mean strain is at most 3%, or the
+/// strain of the piece without the dart if that is larger. The dart is made with its mirror image if both are better
+/// than one. All lengths stay exact. The result does not depend on how the input is turned, mirrored or numbered,
+/// except for the order of equal darts. Throws the errors of flatten(), the error of the requested piece if it has no
+/// flat shape, no_proposal if a piece is flat already, has no room or gains nothing, and cancelled.
 std::vector<DartProposal> propose_darts(const FlattenInput& input, const Options& options = {},
                                         const CutOptions& cut_options = {}, const Progress& progress = {});
 
@@ -73,18 +73,19 @@ std::vector<DartProposal> propose_darts(const FlattenInput& input, const Options
 /// more are not returned.
 ///
 /// The width of a flat piece is the diameter of the largest disk that can move through it, where parts below a tenth of
-/// its area do not count. Pieces are not joined to one that is narrower than `narrowest`, unless one of them is as
-/// narrow. Pieces that are narrow from the beginning stay if they cannot be joined to others. Nor are pieces joined to
-/// one that covers less than 60% of its convex hull, and less of it than each of them does: it would have long arms.
+/// its area do not count. Pieces are not joined if the result would be narrower than `narrowest`, unless one of them is
+/// as narrow. Pieces that are narrow from the beginning stay if they cannot be joined to others. Nor are they joined if
+/// the result would cover less than 60% of its convex hull, and less of it than each of them covers of its own, because
+/// it would have long arms.
 ///
 /// With is_smooth, the lines of a cut set are smoothed until they turn by less than 30 degrees at each vertex between
 /// their ends, and junctions move with them. Smooth lines do not cross wires, or edges of no_seam and no_crossing.
 /// Vertices on these edges do not move. A smooth set leaves at most twice the strain of the set along edges. It also
-/// stays within the accepted strain, or within the least of its doubles that the set along edges keeps: 5%, 10%, 20%,
-/// and so on. No more pieces are narrower than `narrowest` than along edges. Lines keep some of their bends, or their
-/// edges, if these rules demand it or if lines would meet. A set keeps all its edges if more than half of its bends
-/// would remain. The sets keep the order that they have along edges, so a smooth set may leave less strain than an
-/// earlier one. Seams across one piece always follow edges.
+/// stays within the smallest of 1, 2, 4, 8, … times the accepted strain that the set along edges keeps. It has no more
+/// pieces narrower than `narrowest` than the set along edges. Lines keep some of their bends, or their edges, if these
+/// rules demand it or if lines would meet. A set keeps all its edges if more than half of its bends would remain. The
+/// sets keep the order that they have along edges, so a smooth set may leave less strain than an earlier one. Seams
+/// across one piece always follow edges.
 ///
 /// If progress stops a search for cut sets, the sets found by then are returned, in the same order and with their
 /// figures. Some of them may not be smooth yet. Throws cancelled if no set was found by then.
@@ -105,7 +106,7 @@ struct CutTarget {
 /// Returns darts to make in this order until the strain is low enough. Each dart cuts the worst piece that a dart
 /// helps, and is the one from propose_darts() that leaves the least strain. Its figures and the number of its piece
 /// refer to the state with the earlier cuts. Each dart of a mirrored pair has its own figures and refers to its mirror
-/// image. Fewer darts than allowed mean that the target is met or that no further dart helps. Throws the errors of
+/// image. If there are fewer darts than allowed, the target is met or no further dart helps. Throws the errors of
 /// propose_darts() for the first dart, and no_proposal if the target is already met.
 std::vector<DartProposal> plan_darts(const FlattenInput& input, const Options& options = {},
                                      const CutTarget& target = {}, const Progress& progress = {});
@@ -114,8 +115,8 @@ std::vector<DartProposal> plan_darts(const FlattenInput& input, const Options& o
 std::vector<DartProposal> plan_seams(const FlattenInput& input, const Options& options = {},
                                      const CutTarget& target = {}, const Progress& progress = {});
 
-/// Fewer seams for a model, with their effect. Every figure comes from flatten() with these seams, and is that of all
-/// pieces together; strain is that of DartProposal.
+/// Fewer seams for a model, with their effect. Every figure comes from flatten() with these seams, for all pieces
+/// together. Strain is defined as in DartProposal.
 struct SeamProposal {
   std::vector<VertexPair> edges;   // (k, 2) seams that remain, in place of those of the input; one line after the other
   std::vector<VertexPair> opened;  // (m, 2) seams of the input that are left out
@@ -136,8 +137,8 @@ struct SeamProposal {
 /// longest first. Sections are divided in the middle and at their sharpest corner. Without a section, the pieces beside
 /// it are joined. The section is left out only if flatten() finds a flat shape of the joined piece with at most the
 /// given strain, or at most the strain of the worst of these pieces with the input's seams. Strains below 1e-6 are
-/// rounding errors and always accepted. Mirrored sections of a symmetric part between seams that remain are left out
-/// together.
+/// rounding errors and always accepted. If a part between seams that remain is symmetric, mirrored sections in it are
+/// left out together.
 ///
 /// Seams with an ease on one side and seams with three sides or more remain. So do all seams of a part of the model
 /// that has no flat shape for other reasons than missing seams, such as a Moebius strip. The result does not depend on

@@ -52,7 +52,7 @@ struct BoundaryReport {
   double length_3d = 0;       // on the surface, scene units
   double length_2d = 0;       // in the piece, scene units
   double max_edge_error = 0;  // largest |l2 - (1+r)(1+h) l| / l of its edges
-  std::optional<int> seam;    // index into FlattenResult::seams; none if it is not a seam
+  std::optional<int> seam;    // index into FlattenResult::seams; none if the chain is not a seam
 };
 
 /// One chain of seam edges between junctions, with one side for each adjacent face.
@@ -97,7 +97,7 @@ enum class Termination {
   measured,   // by measure(): nothing was solved
 };
 
-/// The solver's work on one piece, also if it failed.
+/// The solver's work on one piece, even if it failed.
 struct PieceReport {
   Termination termination = Termination::failed;  // how it ended
   std::string message;                            // one sentence
@@ -109,17 +109,18 @@ struct PieceReport {
   int outer_iterations = 0;      // steps over the lengths of wires; refined: steps from the start to the shape
   int gradient_evaluations = 0;  // gradients of the shape error with respect to these lengths
 
-  /// Factorizations of the interior placement and free flattening. Refined: of the Newton systems of all starts, also
-  /// those of a coarser mesh and of the piece with closed slits, as Options::max_factorizations counts them.
+  /// Factorizations of the interior placement and free flattening. Refined: factorizations of the Newton systems of all
+  /// starts, including those of a coarser mesh and of the piece with closed slits, as Options::max_factorizations
+  /// counts them.
   int factorizations = 0;
 
   /// Largest gap of a wire loop divided by its length. Refined: largest relative error of an edge's length, where 1e-5
   /// times the square root of the piece's area is added to each length. NaN: no shape was found, or nothing was solved.
   double constraint_residual = std::numeric_limits<double>::quiet_NaN();
 
-  /// Largest entry of the projected gradient at the end. For Eq. (1), with weight 1 for a node of mean length; NaN for
-  /// the first feasible point. Refined: the gradient of f + λᵀc for all pieces coupled by elastic seams. Its entries
-  /// for vertices are divided by the square root of their area, those for h by the area. At bounds only the part that
+  /// Largest entry of the projected gradient at the end. For Eq. (1), nodes of mean length have weight 1; NaN for the
+  /// first feasible point. Refined: gradient of f + λᵀc for all pieces coupled by elastic seams. Its entries for
+  /// vertices are divided by the square root of their area, and those for h by the area. At bounds, only the part that
   /// points inside counts. NaN otherwise.
   double projected_gradient = std::numeric_limits<double>::quiet_NaN();
 
