@@ -226,3 +226,19 @@ def test_seams_of_the_map_are_offered_although_no_fabric_can_do_some_of_their_pi
     assert bpy.ops.object.wirewarp_mend(what="UV_SEAMS") == {"FINISHED"}
     pieces = addon.state.reports.last_report(source).pieces
     assert sorted(piece.needed > 1 for piece in pieces) == [False, False, True]
+
+
+def test_an_island_for_each_face_comes_after_suggestions(addon):
+    source, buttons = cube(), []
+    bpy.ops.object.mode_set(mode="EDIT")
+    bpy.ops.mesh.subdivide(number_cuts=3)
+    bpy.ops.object.mode_set(mode="OBJECT")
+    uv = source.data.uv_layers.active.data
+    for face in source.data.polygons:
+        for loop in face.loop_indices:
+            uv[loop].uv.x += 2 * face.index
+    flatten_fails("is closed")
+    found = uv_seams_of(addon, source)
+    assert (found.pieces, found.usable, found.is_good) == (96, 96, False)
+    draw_panels(addon, buttons)
+    assert buttons.index("object.wirewarp_suggest_seams") < buttons.index("object.wirewarp_mend")

@@ -36,6 +36,7 @@ from .flatten import ClothChoice, issue_of_piece, known_stretch, library_cloth, 
 from .identity import PieceIdentity, SeamIdentity
 
 SHOWN_SENTENCES = 4
+MOST_SEWN = 60  # pieces of a sewn object; UV maps for textures may have an island for each face
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -69,7 +70,8 @@ class UvSeams:
     @property
     def is_good(self) -> bool:
         """Return whether to offer these seams first. A few pieces may need more seams, such as laces of a shoe."""
-        return not (self.failed or self.is_beyond_fabric) and self.usable > self.beyond_any
+        is_sewable = self.pieces <= MOST_SEWN and self.usable > self.beyond_any
+        return is_sewable and not (self.failed or self.is_beyond_fabric)
 
 
 @dataclass(kw_only=True)
