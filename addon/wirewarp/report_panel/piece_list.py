@@ -17,7 +17,7 @@ from .panel import draw_select
 
 NO_STRAIN = 5e-4  # smaller values are shown as 0.0%
 MOST_ROWS = 16  # more rows get a scroll bar, in the place of the buttons that select a piece
-NAMES = 0.7  # share of a line for the name: ">100%" fits beside it
+NAMES, SHORT_NAMES = 0.78, 0.7  # share of a line for the name, beside "8.6%" and beside ">100%"
 SELECT = "Select Piece"
 WORTH_A_CUT = 0.005  # smallest strain for which the library proposes cuts
 
@@ -40,7 +40,8 @@ class WIREWARP_UL_pieces(bpy.types.UIList):
         if row is None:
             line.prop(entry, "name", text="", emboss=False, icon="BLANK1")
             return
-        columns = line.split(factor=NAMES)
+        is_long = any(each.has_layout and each.needed >= 1 for each in shown_pieces(context).tables.pieces)
+        columns = line.split(factor=SHORT_NAMES if is_long else NAMES)
         mark = mark_of(row.ok, row.is_strained) if _is_current(context) else {"icon": "BLANK1"}
         columns.prop(entry, "name", text="", emboss=False, **mark)
         if row.has_layout:
@@ -104,7 +105,8 @@ class VIEW3D_PT_wirewarp_pieces(SidebarPanel, bpy.types.Panel):
         if chosen and chosen.has_layout and len(source.wirewarp_pieces) > MOST_ROWS:
             button = self.layout.operator("mesh.wirewarp_select_result", text=SELECT, icon="RESTRICT_SELECT_OFF")
             button.what, button.index = "PIECE", chosen.index
-        if chosen:  # buttons first, so that their results are in view
+        if chosen:  # buttons before figures, so that their results are in view
+            draw_copies(context, self.layout, source, source.wirewarp_pieces[chosen.index].name)
             report = shown_report(context)
             # the piece that has buttons below Flatten
             offered = offered_piece(context, source, report) if report else None
@@ -116,7 +118,6 @@ class VIEW3D_PT_wirewarp_pieces(SidebarPanel, bpy.types.Panel):
         draw_suggestions(context, self.layout, "PIECES")
         if chosen:
             draw_figures(context, self.layout, chosen)
-            draw_copies(context, self.layout, source, source.wirewarp_pieces[chosen.index].name)
         if context.scene.wirewarp.keep_places:
             button = self.layout.operator("object.wirewarp_flatten", text="Lay Out Again", icon="MOD_ARRAY")
             button.keep_places, button.only_active = False, True
