@@ -106,7 +106,6 @@ class VIEW3D_PT_wirewarp_pieces(SidebarPanel, bpy.types.Panel):
             button = self.layout.operator("mesh.wirewarp_select_result", text=SELECT, icon="RESTRICT_SELECT_OFF")
             button.what, button.index = "PIECE", chosen.index
         if chosen:  # buttons before figures, so that their results are in view
-            draw_copies(context, self.layout, source, source.wirewarp_pieces[chosen.index].name)
             report = shown_report(context)
             # the piece that has buttons below Flatten
             offered = offered_piece(context, source, report) if report else None
@@ -117,6 +116,7 @@ class VIEW3D_PT_wirewarp_pieces(SidebarPanel, bpy.types.Panel):
                 draw_simplify(self.layout, context.scene.wirewarp, "PIECES")
         draw_suggestions(context, self.layout, "PIECES")
         if chosen:
+            draw_copies(context, self.layout, source, source.wirewarp_pieces[chosen.index].name)
             draw_figures(context, self.layout, chosen)
         if context.scene.wirewarp.keep_places:
             button = self.layout.operator("object.wirewarp_flatten", text="Lay Out Again", icon="MOD_ARRAY")
