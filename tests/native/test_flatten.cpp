@@ -83,13 +83,6 @@ FlattenResult expect_guarantees(const FlattenInput& input, const Options& option
   return result;
 }
 
-TEST(Flatten, LengthsAreExactOnDoublyCurvedPieces) {
-  for (const FlattenInput& input :
-       {test::quarter_sphere(12), gores_with_a_wire(), sheet_with_a_dart(16, 0.3), test::saddle(12, 0.4)}) {
-    for (const Method method : kMethods) expect_guarantees(input, by(method));
-  }
-}
-
 TEST(Flatten, DevelopablePiecesAreIsometric) {
   FlattenInput cylinder = test::cylinder_patch(24, 6, 1, kPi, 2);
   test::add_wire(cylinder, test::grid_row(24, 2));
@@ -211,46 +204,6 @@ TEST(Flatten, TheGradingOfTheMeshMattersOnlyForTheUniformWeight) {
   };
   EXPECT_LT(change(NodeWeight::length), 0.01);
   EXPECT_GT(change(NodeWeight::uniform), 5 * change(NodeWeight::length));
-}
-
-TEST(Flatten, NetworksOfEveryKindKeepTheirLengths) {
-  const int n = 12;
-  FlattenInput crossing = test::saddle(n, 0.3);
-  test::add_wire(crossing, test::grid_row(n, 6));
-  test::add_wire(crossing, test::grid_column(n, n, 3));
-  test::add_wire(crossing, test::grid_column(n, n, 8));
-  FlattenInput meeting = test::saddle(n, 0.3);  // a T: the second wire ends on the first
-  test::add_wire(meeting, test::grid_row(n, 6));
-  std::vector<int> half = test::grid_column(n, n, 6);
-  half.resize(7);
-  test::add_wire(meeting, half);
-  FlattenInput ring = test::saddle(n, 0.3);  // a closed wire that four others tie to the outline
-  test::add_wire(ring, test::grid_square(n, 6, 6, 2));
-  const std::vector<int> row = test::grid_row(n, 6), bottom = test::grid_row(n, 0), column = test::grid_column(n, n, 4);
-  test::add_wire(ring, {row.begin(), row.begin() + 5});
-  test::add_wire(ring, {row.begin() + 8, row.end()});
-
-  FlattenInput along = test::saddle(n, 0.3);  // the wire runs along the outline, then across
-  std::vector<int> wire(bottom.begin(), bottom.begin() + 4);
-  wire.insert(wire.end(), column.begin(), column.end());
-  test::add_wire(along, wire);
-
-  for (const FlattenInput& input : {crossing, meeting, ring, along}) {
-    for (const Method method : kMethods) expect_guarantees(input, by(method));
-  }
-}
-
-TEST(Flatten, FlippedFacesAreReportedAndLengthsKept) {
-  const FlattenResult result = flatten(test::quarter_sphere(24), by(Method::wirewarping));
-  const Piece& piece = result.pieces[0];
-  ASSERT_FALSE(piece.metrics.flipped_faces.empty());
-  ASSERT_TRUE(piece.error.has_value());
-  EXPECT_EQ(piece.error->code, ErrorCode::flipped_faces);
-  EXPECT_TRUE(piece.error->has_layout);
-  EXPECT_EQ(piece.error->elements.faces, piece.metrics.flipped_faces);
-  EXPECT_TRUE(result.corner_uv.allFinite());
-  for (const BoundaryReport& boundary : piece.boundaries) EXPECT_LT(boundary.max_edge_error, 1e-9);
-  for (const WireReport& wire : piece.wires) EXPECT_LT(wire.max_edge_error, 1e-9);
 }
 
 TEST(Measure, AgreesWithTheResultOfFlatten) {

@@ -26,26 +26,21 @@ CutState merge_sections(const CutState& state, const Chart& chart, const ExactEv
   return merger.state();
 }
 
-TEST(MergeSections, KeepsOneOfThreeSeamsOfATube) {
-  const int around = 16, rows = 8;
-  const double height = 4;
-  const FlattenInput tube = test::cylinder_tube(around, rows, 1, height);
-  std::vector<VertexPair> cut;
-  for (const int line : {0, 5, 9}) {
-    const std::vector<int> vertices = test::tube_line(around, rows, line);
-    for (std::size_t i = 1; i < vertices.size(); ++i) cut.push_back({vertices[i - 1], vertices[i]});
+/// A surface that is flattened with cuts.
+struct CutSurface {
+  explicit CutSurface(FlattenInput given, const Options& chosen = {}) : input(std::move(given)), options(chosen) {}
+
+  CutState with(const std::vector<VertexPair>& cut) const {
+    return {PartMap(chart).mask_of(cut), exact.with_cut(uncut, cut)};
   }
-  const SurfaceToCut surface(tube, Options());
-  const ExactEvaluation exact(surface, Options(), StopToken());
+
+  const FlattenInput input;  // the members below refer to it
+  const InternalOptions options;
+  const SurfaceToCut surface{input, options};
+  const ExactEvaluation exact{surface, options, StopToken()};
   const FlatPieces uncut = exact.uncut();
   const Chart& chart = uncut[0]->chart;
-  const CutState state{PartMap(chart).mask_of(cut), exact.with_cut(uncut, cut)};
-  ASSERT_EQ(state.pieces.size(), 3U);
-  const CutState merged = merge_sections(state, chart, exact, 1e-6);
-  ASSERT_EQ(merged.pieces.size(), 1U);
-  EXPECT_FALSE(merged.pieces[0]->error);
-  EXPECT_NEAR(length_of_cut(chart.mesh, merged.cut), height, 1e-12);
-}
+};
 
 FlattenInput bump(int n) {
   return test::make_grid(n, n, [](double s, double t) {
@@ -62,33 +57,24 @@ std::vector<VertexPair> across(int n) {
 }
 
 TEST(MergeSections, MeasuresTheThreadsOfAFabric) {
-  const FlattenInput input = bump(8);
   Options options;
   // A woven fabric shears, so its threads stretch only a quarter as much as other materials.
   options.cloth = cloth_preset("woven").cloth;
-  const SurfaceToCut surface(input, options);
-  const ExactEvaluation exact(surface, options, StopToken());
-  const FlatPieces uncut = exact.uncut();
-  const Chart& chart = uncut[0]->chart;
-  const CutState state{PartMap(chart).mask_of(across(8)), exact.with_cut(uncut, across(8))};
-  const double most = 1.001 * uncut[0]->strain;
-  EXPECT_TRUE(is_empty(merge_sections(state, chart, exact, most).cut));
+  const CutSurface sheet(bump(8), options);
+  const double most = 1.001 * sheet.uncut[0]->strain;
+  EXPECT_TRUE(is_empty(merge_sections(sheet.with(across(8)), sheet.chart, sheet.exact, most).cut));
 }
 
 TEST(MergeSections, KeepsTheSeamsThatLimitTheStrain) {
-  const FlattenInput input = bump(8);
-  const std::vector<VertexPair> cut = across(8);
-  const SurfaceToCut surface(input, Options());
-  const ExactEvaluation exact(surface, Options(), StopToken());
-  const FlatPieces uncut = exact.uncut();
-  const Chart& chart = uncut[0]->chart;
-  const CutState state{PartMap(chart).mask_of(cut), exact.with_cut(uncut, cut)};
+  const CutSurface sheet(bump(8));
+  const CutState state = sheet.with(across(8));
   const double cut_strain = std::max(state.pieces[0]->strain, state.pieces[1]->strain);
-  ASSERT_LT(cut_strain, uncut[0]->strain);
-  for (const double most : {(cut_strain + uncut[0]->strain) / 2, uncut[0]->strain}) {
-    const CutState merged = merge_sections(state, chart, exact, most);
+  const double whole_strain = sheet.uncut[0]->strain;
+  ASSERT_LT(cut_strain, whole_strain);
+  for (const double most : {(cut_strain + whole_strain) / 2, whole_strain}) {
+    const CutState merged = merge_sections(state, sheet.chart, sheet.exact, most);
     for (const std::shared_ptr<const FlatPiece>& piece : merged.pieces) EXPECT_LE(piece->strain, most);
-    EXPECT_EQ(is_empty(merged.cut), most == uncut[0]->strain);
+    EXPECT_EQ(is_empty(merged.cut), most == whole_strain);
   }
 }
 
@@ -106,8 +92,7 @@ std::vector<VertexPair> across_bar(const FlattenInput& input, double x, double m
 
 TEST(FlatWidth, IsTheDiameterOfTheLargestDiskThatMovesThrough) {
   const auto width = [](const FlattenInput& input, double most) {
-    const SurfaceToCut surface(input, Options());
-    const std::shared_ptr<const FlatPiece> piece = ExactEvaluation(surface, Options(), StopToken()).uncut()[0];
+    const std::shared_ptr<const FlatPiece> piece = CutSurface(input).uncut[0];
     const double found = flat_width(piece->chart.mesh, piece->uv, most);
     const Eigen::Matrix2d turn = Eigen::Rotation2Dd(0.7).toRotationMatrix() * Eigen::Vector2d(1, -1).asDiagonal();
     EXPECT_NEAR(flat_width(piece->chart.mesh, piece->uv * turn, most), found, 1e-9 * most);
@@ -125,13 +110,9 @@ TEST(FlatWidth, IsTheDiameterOfTheLargestDiskThatMovesThrough) {
 
 TEST(MergeSections, MakesNoNarrowPieceOfWideOnes) {
   const FlattenInput input = dumbbell();
-  const SurfaceToCut surface(input, Options());
-  const ExactEvaluation exact(surface, Options(), StopToken());
-  const FlatPieces uncut = exact.uncut();
-  const Chart& chart = uncut[0]->chart;
-  const auto num_merged = [&](std::vector<VertexPair> cut, double narrowest) {
-    const CutState state{PartMap(chart).mask_of(cut), exact.with_cut(uncut, cut)};
-    return merge_sections(state, chart, exact, 1e-6, narrowest).pieces.size();
+  const CutSurface sheet(input);
+  const auto num_merged = [&](const std::vector<VertexPair>& cut, double narrowest) {
+    return merge_sections(sheet.with(cut), sheet.chart, sheet.exact, 1e-6, narrowest).pieces.size();
   };
   const std::vector<VertexPair> middle = across_bar(input, 5.5);
   EXPECT_EQ(num_merged(middle, 0), 1U);
@@ -144,27 +125,19 @@ TEST(MergeSections, MakesNoNarrowPieceOfWideOnes) {
 }
 
 TEST(Solidity, IsTheShareOfTheConvexHull) {
-  const auto share = [](const FlattenInput& input) {
-    const SurfaceToCut surface(input, Options());
-    return solidity(*ExactEvaluation(surface, Options(), StopToken()).uncut()[0]);
-  };
+  const auto share = [](const FlattenInput& input) { return solidity(*CutSurface(input).uncut[0]); };
   EXPECT_NEAR(share(test::flat_rectangle(6, 2, 3, 1)), 1, 1e-9);
   EXPECT_NEAR(share(test::flat_annulus(64, 3, 1, 2)), 3.0 / 4, 1e-9);  // both circles are polygons of one shape
   EXPECT_NEAR(share(dumbbell()), 35.0 / 44, 1e-9);
 }
 
 TEST(MergeSections, MakesNoPieceWithLongArms) {
-  const FlattenInput input = dumbbell();
-  const SurfaceToCut surface(input, Options());
-  const ExactEvaluation exact(surface, Options(), StopToken());
-  const FlatPieces uncut = exact.uncut();
-  const Chart& chart = uncut[0]->chart;
-  const std::vector<VertexPair> middle = across_bar(input, 5.5);
-  const CutState halves{PartMap(chart).mask_of(middle), exact.with_cut(uncut, middle)};
+  const CutSurface sheet(dumbbell());
+  const CutState halves = sheet.with(across_bar(dumbbell(), 5.5));
   const auto num_merged = [&](double least_solidity) {
-    return merge_sections(halves, chart, exact, 1e-6, 0, least_solidity).pieces.size();
+    return merge_sections(halves, sheet.chart, sheet.exact, 1e-6, 0, least_solidity).pieces.size();
   };
-  const double whole = solidity(*uncut[0]);
+  const double whole = solidity(*sheet.uncut[0]);
   for (const std::shared_ptr<const FlatPiece>& half : halves.pieces) EXPECT_GT(solidity(*half), whole + 0.05);
   EXPECT_EQ(num_merged(whole - 1e-6), 1U);
   EXPECT_EQ(num_merged(whole + 1e-6), 2U);
@@ -173,15 +146,11 @@ TEST(MergeSections, MakesNoPieceWithLongArms) {
 TEST(MergeSections, JoinsPiecesThatAreEquallyNarrow) {
   for (const int n : {12, 20}) {
     const FlattenInput bar = test::flat_rectangle(n, 2, n / 2.0, 1);
-    const SurfaceToCut surface(bar, Options());
-    const ExactEvaluation exact(surface, Options(), StopToken());
-    const FlatPieces uncut = exact.uncut();
-    const Chart& chart = uncut[0]->chart;
+    const CutSurface sheet(bar);
     for (int k = 2; k <= n - 2; ++k) {
-      const std::vector<VertexPair> cut = across_bar(bar, k / 2.0, 0.5);
-      const CutState state{PartMap(chart).mask_of(cut), exact.with_cut(uncut, cut)};
+      const CutState state = sheet.with(across_bar(bar, k / 2.0, 0.5));
       ASSERT_EQ(state.pieces.size(), 2U);
-      EXPECT_EQ(merge_sections(state, chart, exact, 1e-6, 2).pieces.size(), 1U) << n << " " << k;
+      EXPECT_EQ(merge_sections(state, sheet.chart, sheet.exact, 1e-6, 2).pieces.size(), 1U) << n << " " << k;
     }
   }
 }
@@ -199,14 +168,11 @@ TEST(MergeSections, JoinsTheHalvesOfARing) {
     std::vector<VertexPair> both = cut_at(1);
     both.insert(both.end(), left.begin(), left.end());
     ring.vertices *= Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()).toRotationMatrix().transpose();
-    const SurfaceToCut surface(ring, Options());
-    const ExactEvaluation exact(surface, Options(), StopToken());
-    const FlatPieces uncut = exact.uncut();
-    const Chart& chart = uncut[0]->chart;
-    const CutState state{PartMap(chart).mask_of(both), exact.with_cut(uncut, both)};
+    const CutSurface sheet(ring);
+    const CutState state = sheet.with(both);
     ASSERT_EQ(state.pieces.size(), 2U);
     // The limit is generous, because free maps of rings overestimate the strain.
-    EXPECT_EQ(merge_sections(state, chart, exact, 0.1, 0, 0.6).pieces.size(), 1U) << angle;
+    EXPECT_EQ(merge_sections(state, sheet.chart, sheet.exact, 0.1, 0, 0.6).pieces.size(), 1U) << angle;
   }
 }
 

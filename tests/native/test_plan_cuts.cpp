@@ -9,7 +9,7 @@
 
 #include "disguise.h"
 #include "error_of.h"
-#include "most_strain.h"
+#include "judge_cuts.h"
 #include "test_meshes.h"
 #include "wirewarp/propose.h"
 

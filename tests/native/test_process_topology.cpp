@@ -3,8 +3,6 @@
 
 #include <cmath>
 #include <ostream>
-#include <random>
-#include <set>
 
 #include "base/planar.h"
 #include "processed_chart.h"
@@ -141,35 +139,6 @@ TEST(ProcessTopology, ATailWithASpiralGeodesicTakesTheShortestPath) {
   }
 }
 
-TEST(ProcessTopology, AChartWithoutWiresAndTwoLoops) {
-  const Processed p = process(test::flat_annulus(24, 5, 1, 2));
-  EXPECT_EQ(p.num_helpers(), 4u);
-  // The ends of the four helper wires are a quarter of the loop apart.
-  std::set<int> starts;
-  for (const WirePart& part : p.refined.wire_parts) {
-    starts.insert(p.refined.mesh.from_vertex_handle(part.half_edges.front()).idx() % 6);
-  }
-  EXPECT_EQ(starts.size(), 1u);
-}
-
-TEST(ProcessTopology, AChartWithThreeHoles) {
-  const FlattenInput plate = test::keep_faces(test::flat_rectangle(24, 12, 6, 3), [](const Eigen::Vector3d& p) {
-    const auto in_hole = [&](double x, double y) { return std::abs(p.x() - x) < 0.5 && std::abs(p.y() - y) < 0.5; };
-    return !in_hole(1, 1) && !in_hole(3, 2) && !in_hole(5, 1);
-  });
-  const Processed p = process(plate);
-  for (std::size_t i = 1; i < 4; ++i) {
-    std::set<int> hole;
-    for (const HalfedgeHandle h : p.chart.boundary_loops[i]) hole.insert(p.chart.mesh.from_vertex_handle(h).idx());
-    std::size_t num_ends = 0;
-    for (const WirePart& part : p.refined.wire_parts) {
-      num_ends += hole.count(p.refined.mesh.from_vertex_handle(part.half_edges.front()).idx()) +
-                  hole.count(p.refined.mesh.to_vertex_handle(part.half_edges.back()).idx());
-    }
-    EXPECT_EQ(num_ends, 4u) << "including a path from another hole";
-  }
-}
-
 TEST(ProcessTopology, FlatChartsKeepTheirShape) {
   FlattenInput floating = test::flat_rectangle(12, 12, 1, 1);
   test::add_wire(floating, row_part(12, 5, 3, 7));
@@ -190,41 +159,6 @@ TEST(ProcessTopology, DoesNotDependOnScale) {
   }
   EXPECT_EQ(num_vertices[0], num_vertices[1]);
   EXPECT_EQ(num_vertices[2], num_vertices[1]);
-}
-
-/// A random chain of edges that crosses neither itself nor earlier chains.
-std::vector<int> random_chain(const Chart& chart, std::set<int>& used, std::mt19937& random) {
-  std::vector<int> chain;
-  VertexHandle v(static_cast<int>(random() % chart.mesh.n_vertices()));
-  const std::size_t goal = 2 + random() % 12;
-  while (used.insert(v.idx()).second) {
-    chain.push_back(v.idx());
-    std::vector<VertexHandle> next;
-    for (const VertexHandle w : chart.mesh.vv_range(v)) {
-      if (used.count(w.idx()) == 0) next.push_back(w);
-    }
-    if (next.empty() || chain.size() == goal) break;
-    v = next[random() % next.size()];
-  }
-  return chain;
-}
-
-TEST(ProcessTopology, RandomWiresOnAnySurface) {
-  const std::vector<FlattenInput> surfaces{test::saddle(9, 0.5), test::sphere_band(14, 7, 0.9),
-                                           test::flat_plate_with_two_holes(4), test::flat_annulus(16, 4, 1, 2)};
-  for (unsigned seed = 0; seed < 60; ++seed) {
-    SCOPED_TRACE(seed);
-    std::mt19937 random(seed);
-    FlattenInput input = surfaces[seed % surfaces.size()];
-    const Chart chart = test::charts_of(input).charts[0];
-    std::set<int> used;
-    const std::size_t num_wires = 1 + random() % 6;
-    for (std::size_t w = 0; w < num_wires; ++w) {
-      const std::vector<int> chain = random_chain(chart, used, random);
-      if (chain.size() > 1) test::add_wire(input, chain);
-    }
-    if (process_topology(test::charts_of(input).charts[0])) process(input);
-  }
 }
 
 }  // namespace

@@ -8,9 +8,8 @@
 
 #include "disguise.h"
 #include "error_of.h"
-#include "most_strain.h"
+#include "judge_cuts.h"
 #include "test_meshes.h"
-#include "wirewarp/cut_mesh.h"
 #include "wirewarp/propose.h"
 
 namespace wirewarp::test_propose_cuts {
@@ -49,15 +48,6 @@ CutOptions few() {
   return cut_options;
 }
 
-double energy_of(const FlattenResult& result) {
-  double energy = 0, area = 0;
-  for (const Piece& piece : result.pieces) {
-    energy += piece.metrics.arap_energy * piece.metrics.area_3d;
-    area += piece.metrics.area_3d;
-  }
-  return energy / area;
-}
-
 double figure_of(const DartProposal& proposal) { return proposal.strain_with_twin.value_or(proposal.strain); }
 
 TEST(ProposeCuts, SmoothDartsHaveTheFiguresOfTheMeshCutAlongThem) {
@@ -67,15 +57,8 @@ TEST(ProposeCuts, SmoothDartsHaveTheFiguresOfTheMeshCutAlongThem) {
   const std::vector<DartProposal> proposals = propose_darts(input, {}, cut_options);
   ASSERT_FALSE(proposals.empty());
   for (const DartProposal& proposal : proposals) {
-    const CutMesh cut = cut_mesh(input.vertices, input.faces, proposal.paths);
-    FlattenInput with_dart = input;
-    with_dart.vertices = cut.vertices;
-    with_dart.faces = cut.faces;
-    with_dart.seams = VertexPairs(static_cast<Eigen::Index>(cut.edges.size()), 2);
-    for (std::size_t e = 0; e < cut.edges.size(); ++e) {
-      with_dart.seams.row(static_cast<Eigen::Index>(e)) << cut.edges[e][0], cut.edges[e][1];
-    }
-    EXPECT_NEAR(energy_of(flatten(with_dart)), proposal.energy, 1e-6 * proposal.energy);
+    test::expect_figures(test::with_paths(input, proposal.paths),
+                         {proposal.energy, proposal.strain, proposal.length, proposal.num_pieces});
   }
 }
 
@@ -100,22 +83,12 @@ TEST(ProposeCuts, HaveTheFiguresOfAFreshRun) {
   for (const auto& propose : {propose_darts, propose_seams}) {
     const std::vector<DartProposal> proposals = propose(input, {}, few(), {});
     ASSERT_FALSE(proposals.empty());
-    const double before = energy_of(flatten(input));
-    for (const DartProposal& proposal : proposals) {
-      const FlattenInput cut = test::with_seams(input, proposal.edges);
-      const FlattenResult result = flatten(cut);
-      for (const Piece& piece : result.pieces) EXPECT_FALSE(piece.error);
-      EXPECT_NEAR(proposal.energy, energy_of(result), 1e-6 * before);
-      EXPECT_NEAR(proposal.energy_before, before, 1e-6 * before);
-      EXPECT_LT(proposal.energy, proposal.energy_before);
-      double length = 0;
-      for (const VertexPair& edge : proposal.edges) {
-        length += (input.vertices.row(edge[0]) - input.vertices.row(edge[1])).norm();
-      }
-      EXPECT_NEAR(proposal.length, length, 1e-12);
-      EXPECT_NEAR(proposal.strain, test::most_strain(cut, result), 1e-6);
-      EXPECT_EQ(result.pieces.size(), propose == propose_darts ? 1 : 2);
-      EXPECT_EQ(proposal.num_pieces, static_cast<int>(result.pieces.size()));
+    const double before = test::energy_of(flatten(input));
+    for (const DartProposal& cut : proposals) {
+      test::expect_figures(test::with_seams(input, cut.edges), {cut.energy, cut.strain, cut.length, cut.num_pieces});
+      EXPECT_NEAR(cut.energy_before, before, 1e-6 * before);
+      EXPECT_LT(cut.energy, cut.energy_before);
+      EXPECT_EQ(cut.num_pieces, propose == propose_darts ? 1 : 2);
     }
     EXPECT_TRUE(std::is_sorted(proposals.begin(), proposals.end(), [](const DartProposal& a, const DartProposal& b) {
       return figure_of(a) < figure_of(b);
@@ -225,7 +198,7 @@ TEST(ProposeCuts, MirrorImagesThatDoNotMeetHaveTheFiguresOfBoth) {
     EXPECT_EQ(twin.strain_with_twin, dart.strain_with_twin);
     const FlattenResult both = flatten(test::with_seams(test::with_seams(input, dart.edges), twin.edges));
     EXPECT_EQ(both.pieces.size(), 1U);
-    EXPECT_NEAR(*dart.energy_with_twin, energy_of(both), 1e-6 * dart.energy_before);
+    EXPECT_NEAR(*dart.energy_with_twin, test::energy_of(both), 1e-6 * dart.energy_before);
     EXPECT_LT(*dart.energy_with_twin, dart.energy);
   }
   EXPECT_GT(num_together, 0);
@@ -311,7 +284,7 @@ TEST(ProposeCuts, AreAlmostAsGoodAsAnExhaustiveSearch) {
           FlattenInput cut = input;
           test::add_seam(cut, line);
           const FlattenResult result = flatten(cut);
-          if (!result.pieces[0].error) best = std::min(best, energy_of(result));
+          if (!result.pieces[0].error) best = std::min(best, test::energy_of(result));
         }
       }
     }

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <map>
 #include <ostream>
 #include <string>
 
 #include "base/planar.h"
+#include "closed_meshes.h"
 #include "cuts/feasibility/cut_apart.h"
 #include "cuts/feasibility/cut_to_disk.h"
 #include "cuts/feasibility/open_chart.h"
@@ -53,45 +53,7 @@ FlattenInput cone(int around) {
   });
 }
 
-/// Returns the surface of the unit cubes (i, j, k) of a grid for which is_solid(i, j, k) is true.
-FlattenInput cubes(int nx, int ny, int nz, const std::function<bool(int, int, int)>& is_solid) {
-  const std::array<int, 3> size{nx, ny, nz};
-  std::map<std::array<int, 3>, int> index;
-  std::vector<std::array<int, 3>> faces;
-  const auto solid = [&](const std::array<int, 3>& c) {
-    for (std::size_t a = 0; a < 3; ++a) {
-      if (c[a] < 0 || c[a] >= size[a]) return false;
-    }
-    return is_solid(c[0], c[1], c[2]);
-  };
-  const auto vertex = [&](const std::array<int, 3>& p) {
-    return index.emplace(p, static_cast<int>(index.size())).first->second;
-  };
-  for (int cell = 0; cell < nx * ny * nz; ++cell) {
-    const std::array<int, 3> c{cell % nx, cell / nx % ny, cell / nx / ny};
-    if (!solid(c)) continue;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      for (const int side : {0, 1}) {
-        std::array<int, 3> beside = c;
-        beside[axis] += 2 * side - 1;
-        if (solid(beside)) continue;
-        std::array<int, 4> quad{};
-        for (std::size_t k = 0; k < 4; ++k) {
-          std::array<int, 3> corner = c;
-          corner[axis] += side;
-          corner[(axis + 1) % 3] += k == 1 || k == 2;
-          corner[(axis + 2) % 3] += k >= 2;
-          quad[side == 1 ? k : 3 - k] = vertex(corner);
-        }
-        faces.push_back({quad[0], quad[1], quad[2]});
-        faces.push_back({quad[0], quad[2], quad[3]});
-      }
-    }
-  }
-  std::vector<std::array<double, 3>> points(index.size());
-  for (const auto& [p, v] : index) points[v] = {1.0 * p[0], 1.0 * p[1], 1.0 * p[2]};
-  return test::mesh_of(points, faces);
-}
+using test::cubes;
 
 bool has_proposal(const Piece& piece) { return piece.error && !piece.error->elements.proposed_seams.empty(); }
 

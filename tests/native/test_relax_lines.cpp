@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/planar.h"
+#include "cuts/feasibility/cut_mask.h"
 #include "cuts/propose/relax_lines.h"
 #include "test_meshes.h"
 #include "warp/topology/straight_walk.h"

@@ -4,16 +4,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <set>
 #include <string>
 
 #include "base/planar.h"
+#include "closed_meshes.h"
 #include "disguise.h"
-#include "most_strain.h"
+#include "judge_cuts.h"
 #include "test_meshes.h"
 #include "wirewarp/propose.h"
 
@@ -31,40 +30,13 @@ FlattenInput tube_with_seams(const std::vector<int>& lines) {
 
 /// A cube of side 1 with n by n squares on each side, and seams along its twelve edges.
 FlattenInput cube(int n) {
-  std::map<std::array<int, 3>, int> vertices;
-  std::vector<Eigen::RowVector3i> faces;
-  const auto vertex = [&](const std::array<int, 3>& place) {
-    return vertices.emplace(place, static_cast<int>(vertices.size())).first->second;
-  };
-  for (const std::size_t axis : {0, 1, 2}) {
-    for (const int side : {0, n}) {
-      for (int i = 0; i < n; ++i) {
-        for (int j = 0; j < n; ++j) {
-          const auto at = [&](int u, int v) {
-            std::array<int, 3> place{};
-            place[axis] = side;
-            place[(axis + 1) % 3] = side == 0 ? v : u;
-            place[(axis + 2) % 3] = side == 0 ? u : v;
-            return vertex(place);
-          };
-          faces.emplace_back(at(i, j), at(i + 1, j), at(i + 1, j + 1));
-          faces.emplace_back(at(i, j), at(i + 1, j + 1), at(i, j + 1));
-        }
-      }
-    }
-  }
-  FlattenInput input;
-  input.vertices.resize(static_cast<Eigen::Index>(vertices.size()), 3);
-  for (const auto& [place, v] : vertices) {
-    for (int k = 0; k < 3; ++k) input.vertices(v, k) = static_cast<double>(place[static_cast<std::size_t>(k)]) / n;
-  }
-  input.faces.resize(static_cast<Eigen::Index>(faces.size()), 3);
-  for (std::size_t f = 0; f < faces.size(); ++f) input.faces.row(static_cast<Eigen::Index>(f)) = faces[f];
+  FlattenInput input = test::cubes(n, n, n, [](int, int, int) { return true; });
+  input.vertices /= n;
   const auto is_on_rim = [&](int v) {
     return (input.vertices.row(v).array() == 0 || input.vertices.row(v).array() == 1).count() >= 2;
   };
   std::vector<VertexPair> seams;
-  for (const Eigen::RowVector3i& face : faces) {
+  for (const auto& face : input.faces.rowwise()) {
     for (int k = 0; k < 3; ++k) {
       const int a = face[k], b = face[(k + 1) % 3];
       const Eigen::RowVector3d along = input.vertices.row(b) - input.vertices.row(a);
@@ -90,18 +62,6 @@ FlattenInput sphere() {
   return test::with_seams(input, across);
 }
 
-std::set<VertexPair> undirected(const std::vector<VertexPair>& edges) {
-  std::set<VertexPair> pairs;
-  for (const VertexPair& edge : edges) pairs.insert({std::min(edge[0], edge[1]), std::max(edge[0], edge[1])});
-  return pairs;
-}
-
-std::vector<VertexPair> as_list(const VertexPairs& rows) {
-  std::vector<VertexPair> list;
-  for (const auto& row : rows.rowwise()) list.push_back({row[0], row[1]});
-  return list;
-}
-
 FlattenInput with_only(FlattenInput input, const std::vector<VertexPair>& seams) {
   input.seams.resize(0, 2);
   return test::with_seams(std::move(input), seams);
@@ -109,31 +69,14 @@ FlattenInput with_only(FlattenInput input, const std::vector<VertexPair>& seams)
 
 /// Expects the figures of new runs, and that each seam of the input is either kept or removed.
 void expect_true_figures(const FlattenInput& input, const SeamProposal& fewer) {
-  const std::set<VertexPair> given = undirected(as_list(input.seams)), kept = undirected(fewer.edges),
-                             opened = undirected(fewer.opened);
+  const std::set<VertexPair> given = test::undirected(input.seams), kept = test::undirected(fewer.edges),
+                             opened = test::undirected(fewer.opened);
   EXPECT_EQ(fewer.edges.size(), kept.size());
   EXPECT_EQ(kept.size() + opened.size(), given.size());
   EXPECT_TRUE(std::includes(given.begin(), given.end(), kept.begin(), kept.end()));
   EXPECT_TRUE(std::includes(given.begin(), given.end(), opened.begin(), opened.end()));
-  const auto expect_figures = [](const FlattenInput& flat, double energy, double strain, double length,
-                                 int num_pieces) {
-    const FlattenResult result = flatten(flat);
-    double needed = 0, area = 0, along = 0;
-    for (const Piece& piece : result.pieces) {
-      ASSERT_FALSE(piece.error) << piece.error->what();
-      needed += piece.metrics.arap_energy * piece.metrics.area_3d;
-      area += piece.metrics.area_3d;
-    }
-    for (const VertexPair& edge : undirected(as_list(flat.seams))) {
-      along += (flat.vertices.row(edge[0]) - flat.vertices.row(edge[1])).norm();
-    }
-    EXPECT_NEAR(energy, needed / area, 1e-6 * (needed / area) + 1e-15);
-    EXPECT_NEAR(strain, test::most_strain(flat, result), 1e-6);
-    EXPECT_NEAR(length, along, 1e-12 * along);
-    EXPECT_EQ(num_pieces, static_cast<int>(result.pieces.size()));
-  };
-  expect_figures(input, fewer.energy_before, fewer.strain_before, fewer.length_before, fewer.num_pieces_before);
-  expect_figures(with_only(input, fewer.edges), fewer.energy, fewer.strain, fewer.length, fewer.num_pieces);
+  test::expect_figures(input, {fewer.energy_before, fewer.strain_before, fewer.length_before, fewer.num_pieces_before});
+  test::expect_figures(with_only(input, fewer.edges), {fewer.energy, fewer.strain, fewer.length, fewer.num_pieces});
   std::size_t along_paths = 0;
   for (const SurfacePath& path : fewer.paths) along_paths += path.faces.size() - 1;
   EXPECT_EQ(along_paths, fewer.edges.size());
@@ -202,22 +145,9 @@ TEST(SimplifySeams, KeepsTheOnlySeamOfATube) {
   expect_true_figures(tube, fewer);
 }
 
-/// A tube with three seams beside a ball of two halves, which has much more strain.
-FlattenInput tube_and_halves() {
-  FlattenInput both = tube_with_seams({0, 5, 9});
-  const FlattenInput ball = test::sphere_of_gores(2, 6, 8);
-  const auto count = static_cast<int>(both.vertices.rows());
-  both.vertices.conservativeResize(count + ball.vertices.rows(), 3);
-  both.vertices.bottomRows(ball.vertices.rows()) = ball.vertices.rowwise() + Eigen::RowVector3d(5, 0, 0);
-  both.faces.conservativeResize(both.faces.rows() + ball.faces.rows(), 3);
-  both.faces.bottomRows(ball.faces.rows()) = ball.faces.array() + count;
-  both.seams.conservativeResize(both.seams.rows() + ball.seams.rows(), 2);
-  both.seams.bottomRows(ball.seams.rows()) = ball.seams.array() + count;
-  return both;
-}
-
 TEST(SimplifySeams, MeasuresEachPartOfTheModelAlone) {
-  const FlattenInput input = tube_and_halves();
+  // A tube with three seams, beside a ball in halves, which has much more strain.
+  const FlattenInput input = test::beside(tube_with_seams({0, 5, 9}), test::sphere_of_gores(2, 6, 8), 5);
   const SeamProposal fewer = simplify_seams(input, {}, 0.01);
   EXPECT_GT(fewer.strain_before, 0.1);
   EXPECT_LE(fewer.strain, fewer.strain_before);
@@ -247,13 +177,13 @@ TEST(SimplifySeams, KeepsASeamWithAnEaseOnOneSide) {
   for (int i = 0; i < kRows; ++i) ease.half_edges.row(i) << line[static_cast<std::size_t>(i)], line[i + 1U];
   tube.eases.push_back(ease);
   const SeamProposal fewer = simplify_seams(tube, {}, 0.05);
-  EXPECT_EQ(undirected(fewer.edges), undirected(as_list(ease.half_edges)));
+  EXPECT_EQ(test::undirected(fewer.edges), test::undirected(ease.half_edges));
 }
 
 TEST(SimplifySeams, KeepsASeamOfThreeSides) {
   FlattenInput book = test::book(3, 4);
   const SeamProposal fewer = simplify_seams(book, {}, 0.5);
-  EXPECT_EQ(undirected(fewer.edges), undirected(as_list(book.seams)));
+  EXPECT_EQ(test::undirected(fewer.edges), test::undirected(book.seams));
   EXPECT_EQ(fewer.num_pieces, 3);
 }
 
@@ -285,7 +215,7 @@ TEST(SimplifySeams, RemovesSeamsBesideANeighborWithoutAFlatShape) {
   const FlattenResult before = flatten(input, options);
   ASSERT_EQ(before.pieces.size(), 4U);
   for (std::size_t k = 0; k < 4; ++k) ASSERT_EQ(before.pieces[k].error.has_value(), k == 2) << k;
-  const std::set<VertexPair> opened = undirected(simplify_seams(input, options, 0.2).opened);
+  const std::set<VertexPair> opened = test::undirected(simplify_seams(input, options, 0.2).opened);
   const std::vector<int> column = test::grid_column(n, n, 2);
   std::set<VertexPair> expected;
   for (std::size_t i = 1; i < column.size(); ++i) expected.insert({column[i - 1], column[i]});
@@ -299,10 +229,11 @@ TEST(SimplifySeams, DoesNotDependOnPositionOrientationAndNumbering) {
   input.vertices.col(2) += 0.2 * input.vertices.col(0).cwiseAbs2();
   FlattenInput other = test::disguised(input);
   other.seams.resize(0, 2);
-  other = test::with_seams(other, test::disguised(input, as_list(input.seams)));
+  const std::set<VertexPair> seams = test::undirected(input.seams);
+  other = test::with_seams(other, test::disguised(input, {seams.begin(), seams.end()}));
   const SeamProposal here = simplify_seams(input, {}, 0.2), there = simplify_seams(other, {}, 0.2);
   EXPECT_FALSE(here.opened.empty());
-  EXPECT_EQ(undirected(test::disguised(input, here.edges)), undirected(there.edges));
+  EXPECT_EQ(test::undirected(test::disguised(input, here.edges)), test::undirected(there.edges));
   EXPECT_NEAR(here.strain, there.strain, 1e-5 * here.strain);
 }
 

@@ -9,12 +9,13 @@
 #include <set>
 
 #include "base/planar.h"
+#include "closed_meshes.h"
 #include "cuts/propose/cut_progress.h"
 #include "cuts/propose/flat_width.h"
 #include "cuts/propose/smooth_sets.h"
 #include "disguise.h"
 #include "error_of.h"
-#include "most_strain.h"
+#include "judge_cuts.h"
 #include "surface/mesh/geometry.h"
 #include "surface/middle_surface.h"
 #include "test_meshes.h"
@@ -24,33 +25,13 @@
 namespace wirewarp::test_smooth_sets {
 namespace {
 
-/// A closed surface from pole to pole: an egg with a nose.
+/// An egg with a nose.
 FlattenInput egg(int around, int rings) {
-  FlattenInput input;
-  const int top = 1 + around * (rings - 1);
-  input.vertices.resize(top + 1, 3);
-  const auto place = [](double angle, double down) -> Eigen::RowVector3d {
-    const Eigen::RowVector3d p(std::sin(down) * std::cos(angle), std::sin(down) * std::sin(angle), -std::cos(down));
-    const double nose = 1 + 0.2 * std::exp(-4 * (p - Eigen::RowVector3d(1, 0, 0.3)).squaredNorm());
-    return nose * Eigen::RowVector3d(p[0], 0.8 * p[1], 1.3 * p[2]);
+  const auto place = [](const Eigen::Vector3d& p) -> Eigen::Vector3d {
+    const double nose = 1 + 0.2 * std::exp(-4 * (p - Eigen::Vector3d(1, 0, 0.3)).squaredNorm());
+    return nose * Eigen::Vector3d(p[0], 0.8 * p[1], 1.3 * p[2]);
   };
-  input.vertices.row(0) = place(0, 0);
-  input.vertices.row(top) = place(0, kPi);
-  std::vector<Eigen::RowVector3i> faces;
-  const auto at = [&](int i, int j) { return 1 + (j - 1) * around + i % around; };
-  for (int i = 0; i < around; ++i) {
-    for (int j = 1; j < rings; ++j) input.vertices.row(at(i, j)) = place(2 * kPi * i / around, kPi * j / rings);
-    faces.emplace_back(0, at(i + 1, 1), at(i, 1));
-    faces.emplace_back(top, at(i, rings - 1), at(i + 1, rings - 1));
-    for (int j = 1; j + 1 < rings; ++j) {
-      const bool rises = (i + j) % 2 == 0;
-      faces.emplace_back(at(i, j), at(i + 1, j), rises ? at(i + 1, j + 1) : at(i, j + 1));
-      faces.emplace_back(rises ? at(i, j) : at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
-    }
-  }
-  input.faces.resize(static_cast<Eigen::Index>(faces.size()), 3);
-  for (std::size_t f = 0; f < faces.size(); ++f) input.faces.row(static_cast<Eigen::Index>(f)) = faces[f];
-  return input;
+  return test::closed_surface(around, rings, place, [](int i, int j) { return (i + j) % 2 == 0; });
 }
 
 constexpr int kAround = 24, kRings = 18;
@@ -62,13 +43,6 @@ std::vector<VertexPair> jagged_ring(int j) {
   std::vector<VertexPair> edges;
   for (int i = 0; i < kAround; ++i) edges.push_back({vertex(i, j + i % 2), vertex(i + 1, j + (i + 1) % 2)});
   return edges;
-}
-
-FlattenInput with_paths(FlattenInput input, const std::vector<SurfacePath>& paths) {
-  const CutMesh cut = cut_mesh(input.vertices, input.faces, paths);
-  input.vertices = cut.vertices;
-  input.faces = cut.faces;
-  return test::with_seams(std::move(input), cut.edges);
 }
 
 /// Smooths a set along these edges, which leaves this strain.
@@ -85,23 +59,6 @@ DartProposal smoothed(const FlattenInput& input, const std::vector<VertexPair>& 
   set.strain = strain;
   set.energy = strain;
   return smooth_set(set, most_strain, pieces, 0, cut_options, exact);
-}
-
-double length_of_seams(const FlattenInput& input) {
-  double length = 0;
-  for (const auto& ends : input.seams.rowwise())
-    length += (input.vertices.row(ends[0]) - input.vertices.row(ends[1])).norm();
-  return length;
-}
-
-/// Returns the energy of all pieces over their area.
-double energy_of(const FlattenResult& result, bool has_cloth = false) {
-  double energy = 0, area = 0;
-  for (const Piece& piece : result.pieces) {
-    energy += (has_cloth ? piece.metrics.cloth_energy : piece.metrics.arap_energy) * piece.metrics.area_3d;
-    area += piece.metrics.area_3d;
-  }
-  return energy / area;
 }
 
 /// Returns the largest turn in space where a line of this mesh passes a vertex, radians.
@@ -128,21 +85,10 @@ TEST(SmoothSets, ReplaceAJaggedRingByASmoothOne) {
   ASSERT_EQ(set.paths.size(), 1U);
   EXPECT_TRUE(set.edges.empty());
   EXPECT_EQ(set.num_pieces, 2);
-  const FlattenInput cut = with_paths(input, set.paths);
+  const FlattenInput cut = test::with_paths(input, set.paths);
   EXPECT_GT(sharpest_bend(test::with_seams(input, ring)), 60 * kPi / 180);
   EXPECT_LT(sharpest_bend(cut), 45 * kPi / 180);  // 30 degrees on the surface, and the curvature of the egg itself
-  EXPECT_NEAR(set.length, length_of_seams(cut), 1e-9);
-}
-
-TEST(SmoothSets, ClaimTheFiguresOfARun) {
-  const FlattenInput input = egg(kAround, kRings);
-  const DartProposal set = smoothed(input, jagged_ring(8));
-  ASSERT_FALSE(set.paths.empty());
-  const FlattenInput cut = with_paths(input, set.paths);
-  const FlattenResult result = flatten(cut);
-  EXPECT_EQ(static_cast<int>(result.pieces.size()), set.num_pieces);
-  EXPECT_NEAR(test::most_strain(cut, result), set.strain, 1e-9);
-  EXPECT_NEAR(set.energy, energy_of(result), 1e-6 * energy_of(result));
+  EXPECT_NEAR(set.length, test::length_of_seams(cut), 1e-9);
 }
 
 TEST(SmoothSets, ClaimTheEnergyOfTheFabric) {
@@ -151,7 +97,7 @@ TEST(SmoothSets, ClaimTheEnergyOfTheFabric) {
   options.cloth = cloth_preset("woven").cloth;
   const DartProposal set = smoothed(input, jagged_ring(8), 5, {}, 10, options);
   ASSERT_FALSE(set.paths.empty());
-  const double energy = energy_of(flatten(with_paths(input, set.paths), options), true);
+  const double energy = test::energy_of(flatten(test::with_paths(input, set.paths), options), true);
   EXPECT_NEAR(set.energy, energy, 1e-6 * energy);
 }
 
@@ -161,9 +107,9 @@ TEST(SmoothSets, ClaimTheLengthInTheMiddleOfTheMaterial) {
   options.thickness = 0.2;
   const DartProposal set = smoothed(input, jagged_ring(8), 1, {}, 10, options);
   ASSERT_FALSE(set.paths.empty());
-  const FlattenInput cut = with_paths(input, set.paths);
-  EXPECT_NEAR(set.length, length_of_seams(move_to_middle(cut, options)), 1e-9);
-  EXPECT_GT(set.length, 1.05 * length_of_seams(cut));
+  const FlattenInput cut = test::with_paths(input, set.paths);
+  EXPECT_NEAR(set.length, test::length_of_seams(move_to_middle(cut, options)), 1e-9);
+  EXPECT_GT(set.length, 1.05 * test::length_of_seams(cut));
 }
 
 TEST(SmoothSets, DoNotDependOnHowTheModelIsGiven) {
@@ -212,7 +158,7 @@ TEST(SmoothSets, StaySymmetricWithinTheStrainAllowed) {
     const DartProposal set = smoothed(input, edges, 1, {}, most_strain);
     ASSERT_FALSE(set.paths.empty()) << share;
     EXPECT_LE(set.strain, most_strain);
-    const FlattenInput cut = with_paths(input, set.paths);
+    const FlattenInput cut = test::with_paths(input, set.paths);
     EXPECT_EQ(static_cast<int>(flatten(cut).pieces.size()), 3);
     for (const Eigen::RowVector3d& place : cut.vertices.rowwise())
       EXPECT_LT(distance_to_nearest(cut.vertices, place.cwiseProduct(Eigen::RowVector3d(1, -1, 1))), 1e-6);
@@ -238,12 +184,12 @@ TEST(SmoothSets, KeepTheRoomOfPieces) {
   const double before = narrowest_piece(test::with_seams(input, edges));
   const DartProposal any_width = smoothed(input, edges);
   ASSERT_FALSE(any_width.paths.empty());
-  const double after = narrowest_piece(with_paths(input, any_width.paths));
+  const double after = narrowest_piece(test::with_paths(input, any_width.paths));
   ASSERT_LT(after, 0.9 * before);
   CutOptions cut_options;
   cut_options.narrowest = (after + before) / 2;
   const DartProposal wide = smoothed(input, edges, 1, cut_options);
-  const FlattenInput cut = wide.paths.empty() ? test::with_seams(input, edges) : with_paths(input, wide.paths);
+  const FlattenInput cut = wide.paths.empty() ? test::with_seams(input, edges) : test::with_paths(input, wide.paths);
   EXPECT_GE(narrowest_piece(cut), cut_options.narrowest);
 }
 
@@ -311,11 +257,7 @@ TEST(ProposeSeams, ReturnsSmoothSetsAndCanBeCanceledWhileItSmooths) {
   };
   for (const DartProposal& set : propose_seams(input, {}, cut_options, report)) {
     num_smooth += set.edges.empty() ? 1 : 0;
-    const FlattenInput cut = with_paths(input, set.paths);
-    const FlattenResult result = flatten(cut);
-    EXPECT_EQ(static_cast<int>(result.pieces.size()), set.num_pieces);
-    EXPECT_NEAR(test::most_strain(cut, result), set.strain, 1e-9);
-    EXPECT_NEAR(set.energy, energy_of(result), 1e-6 * energy_of(result));
+    test::expect_figures(test::with_paths(input, set.paths), {set.energy, set.strain, set.length, set.num_pieces});
   }
   EXPECT_GT(num_smooth, 0);
   EXPECT_TRUE(std::is_sorted(reached.begin(), reached.end()));

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Compares the claimed figures of suggested cuts with those of a new run.
+#pragma once
+
+#include <set>
+#include <vector>
+
+#include "wirewarp/cut_mesh.h"
+#include "wirewarp/flatten.h"
+
+namespace wirewarp::test {
+
+/// Returns the strain of the most strained piece: the value of max(sigma_1, 1/sigma_2) - 1 that 99% of its area does
+/// not exceed. Every piece must have a shape.
+double most_strain(const FlattenInput& input, const FlattenResult& result);
+
+/// Returns the energy of all pieces over their area.
+double energy_of(const FlattenResult& result, bool has_cloth = false);
+
+/// Returns each edge once, the smaller vertex first.
+std::set<VertexPair> undirected(const std::vector<VertexPair>& edges);
+std::set<VertexPair> undirected(const VertexPairs& edges);
+
+/// Returns the length of all seams.
+double length_of_seams(const FlattenInput& input);
+
+/// Returns the model cut along these lines, with seams there.
+FlattenInput with_paths(FlattenInput input, const std::vector<SurfacePath>& paths);
+
+/// The figures of suggested darts, seams and sets of seams.
+struct CutFigures {
+  double energy, strain, length;
+  int num_pieces;
+};
+
+/// Expects that each piece of the cut model has a flat shape and that the figures are those of a run, without fabric.
+void expect_figures(const FlattenInput& cut, const CutFigures& claimed);
+
+}  // namespace wirewarp::test
