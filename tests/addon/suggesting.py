@@ -22,9 +22,9 @@ def choose_smooth(addon, source, kind):
     return cuts[index]
 
 
-def bent_ring():
+def bent_ring(around=20, across=8):
     """Return a closed model of quads, without symmetry, for which several smooth sets of seams are found."""
-    bpy.ops.mesh.primitive_torus_add(major_segments=20, minor_segments=8, major_radius=1, minor_radius=0.5)
+    bpy.ops.mesh.primitive_torus_add(major_segments=around, minor_segments=across, major_radius=1, minor_radius=0.5)
     source = bpy.context.object
     x, y, z = read(source.data.vertices, "co", np.float32, 3).astype(float).T
     places = np.column_stack([x, 0.8 * y, 1.4 * z]) * (1 + 0.2 * x + 0.1 * y)[:, None]

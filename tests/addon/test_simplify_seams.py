@@ -172,14 +172,6 @@ def test_a_canceled_search_keeps_its_results(addon, monkeypatch):
         search(0.0)
 
 
-def test_the_bar_of_a_search_with_widths_never_goes_backwards(addon):
-    source, shares = strips(bump, faces="triangles"), []
-    run = addon.suggest.operators.begin_search(bpy.context, source, "FEWER", None)
-    cuts = addon.solve.steps.in_one_go(run.steps, shares.append)
-    assert shares == sorted(shares) and 0.8 < shares[-1] <= 1.0
-    assert all(cut.width is not None for cut in cuts)
-
-
 def no_flat_piece():
     join_cube(strips(bump))
 

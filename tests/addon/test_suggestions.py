@@ -141,18 +141,6 @@ def test_the_chosen_cut_is_drawn_on_model_and_pieces(addon, at_once):
         assert not operator.poll()
 
 
-def test_a_suggestion_is_marked_in_edit_mode(addon):
-    """tests/window/suggest_tours.py tests that undo clears the marks."""
-    source = grid("Bump", bump, size=6)
-    bpy.ops.object.mode_set(mode="EDIT")
-    SUGGEST["DARTS"]()
-    assert bpy.ops.object.wirewarp_mend(what="SUGGESTION") == {"FINISHED"}
-    assert source.mode == "EDIT"
-    bpy.ops.object.mode_set(mode="OBJECT")
-    assert len(seams_of(source)) > 0 and flat_of(source)
-    assert found(addon, source) is None
-
-
 @pytest.mark.parametrize(
     ("make", "said"),
     [

@@ -132,28 +132,6 @@ def test_proposed_seams_can_be_passed_as_seams():
     assert all(piece.error is None for piece in result.pieces)
 
 
-def test_a_bad_chart_has_its_error_and_does_not_affect_others():
-    vertices, faces = half_cylinder()
-    ball_vertices, ball_faces = tetrahedron()
-    result = flatten(np.vstack([vertices, ball_vertices + 5]), np.vstack([faces, ball_faces + len(vertices)]))
-    good, bad = sorted(result.pieces, key=lambda piece: -len(piece.source_face))
-    assert good.error is None
-    assert isinstance(bad.error, FlattenError)
-    assert bad.error is bad.error
-    assert bad.error.code is ErrorCode.closed_chart
-    assert bad.report.termination == "failed"
-    assert np.isnan(bad.vertices).all()
-    assert np.array_equal(bad.source_vertex[bad.faces], ball_faces + len(vertices))
-    assert np.isnan(bad.metrics.face_arap).tolist() == [True] * 4
-    assert np.isnan([bad.metrics.arap_energy, bad.metrics.area_2d, bad.metrics.angle_deviation_max]).all()
-    # Three half squares and the triangle on their hypotenuses.
-    assert bad.metrics.area_3d == pytest.approx(3 * 1 / 2 + np.sqrt(3) / 2)
-    assert np.isnan(result.corner_uv[len(faces) :]).all()
-    assert np.isfinite(result.corner_uv[: len(faces)]).all()
-    assert result.report["pieces"] == 2
-    assert result.report["failed_pieces"] == 1
-
-
 def test_the_package_works_inside_another_one(tmp_path, monkeypatch):
     """An add-on may contain the package; its errors are separate."""
     shutil.copytree(Path(wirewarp.__file__).parent, tmp_path / "carrier" / "wirewarp")

@@ -92,12 +92,6 @@ def test_only_the_allowances_at_the_narrow_place_need_room_there(is_mirrored):
     assert has_room(piece, 0.0) and not has_room(piece, 5.0)
 
 
-def test_a_mirrored_piece_has_the_same_width():
-    vertices, faces = half_cylinder()
-    (piece,), (mirrored,) = (flatten(vertices, faces, options=Options(mirror=each)).pieces for each in (False, True))
-    assert piece_width(mirrored) == pytest.approx(piece_width(piece), rel=NEAR)
-
-
 def test_pieces_along_edges_contain_a_whole_edge():
     """The edges are in turn seams between three strips, edges inside a strip, and an edge that only ends on a seam."""
     vertices, faces = half_cylinder()

@@ -7,7 +7,7 @@ import itertools
 import numpy as np
 import pytest
 import shapely
-from patterns import cut_polygon, flattened, line_string, sample, sew_polygon
+from patterns import cut_polygon, flattened, sample, sew_polygon
 from shapely.ops import substring
 from wirewarp.pattern import PatternPiece
 
@@ -89,13 +89,3 @@ def test_both_allowances_of_a_seam_end_on_the_line_that_crosses_it(name, count):
                 sticks_out, is_missing = off_when_pressed(piece, points)
                 assert sticks_out < 0.5 and is_missing < 0.5  # with mitres, it would be 6 to 10
     assert checked == count
-
-
-@pytest.mark.parametrize("name", ["Fitted top", "Hat", "Jeans", "Toy"])
-def test_both_sides_of_a_seam_have_one_length(name):
-    lengths = collections.defaultdict(list)
-    for piece in sample(name).pieces:
-        for line in piece.of_role("sew"):
-            if line.seam is not None:
-                lengths[line.seam].append(line_string(line).length)
-    assert all(len(own) == 2 and own[0] == pytest.approx(own[1], rel=1e-9) for own in lengths.values())

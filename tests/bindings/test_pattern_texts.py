@@ -162,11 +162,6 @@ def test_the_grain_follows_its_setting_and_is_upright_by_default():
     assert grain(replace(piece, grain=np.array([0.6, -0.8]))) == pytest.approx([0.6, -0.8])
 
 
-def test_every_piece_has_a_grain_line():
-    pattern = sample("Fitted top")
-    assert [len(piece.of_role("grain")) for piece in pattern.pieces] == [1] * len(flattened("Fitted top").pieces)
-
-
 def strips(*widths):
     """Return a flat sheet, 200 mm long, divided into strips of these widths, with a wire across all of them."""
     xs = np.concatenate([[0], np.cumsum(widths)]).tolist()

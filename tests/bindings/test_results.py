@@ -132,6 +132,9 @@ def test_a_whole_result_is_json():
         seams=chain_edges(column_chain(8, 4, 4)),
         wires=[wirewarp.Wire(range(18, 27), math.inf, "waist")],
     )
+    bad = next(piece for piece in result.pieces if piece.error)
+    assert bad.error is bad.error and bad.report.termination == "failed"
+    assert np.isnan(bad.vertices).all() and np.isnan(bad.metrics.arap_energy) and bad.metrics.area_3d > 0
     plain = json.loads(json.dumps(result.to_dict(), allow_nan=False))
     assert list(plain) == ["pieces", "corner_uv", "seams", "wires", "report"]
     assert [piece["error"] and piece["error"]["code"] for piece in plain["pieces"]].count("closed_chart") == 1
