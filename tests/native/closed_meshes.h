@@ -8,7 +8,7 @@
 
 namespace wirewarp::test {
 
-/// Returns a closed surface from pole to pole. shape: maps unit vectors to points. rises: tells whether the diagonal
+/// Returns a closed surface from pole to pole. shape: maps unit vectors to points. rises: returns whether the diagonal
 /// of the cell (i, j), around and from pole to pole, goes up with i.
 FlattenInput closed_surface(int around, int rings, const std::function<Eigen::Vector3d(const Eigen::Vector3d&)>& shape,
                             const std::function<bool(int, int)>& rises);
