@@ -5,7 +5,6 @@
 
 #include "base/attempt.h"
 #include "base/planar.h"
-#include "energy/tutte_embedding.h"
 #include "newton/injective_start.h"
 #include "newton/minimize.h"
 #include "surface/mesh/geometry.h"
@@ -31,16 +30,6 @@ Injectivity injectivity_of(const Chart& chart, const Positions2& uv) {
   return overlaps ? Injectivity::local : Injectivity::global;
 }
 
-std::optional<Shape> reach_injectively(Problem& problem, const Stage& stage, const Control& control) {
-  if (!control.budget.allows()) return std::nullopt;
-  const Chart& chart = problem.chart();
-  Positions2 map = problem.free_map(control.stop.in("start"));
-  if (injectivity_of(chart, map) < stage.injectivity) map = tutte_embedding(chart, control.stop.in("start"));
-  if (injectivity_of(chart, map) < stage.injectivity)
-    return std::nullopt;  // rounding errors have flipped triangles of the embedding
-  return injective_start(problem, stage, map, control.in("shape"));
-}
-
 void make_injective(Problem& problem, Stage stage, const Control& control, Solution& solution) {
   if (!solution.is_exact() || !control.stop.in("shape").may_go_on()) return;
   const Chart& chart = problem.chart();
@@ -50,7 +39,7 @@ void make_injective(Problem& problem, Stage stage, const Control& control, Solut
     if (injectivity == Injectivity::global && !is_disk) continue;
     if (control.stop.is_stopped() || solution.injectivity >= injectivity) continue;
     stage.injectivity = injectivity;
-    const auto start = attempt([&] { return reach_injectively(problem, stage, control); });
+    const auto start = attempt([&] { return injective_start(problem, stage, control); });
     if (!start) continue;
     Solution injective = minimize(problem, stage, *start, control.in("shape"));
     if (!injective.is_exact()) continue;

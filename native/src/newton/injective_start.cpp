@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "energy/tutte_embedding.h"
+#include "newton/injective_shape.h"
 #include "newton/newton_state.h"
 #include "newton/retract_to_lengths.h"
 #include "numerics/optimize/line_search.h"
@@ -173,9 +175,17 @@ bool MultiplierMethod::reach_exact_lengths() {
 
 }  // namespace
 
-std::optional<Shape> injective_start(const Problem& problem, const Stage& stage, const Positions2& map,
-                                     const Control& control) {
-  MultiplierMethod method(problem, stage, map, control);
+std::optional<Shape> injective_start(Problem& problem, const Stage& stage, const Control& control,
+                                     std::optional<Positions2> map) {
+  if (!control.budget.allows()) return std::nullopt;
+  if (!map) {
+    const Chart& chart = problem.chart();
+    map = problem.free_map(control.stop.in("start"));
+    if (injectivity_of(chart, *map) < stage.injectivity) map = tutte_embedding(chart, control.stop.in("start"));
+    // Rounding errors may flip triangles of the embedding.
+    if (injectivity_of(chart, *map) < stage.injectivity) return std::nullopt;
+  }
+  MultiplierMethod method(problem, stage, *map, control.in("shape"));
   if (!method.reach_exact_lengths()) return std::nullopt;
   return method.start();
 }

@@ -41,7 +41,7 @@ Solution minimize_next(Problem& problem, const Stage& stage, const Shape& start,
   Solution found = sewn ? sewn->minimize(start, control) : minimize(problem, stage, start, control);
   const bool may_not_flip = stage.injectivity != Injectivity::none;
   if (!found.is_exact() && may_not_flip && problem.objective({stage.cloth}).count_flips(start.uv) == 0) {
-    const std::optional<Shape> exact = attempt([&] { return injective_start(problem, stage, start.uv, control); });
+    const std::optional<Shape> exact = attempt([&] { return injective_start(problem, stage, control, start.uv); });
     if (exact) found = minimize(problem, stage, *exact, control);
   }
   found.factorizations = control.budget.spent() - spent_before;

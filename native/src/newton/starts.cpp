@@ -5,6 +5,7 @@
 
 #include "newton/coarse_start.h"
 #include "newton/injective_shape.h"
+#include "newton/injective_start.h"
 #include "newton/unfold.h"
 #include "warp/outer/choose_variation.h"
 #include "warp/topology/process_topology.h"
@@ -44,7 +45,7 @@ const std::array<Start, 5> kStarts{{
     // A shape without flips, reached without flipping any triangle.
     {kInjectiveStart,
      [](Problem& problem, const Control& control) {
-       return reach_injectively(problem, {nullptr, nullptr, Injectivity::local}, control);
+       return injective_start(problem, {nullptr, nullptr, Injectivity::local}, control);
      },
      false, Injectivity::local},
 }};
