@@ -46,6 +46,9 @@ def test_the_chosen_set_has_the_fewest_pieces_for_the_fabric(addon):
     assert [each.num_pieces for each in suggest.from_few_pieces(narrow, 0.5)] == [3, 5, 6, 8, 9]
     # the set of 8 pieces reaches the limit
     assert [each.num_pieces for each in suggest.from_few_pieces(sets, 0.098)] == [3, 5, 8, 9]
+    beside = replace(sets[0], num_pieces=8, strain=0.03, is_narrow=True)
+    rows = [(each.num_pieces, each.strain) for each in suggest.from_few_pieces([*sets, beside], 0.098)]
+    assert rows[2:4] == [(8, 0.097), (8, 0.03)]
     sets = suggest.from_few_pieces(sets, 0.5)
     assert [each.num_pieces for each in sets] == [3, 5, 9]
     assert [suggest.set_for(sets, [limit]) for limit in (0.5, 0.2, 0.05, 0.01)] == [0, 1, 2, 2]

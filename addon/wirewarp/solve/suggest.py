@@ -207,7 +207,7 @@ def from_few_pieces(sets: Sequence[Cut], limit: float) -> list[Cut]:
         least = min((other.strain for other in kept if other.is_narrow == each.is_narrow), default=math.inf)
         if each.strain < WORTH_PIECES * least or each.strain <= limit < least:
             kept.append(each)
-    return kept
+    return sorted(kept, key=lambda cut: (cut.num_pieces, -cut.strain))  # less stretch below, also beside narrow sets
 
 
 def set_for(sets: Sequence[Cut], limits: Sequence[float]) -> int:
