@@ -160,16 +160,17 @@ def test_a_hole_is_drilled_13_mm_before_the_tip_of_a_dart_or_halfway(depth, befo
 
 
 def test_the_hole_of_a_curved_dart_is_where_its_legs_lead_from_the_tip():
-    tip = np.array([0.0, 0.0])
+    tip = np.array([2.0, 3.0])
     legs = [np.array([(-20.0, -60.0), (x, -30.0), tip]) for x in (6.0, 10.0)]
     first = Side(0, np.array([1, 2, 3]), legs[0], 0, False)
     second = Side(0, np.array([3, 2, 1]), legs[1][::-1], 0, False)
-    assert drill_hole(Dart(first, second)).at == pytest.approx(13 * np.array([8.0, -30.0]) / np.hypot(8, 30))
+    back = np.array([8.0, -30.0]) - tip
+    assert drill_hole(Dart(first, second)).at == pytest.approx(tip + 13 * back / np.linalg.norm(back))
 
 
 def test_the_hole_of_legs_in_one_line_is_on_the_first():
     """The middle between them is no direction."""
-    tip, ends = np.array([30.0, 5.0]), np.array([(30.0, -15.0), (30.0, 25.0)])
-    first = Side(0, np.array([1, 2]), np.array([ends[0], tip]), 0, False)
-    second = Side(0, np.array([2, 1]), np.array([tip, ends[1]]), 0, False)
+    places = np.array([(30.0, y) for y in (-15.0, -5.0, 5.0, 15.0, 25.0)])
+    first = Side(0, np.array([1, 2, 3]), places[:3], 0, False)
+    second = Side(0, np.array([3, 2, 1]), places[2:], 0, False)
     assert drill_hole(Dart(first, second)).at == pytest.approx([30, 5 - 20 / 2])
