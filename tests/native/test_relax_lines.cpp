@@ -31,7 +31,7 @@ TEST(LineNetwork, DoesNotFollowBarriers) {
   CutMask barriers(chart.mesh.n_edges(), 0);
   for (int x = 4; x < 8; ++x)
     barriers[static_cast<std::size_t>(chart.mesh.find_halfedge(at(x, 8), at(x + 1, 8)).idx() / 2)] = 1;
-  const LineNetwork network(chart.mesh, {chain}, barriers);
+  const LineNetwork network(chart.mesh, lines_along(chart, {}, cut_along(chart.mesh, chain)).lines, barriers);
   EXPECT_TRUE(network.relax({network.steps_for(1)}, StopToken()).front().has_value());
   EXPECT_FALSE(network.relax({network.steps_for(8)}, StopToken()).front().has_value());  // tight around the barrier
 }

@@ -80,12 +80,17 @@ std::vector<DartProposal> propose_darts(const FlattenInput& input, const Options
 ///
 /// With is_smooth, the lines of a cut set are smoothed until they turn by less than 30 degrees at each vertex between
 /// their ends, and junctions move with them. Smooth lines do not cross wires, or edges of no_seam and no_crossing.
-/// Vertices on these edges do not move. A smooth set leaves at most twice the strain of the set along edges. It also
-/// stays within the smallest of 1, 2, 4, 8, … times the accepted strain that the set along edges keeps. It has no more
-/// pieces narrower than `narrowest` than the set along edges. Lines keep some of their bends, or their edges, if these
-/// rules demand it or if lines would meet. A set keeps all its edges if more than half of its bends would remain. The
-/// sets keep the order that they have along edges, so a smooth set may leave less strain than an earlier one. Seams
-/// across one piece always follow edges.
+/// Vertices on these edges do not move. Pieces are joined after their lines were smoothed, for 1, 2, 4, 8, … times the
+/// accepted strain, because zigzags along edges work like many small darts. Then the lines are smoothed again within
+/// this strain, or within the strain of the set if that is larger. The first set may therefore leave more than the
+/// accepted strain. Lines keep some of their bends, or their edges, if they need too much strain otherwise or if lines
+/// would meet.
+///
+/// Sets with few cuts and no joined pieces are smoothed in the end. Such a set leaves at most twice the strain of the
+/// set along edges, and stays within the smallest of 1, 2, 4, 8, … times the accepted strain that the set along edges
+/// keeps. It has no more pieces narrower than `narrowest` than the set along edges, and keeps all its edges if more
+/// than half of its bends would remain. The sets keep the order that they had before, so a smooth set may leave less
+/// strain than an earlier one. Seams across one piece always follow edges.
 ///
 /// If progress stops a search for cut sets, the sets found by then are returned, in the same order and with their
 /// figures. Some of them may not be smooth yet. Throws cancelled if no set was found by then.

@@ -211,6 +211,7 @@ std::vector<DartProposal> best_cuts(const FlatPieces& pieces, CutKind kind, cons
   const double share = (1 - searched) / static_cast<double>(sets.size());
   const auto smooth_all = [&] {
     for (std::size_t i = 0; i < sets.size(); ++i) {
+      if (!sets[i].paths.empty()) continue;
       progress.begin_part(searched + share * static_cast<double>(i), searched + share * static_cast<double>(i + 1));
       const double most_strain = std::min(limit_of_set(sets[i], cut_options), kMostStrain);
       DartProposal smooth = smooth_set(sets[i], most_strain, pieces, *piece, cut_options, exact);

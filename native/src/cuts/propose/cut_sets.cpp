@@ -16,6 +16,7 @@
 #include "cuts/propose/coarse_evaluation.h"
 #include "cuts/propose/cut_chains.h"
 #include "cuts/propose/merge_sections.h"
+#include "cuts/propose/merge_smooth.h"
 #include "cuts/propose/mirror_image.h"
 #include "cuts/propose/piece_search.h"
 #include "newton/lies_flat.h"
@@ -49,6 +50,11 @@ constexpr double kOpened = 0.1, kCut = 0.5;
 /// merged sets is limited, which matters for low targets.
 constexpr double kStrainStep = 2;
 constexpr std::size_t kMergedSets = 3;
+
+/// Pieces with smooth outlines are merged up to this share of the allowed strain, because they need more once the
+/// corners of their outlines are smooth. With 0.95, most corners of a whale remained. At last, pieces are merged up to
+/// the whole strain, because with this share alone a penguin has two pieces more.
+constexpr double kMergeShare = 0.85;
 
 /// The largest strain of plush. Sets are merged up to about this strain, or to twice a larger target. Sets for more
 /// strain, which only stretchy knits allow, are the slowest to find.
@@ -93,6 +99,7 @@ double limit_of_set(const DartProposal& set, const CutOptions& cut_options) {
 CutSetSearch::CutSetSearch(const FlatPieces& pieces, std::size_t piece, const CutOptions& cut_options,
                            const ExactEvaluation& exact, CutProgress& progress)
     : pieces_(pieces),
+      piece_(piece),
       input_chart_(pieces[piece]->chart),
       is_flat_(!pieces[piece]->error),
       chart_(in_canonical_order(input_chart_, exact.stop())),
@@ -298,6 +305,43 @@ void CutSetSearch::add_merged(std::vector<CutSet>& sets) {
   }
 }
 
+/// Adds sets with smooth lines and fewer sections than the last set, which is dropped with all sets that have more
+/// pieces than these. Returns false if its lines cannot be smooth. Throws Stopped; sets added by then remain.
+bool CutSetSearch::add_smooth(std::vector<CutSet>& sets) {
+  const CutSet& fine = sets.back();
+  double least = std::max(target_, kFlat);
+  while (least * kStrainStep <= fine.proposal.strain) least *= kStrainStep;
+  const PieceToCut piece{pieces_, piece_, chart_, image_};
+  SmoothMerger merger(piece, kLeastSolidity, cut_options_, exact_);
+  if (!merger.start(fine.proposal, fine.cut, least)) return false;
+  struct Level {
+    double allowed;      // strain of the smooth set
+    double share = 1.0;  // of this strain, for which pieces are merged before their corners are smoothed
+  };
+  std::vector<Level> levels;
+  for (const double allowed : allowed_strains(least, target_)) levels.push_back({allowed, kMergeShare});
+  levels.push_back({levels.back().allowed});
+  const auto count = static_cast<double>(levels.size());
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    const bool stopped = !merger.merge(levels[i].share, levels[i].allowed, [&](double share) {
+      const double reached = kCut + (1 - kCut) * (static_cast<double>(i) + share) / count;
+      progress_.enter(reached, reached);
+    });
+    if (i == 0) {
+      const auto has_more = [&](const CutSet& set) { return set.proposal.num_pieces > merger.set().num_pieces; };
+      sets.erase(std::remove_if(sets.begin(), sets.end(), has_more), sets.end());
+    }
+    sets.emplace_back().proposal = merger.set();
+    if (stopped) throw Stopped();
+    const DartProposal smooth = merger.smooth(levels[i].allowed, true);
+    sets.back().proposal = smooth;
+    if (i + 1 == levels.size()) break;
+    const bool may_have_more = levels[i + 1].allowed > levels[i].allowed;
+    merger.go_on(may_have_more ? merger.smooth(levels[i + 1].allowed, false) : smooth);
+  }
+  return true;
+}
+
 /// Reports progress on a logarithmic scale, because each cut lowers the strain by about the same ratio.
 void CutSetSearch::report_strain(double first, double now) {
   const double least = std::max(target_, kFlat);
@@ -315,7 +359,7 @@ std::vector<DartProposal> CutSetSearch::search() {
   if (least.length > cut_options_.longest) throw too_long(input_chart_, least.length, cut_options_.longest);
   const bool stopped = was_stopped([&] {
     add_more_cuts(sets);
-    add_merged(sets);
+    if (!cut_options_.is_smooth || !add_smooth(sets)) add_merged(sets);
   });
   const auto is_too_strained = [](const CutSet& set) { return set.proposal.strain >= kMostStrain; };
   sets.erase(std::remove_if(sets.begin(), sets.end(), is_too_strained), sets.end());

@@ -66,12 +66,14 @@ class CutSetSearch {
   std::optional<CutSet> cut_once_more(const CutSet& set) const;
   void add_more_cuts(std::vector<CutSet>& sets);
   void add_merged(std::vector<CutSet>& sets);
+  bool add_smooth(std::vector<CutSet>& sets);
   std::vector<DartProposal> best_of(const std::vector<CutSet>& sets) const;
   void add_lines(const CutSet& set, std::size_t part, std::vector<Candidate>& found) const;
   void add_bisections(const CutSet& set, std::size_t part, std::vector<Candidate>& found) const;
   std::vector<CutMask> bisections_of(const Chart& part) const;
 
   const FlatPieces& pieces_;
+  const std::size_t piece_;
   const Chart& input_chart_;
   const bool is_flat_;  // whether the piece has a flat shape, but with too much strain
   const Chart chart_;   // in canonical order

@@ -140,17 +140,21 @@ std::vector<SurfacePath> paths_along(const Triangles& faces, const std::vector<V
 LineEvaluation::LineEvaluation(const FlatPieces& pieces, std::size_t piece, const ExactEvaluation& exact)
     : pieces_(pieces), piece_(piece), exact_(exact) {}
 
-LineEvaluation::PiecesAlong LineEvaluation::cut_along(const CutMesh& cut) const {
-  const FlattenInput input = with_mesh_of(exact_.surface().given(), cut);
-  const SurfaceToCut surface(input, exact_.options());
-  const ExactEvaluation exact(surface, exact_.options(), exact_.stop());
-  FlatPieces before = pieces_;
-  before[piece_] = std::make_shared<FlatPiece>(on_cut_mesh(*pieces_[piece_], surface.middle(), cut, exact_.stop()));
-  const Positions3& places = surface.middle().vertices;
+CutSurface::CutSurface(const FlatPieces& pieces, std::size_t piece, const ExactEvaluation& exact, const CutMesh& cut)
+    : cut_(cut),
+      input_(with_mesh_of(exact.surface().given(), cut)),
+      surface_(input_, exact.options()),
+      exact_(surface_, exact.options(), exact.stop()),
+      before_(pieces) {
+  before_[piece] = std::make_shared<FlatPiece>(on_cut_mesh(*pieces[piece], surface_.middle(), cut, exact.stop()));
+  after_ = exact_.with_cut(before_, cut.edges);
+}
+
+double CutSurface::length() const {
+  const Positions3& places = surface_.middle().vertices;
   double length = 0;
-  for (const auto& [a, b] : cut.edges) length += (places.row(a) - places.row(b)).norm();
-  FlatPieces after = exact.with_cut(before, cut.edges);
-  return {std::move(before), std::move(after), length};
+  for (const auto& [a, b] : cut_.edges) length += (places.row(a) - places.row(b)).norm();
+  return length;
 }
 
 std::optional<LineFigures> LineEvaluation::figures_along(const std::vector<SurfacePath>& lines) const {
@@ -158,7 +162,8 @@ std::optional<LineFigures> LineEvaluation::figures_along(const std::vector<Surfa
   const CutMesh cut = cut_mesh(given.vertices, given.faces, lines);
   const std::vector<int> tips = tips_of(cut);
   if (tips.size() != lines.size()) return std::nullopt;
-  const auto [before, after, length] = cut_along(cut);
+  const CutSurface surface(pieces_, piece_, exact_, cut);
+  const FlatPieces &before = surface.before(), &after = surface.after();
   const Chart& chart = before[piece_]->chart;
   LineFigures result{figures_of(after, chart), 0, {}};
   if (result.figures.error || spoils_others(before, after, chart)) return std::nullopt;

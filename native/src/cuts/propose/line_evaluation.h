@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cuts/propose/flat_pieces.h"
+#include "cuts/propose/surface_to_cut.h"
 #include "warp/topology/surface_path.h"
 #include "wirewarp/cut_mesh.h"
 #include "wirewarp/surface_path.h"
@@ -25,19 +26,32 @@ struct LineFigures {
   std::vector<VertexPair> edges;  // of the lines, if they all run along edges
 };
 
+/// The surface on the mesh of cut_mesh(), with the pieces that the cut makes.
+class CutSurface {
+ public:
+  /// piece: index of the piece that is cut. exact: of the surface without the cut. All references are kept. Throws
+  /// Stopped.
+  CutSurface(const FlatPieces& pieces, std::size_t piece, const ExactEvaluation& exact, const CutMesh& cut);
+
+  const ExactEvaluation& exact() const { return exact_; }
+  const FlatPieces& before() const { return before_; }
+  const FlatPieces& after() const { return after_; }
+
+  /// Returns the length of the cut in the middle of the material, scene units.
+  double length() const;
+
+ private:
+  const CutMesh& cut_;
+  const FlattenInput input_;
+  const SurfaceToCut surface_;
+  const ExactEvaluation exact_;
+  FlatPieces before_, after_;  // without and with the cut
+};
+
 class LineEvaluation {
  public:
   /// piece: index of the piece that lines cut. All references are kept.
   LineEvaluation(const FlatPieces& pieces, std::size_t piece, const ExactEvaluation& exact);
-
-  /// All pieces on a cut mesh.
-  struct PiecesAlong {
-    FlatPieces before, after;  // without and with the cut
-    double length;             // length of the cut in the middle of the material, scene units
-  };
-
-  /// Returns the pieces that a cut makes, on the mesh of cut_mesh(). Throws Stopped.
-  PiecesAlong cut_along(const CutMesh& cut) const;
 
   /// Returns the figures with cuts along lines from outlines to tips inside; nullopt if the lines meet, if a part has
   /// no flat shape, or if the cuts make other pieces worse. Lines must not divide an edge on a wire or outline. May be

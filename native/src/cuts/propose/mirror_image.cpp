@@ -86,6 +86,18 @@ class MirrorSearch {
     return best;
   }
 
+  /// Returns the mirror image by the plane with this normal; empty if it does not mirror the surface.
+  std::vector<VertexHandle> across(const Eigen::RowVector3d& normal) const {
+    std::vector<VertexHandle> image;
+    for (Eigen::Index v = 0; v < points_.rows(); ++v) {
+      const Eigen::RowVector3d opposite = points_.row(v) - 2 * points_.row(v).dot(normal) * normal;
+      const int found = in_order_.at(opposite, tolerance_);
+      if (found < 0) return {};
+      image.push_back(VertexHandle(found));
+    }
+    return image;
+  }
+
  private:
   static Positions3 centered(Positions3 points) {
     const Eigen::RowVector3d center = points.colwise().mean();
@@ -102,18 +114,6 @@ class MirrorSearch {
       if (image[from.idx()] == from && image[to.idx()] == to) length += edge_length(mesh_, h);
     }
     return length;
-  }
-
-  /// Returns the mirror image by the plane with this normal; empty if it does not mirror the surface.
-  std::vector<VertexHandle> across(const Eigen::RowVector3d& normal) const {
-    std::vector<VertexHandle> image;
-    for (Eigen::Index v = 0; v < points_.rows(); ++v) {
-      const Eigen::RowVector3d opposite = points_.row(v) - 2 * points_.row(v).dot(normal) * normal;
-      const int found = in_order_.at(opposite, tolerance_);
-      if (found < 0) return {};
-      image.push_back(VertexHandle(found));
-    }
-    return image;
   }
 
   const HalfEdgeMesh& mesh_;
@@ -144,6 +144,10 @@ bool have_common_face(const HalfEdgeMesh& mesh, const PathPoint& a, const PathPo
 
 std::vector<VertexHandle> mirror_image(const Chart& chart, const StopToken& stop) {
   return MirrorSearch(chart).best_image(stop);
+}
+
+std::vector<VertexHandle> mirror_image(const Chart& chart, const Eigen::RowVector3d& normal) {
+  return MirrorSearch(chart).across(normal);
 }
 
 HalfEdgeChain mirrored(const Chart& chart, const std::vector<VertexHandle>& image, const HalfEdgeChain& chain) {

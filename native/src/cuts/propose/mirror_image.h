@@ -13,6 +13,9 @@ namespace wirewarp {
 /// several planes, chooses the plane that contains the longest edges, because cuts may follow these. Throws Stopped.
 std::vector<VertexHandle> mirror_image(const Chart& chart, const StopToken& stop);
 
+/// Returns the mirror image of each vertex by the plane with this normal; empty if it does not mirror the chart.
+std::vector<VertexHandle> mirror_image(const Chart& chart, const Eigen::RowVector3d& normal);
+
 /// Returns the mirror image of a chain; empty if its edges are not mirrored with their vertices.
 HalfEdgeChain mirrored(const Chart& chart, const std::vector<VertexHandle>& image, const HalfEdgeChain& chain);
 

@@ -5,13 +5,18 @@
 #include <cmath>
 #include <utility>
 
+#include "newton/coarsen/coarse_chart.h"
 #include "surface/mesh/geometry.h"
 
 namespace wirewarp {
 namespace {
 
-/// Positions of the moved points on an edge. They are never at a vertex, where several edges of a line would meet.
+/// Positions of the moved points on an edge, and their number for each edge's length of a line across triangles.
 constexpr double kShares[] = {0.25, 0.75};
+constexpr double kPointsPerEdge = 2;
+
+/// No moved point is nearer to the end of a section than this share of it, because the end may be a vertex.
+constexpr double kFromEnd = 0.1;
 
 /// Share of the sum of the vectors to both neighbors by which a point moves. With 1/2, a zigzag would not fade.
 constexpr double kStep = 1.0 / 3;
@@ -26,6 +31,23 @@ constexpr double kSnap = 0.1;
 /// A line is not relaxed if it becomes shorter than this share of the edges at its ends, because cut_mesh() could not
 /// cut it.
 constexpr double kShortest = 0.25;
+
+bool is_along_edges(const SurfaceLine& line) {
+  return std::all_of(line.sections.begin(), line.sections.end(),
+                     [](const LineSection& section) { return section.edge.is_valid(); });
+}
+
+/// Returns the mean length of the edges of lines along edges, otherwise the typical one of the mesh.
+double edge_length_for(const HalfEdgeMesh& mesh, const std::vector<SurfaceLine>& lines) {
+  if (!std::all_of(lines.begin(), lines.end(), is_along_edges)) return typical_edge_length(mesh);
+  double length = 0;
+  std::size_t count = 0;
+  for (const SurfaceLine& line : lines) {
+    for (const LineSection& section : line.sections) length += std::abs(section.to - section.from);
+    count += line.sections.size();
+  }
+  return length / static_cast<double>(count);
+}
 
 std::vector<FaceHandle> faces_beside(const HalfEdgeMesh& mesh, VertexHandle v) {
   std::vector<FaceHandle> faces;
@@ -115,26 +137,21 @@ void append(const HalfEdgeMesh& mesh, const PathPoint& point, MeshPath& path) {
 
 }  // namespace
 
-LineNetwork::LineNetwork(const HalfEdgeMesh& mesh, const std::vector<HalfEdgeChain>& chains,
+LineNetwork::LineNetwork(const HalfEdgeMesh& mesh, const std::vector<SurfaceLine>& lines,
                          const std::vector<char>& barriers)
-    : mesh_(mesh), barriers_(barriers), walk_(mesh, barriers) {
-  double length = 0;
-  std::size_t count = 0;
-  std::vector<int> point_at(mesh.n_vertices(), -1), num_ends(mesh.n_vertices(), 0);
-  for (const HalfEdgeChain& chain : chains) {
-    ++num_ends[mesh.from_vertex_handle(chain.front()).idx()];
-    ++num_ends[mesh.to_vertex_handle(chain.back()).idx()];
+    : mesh_(mesh), barriers_(barriers), walk_(mesh, barriers), edge_length_(edge_length_for(mesh, lines)) {
+  std::map<int, int> num_ends;
+  for (const SurfaceLine& line : lines) {
+    ++num_ends[line.first];
+    ++num_ends[line.last];
   }
-  for (const HalfEdgeChain& chain : chains) {
-    length += length_of(mesh, chain);
-    count += chain.size();
-    const VertexHandle start = mesh.from_vertex_handle(chain.front());
-    const bool is_ring = start == mesh.to_vertex_handle(chain.back()) && num_ends[start.idx()] == 2;
-    add_line(chain, is_ring && !touches_barrier(start), point_at);
+  for (const SurfaceLine& line : lines) {
+    const VertexHandle start = line.sections.front().vertex_from;
+    const bool is_ring = line.first == line.last && num_ends[line.first] == 2;
+    add_line(line, is_ring && !(start.is_valid() && touches_barrier(start)));
   }
-  edge_length_ = length / static_cast<double>(count);
-  for (Point& point : points_) {
-    if (point.start.vertex.is_valid() && point.lines.size() < 2) point.is_fixed = true;
+  for (const auto& [end, point] : junctions_) {
+    if (points_[point].lines.size() < 2) points_[point].is_fixed = true;
   }
 }
 
@@ -154,34 +171,77 @@ bool LineNetwork::runs_along_barrier(std::size_t line, const MeshPath& path) con
   return false;
 }
 
-/// point_at: point of each vertex, or -1.
-void LineNetwork::add_line(const HalfEdgeChain& chain, bool is_ring, std::vector<int>& point_at) {
-  const std::size_t line = lines_.size();
-  std::vector<std::size_t>& points = lines_.emplace_back();
-  std::vector<EdgeHandle>& edges = edges_.emplace_back();
-  for (const HalfedgeHandle h : chain) edges.push_back(mesh_.edge_handle(h));
-  std::sort(edges.begin(), edges.end());
-  const auto add_vertex = [&](VertexHandle v) {
-    int& known = point_at[v.idx()];
-    if (known < 0) {
-      known = static_cast<int>(points_.size());
-      points_.push_back({SurfacePoint::at_vertex(v), {}, touches_barrier(v)});
-    }
-    points.push_back(static_cast<std::size_t>(known));
-    points_[points.back()].lines.push_back(line);
-  };
-  if (!is_ring) add_vertex(mesh_.from_vertex_handle(chain.front()));
-  for (std::size_t i = 0; i < chain.size(); ++i) {
-    const VertexHandle to = mesh_.to_vertex_handle(chain[i]);
-    if (barriers_[mesh_.edge_handle(chain[i]).idx()] == 0) {
-      for (const double share : kShares) {
-        points.push_back(points_.size());
-        points_.push_back({point_on_edge(mesh_, chain[i], share), {line}, false});
-      }
-    }
-    if (i + 1 == chain.size() ? !is_ring : touches_barrier(to)) add_vertex(to);
+void LineNetwork::add_line(const SurfaceLine& line, bool is_ring) {
+  std::vector<std::size_t> points;
+  std::vector<EdgeHandle> edges;
+  for (const LineSection& section : line.sections) {
+    if (section.edge.is_valid()) edges.push_back(section.edge);
   }
-  if (is_ring) points.push_back(points.front());
+  std::sort(edges.begin(), edges.end());
+  const auto add_end = [&](int end, const SurfacePoint& place) {
+    const auto [known, is_new] = junctions_.try_emplace(end, points_.size());
+    if (is_new) points_.push_back({place, {}, place.vertex.is_valid() && touches_barrier(place.vertex)});
+    points_[known->second].lines.push_back(lines_.size());
+    points.push_back(known->second);
+  };
+  const auto place_of = [](VertexHandle v, FaceHandle f, Planar place) {
+    return v.is_valid() ? SurfacePoint::at_vertex(v) : SurfacePoint::in_face(f, place);
+  };
+  const LineSection& first = line.sections.front();
+  if (!is_ring) add_end(line.first, place_of(first.vertex_from, first.face, first.from));
+  for (std::size_t i = 0, begin = 0; i < line.sections.size(); ++i) {
+    const LineSection& section = line.sections[i];
+    const bool is_last = i + 1 == line.sections.size();
+    const bool is_fixed = !is_last && section.vertex_to.is_valid() && touches_barrier(section.vertex_to);
+    if (!is_last && !is_fixed) continue;
+    add_points(line, begin, i + 1, points);
+    begin = i + 1;
+    if (is_fixed) {
+      points.push_back(points_.size());
+      points_.push_back({SurfacePoint::at_vertex(section.vertex_to), {lines_.size()}, true});
+    }
+  }
+  const LineSection& last = line.sections.back();
+  if (is_ring) {
+    points.push_back(points.front());
+  } else {
+    add_end(line.last, place_of(last.vertex_to, last.face, last.to));
+  }
+  lines_.push_back(std::move(points));
+  is_ring_.push_back(is_ring ? 1 : 0);
+  edges_.push_back(std::move(edges));
+}
+
+/// Adds points on each edge of a line along edges, or at equal distances on sections of another line; none if they are
+/// one edge of a barrier.
+void LineNetwork::add_points(const SurfaceLine& line, std::size_t begin, std::size_t end,
+                             std::vector<std::size_t>& points) {
+  const EdgeHandle edge = line.sections[begin].edge;
+  if (end == begin + 1 && edge.is_valid() && barriers_[edge.idx()] != 0) return;
+  const auto add = [&](const LineSection& section, double share) {
+    points.push_back(points_.size());
+    points_.push_back({SurfacePoint::in_face(section.face, section.from + share * (section.to - section.from)),
+                       {lines_.size()},
+                       false});
+  };
+  if (is_along_edges(line)) {
+    for (std::size_t i = begin; i < end; ++i) {
+      for (const double share : kShares) add(line.sections[i], share);
+    }
+    return;
+  }
+  double length = 0;
+  for (std::size_t i = begin; i < end; ++i) length += std::abs(line.sections[i].to - line.sections[i].from);
+  const double count = std::max(std::round(length * kPointsPerEdge / edge_length_), 1.0);
+  double passed = 0, k = 0.5;
+  for (std::size_t i = begin; i < end; ++i) {
+    const LineSection& section = line.sections[i];
+    const double own = std::abs(section.to - section.from);
+    for (; k < count && (k * length <= (passed + own) * count || i + 1 == end); ++k) {
+      add(section, std::clamp((k * length / count - passed) / own, kFromEnd, 1 - kFromEnd));
+    }
+    passed += own;
+  }
 }
 
 int LineNetwork::steps_for(double distance) const {
@@ -245,7 +305,7 @@ std::vector<std::optional<RelaxedLine>> LineNetwork::relax(const std::vector<int
     }
   }
   for (std::size_t p = 0; p < points_.size(); ++p) {
-    if (points_[p].lines.size() > 1) places[p] = snapped(places[p]);
+    if (points_[p].lines.size() > 1 && !points_[p].is_fixed) places[p] = snapped(places[p]);
   }
   std::vector<std::optional<RelaxedLine>> relaxed(lines_.size());
   for (std::size_t l = 0; l < lines_.size(); ++l) {
@@ -277,7 +337,7 @@ SurfacePoint LineNetwork::snapped(const SurfacePoint& point) const {
 std::optional<RelaxedLine> LineNetwork::along(std::size_t line, const std::vector<SurfacePoint>& places) const {
   const std::vector<std::size_t>& points = lines_[line];
   RelaxedLine relaxed{places[points.front()], places[points.back()], {}, false};
-  relaxed.is_closed = points.front() == points.back() && !points_[points.front()].start.vertex.is_valid();
+  relaxed.is_closed = is_ring_[line] != 0;
   MeshPath& path = relaxed.between;
   if (relaxed.start.vertex.is_valid()) path.push_back(PathPoint::at_vertex(relaxed.start.vertex));
   for (std::size_t i = 1; i < points.size(); ++i) {

@@ -2,12 +2,12 @@
 // Makes lines along edges smooth: they shorten like elastic threads on the surface, for a limited time.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <vector>
 
 #include "base/stop_token.h"
-#include "surface/charts/chart.h"
-#include "warp/topology/straight_walk.h"
+#include "cuts/propose/surface_lines.h"
 
 namespace wirewarp {
 
@@ -22,15 +22,15 @@ struct RelaxedLine {
 /// continues. Junctions move.
 class LineNetwork {
  public:
-  /// chains: lines along edges that meet only at their ends. barriers: one flag per edge. The mesh and
-  /// the barriers must outlive the network.
-  LineNetwork(const HalfEdgeMesh& mesh, const std::vector<HalfEdgeChain>& chains, const std::vector<char>& barriers);
+  /// barriers: one flag per edge. The mesh and the barriers must outlive the network.
+  LineNetwork(const HalfEdgeMesh& mesh, const std::vector<SurfaceLine>& lines, const std::vector<char>& barriers);
 
   /// Moves the points of each line a number of times; a junction moves as often as the line that moves least. Returns
   /// nothing for a line that does not move, or that came too close to a barrier. Throws Stopped.
   std::vector<std::optional<RelaxedLine>> relax(const std::vector<int>& steps, const StopToken& stop) const;
 
-  /// Returns the mean length of the chains' edges, scene units.
+  /// Returns the mean length of the edges that lines follow, scene units; the typical one of the mesh if lines cross
+  /// triangles.
   double mean_edge() const { return edge_length_; }
 
   /// Returns the number of moves of each point that smooths lines over about this distance.
@@ -43,7 +43,8 @@ class LineNetwork {
     bool is_fixed = false;
   };
 
-  void add_line(const HalfEdgeChain& chain, bool is_ring, std::vector<int>& point_at);
+  void add_line(const SurfaceLine& line, bool is_ring);
+  void add_points(const SurfaceLine& line, std::size_t begin, std::size_t end, std::vector<std::size_t>& points);
   bool touches_barrier(VertexHandle v) const;
   bool runs_along_barrier(std::size_t line, const MeshPath& path) const;
   std::optional<StraightLine> between(const SurfacePoint& a, const SurfacePoint& b) const;
@@ -53,10 +54,12 @@ class LineNetwork {
   const HalfEdgeMesh& mesh_;
   const std::vector<char>& barriers_;
   const StraightWalk walk_;
-  double edge_length_;  // mean of the chains, scene units
+  double edge_length_;  // see mean_edge()
   std::vector<Point> points_;
+  std::map<int, std::size_t> junctions_;         // point at each end of a line
   std::vector<std::vector<std::size_t>> lines_;  // points of each line; the first one again at the end of a closed one
-  std::vector<std::vector<EdgeHandle>> edges_;   // edges of each chain, in increasing order
+  std::vector<char> is_ring_;                    // of each line
+  std::vector<std::vector<EdgeHandle>> edges_;   // edges that each line follows, in increasing order
 };
 
 }  // namespace wirewarp

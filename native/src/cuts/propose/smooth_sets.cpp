@@ -15,12 +15,12 @@
 #include "base/planar.h"
 #include "cuts/feasibility/mirrored_cuts.h"
 #include "cuts/propose/canonical_order.h"
-#include "cuts/propose/cut_chains.h"
 #include "cuts/propose/flat_width.h"
 #include "cuts/propose/line_bends.h"
 #include "cuts/propose/line_evaluation.h"
 #include "cuts/propose/mirror_image.h"
 #include "cuts/propose/relax_lines.h"
+#include "cuts/propose/symmetric_paths.h"
 #include "surface/mesh/geometry.h"
 
 namespace wirewarp {
@@ -32,8 +32,7 @@ namespace {
 constexpr double kEdges = 4, kOfSize = 0.04;
 constexpr int kLevels = 4;
 
-/// If a part has more strain than allowed by this factor, the levels of all lines around it are lowered at once, which
-/// saves trials.
+/// See SmoothLimits::far_too_much. Lines along edges need many changes.
 constexpr double kFarTooMuch = 1.1;
 
 /// A smooth set may have at most this share of the bends of the set along edges, otherwise the additional strain is not
@@ -59,70 +58,54 @@ std::array<int, 2> count_ends(const std::vector<VertexPair>& edges) {
   return {static_cast<int>(count.size()) - static_cast<int>(edges.size()), num_ends};
 }
 
+bool is_narrow(const FlatPiece& piece, double narrowest) {
+  return narrowest > 0 && !piece.error && !has_room(piece.chart.mesh, piece.uv, narrowest);
+}
+
 template <typename Number>
 bool is_any(const std::vector<Number>& numbers) {
   return std::any_of(numbers.begin(), numbers.end(), [](Number each) { return each != 0; });
 }
 
-/// Returns the image of each line; a line without an image is its own image.
-std::vector<std::size_t> images_of(const Chart& chart, const std::vector<VertexHandle>& image,
-                                   const std::vector<HalfEdgeChain>& lines) {
-  std::vector<std::size_t> line_at(chart.mesh.n_edges(), lines.size()), images(lines.size());
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    for (const HalfedgeHandle h : lines[i]) line_at[static_cast<std::size_t>(h.idx() / 2)] = i;
-  }
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    const HalfEdgeChain other = image.empty() ? HalfEdgeChain{} : mirrored(chart, image, lines[i]);
-    const std::size_t found = other.empty() ? lines.size() : line_at[static_cast<std::size_t>(other.front().idx() / 2)];
-    images[i] = found < lines.size() ? found : i;
-  }
-  return images;
-}
-
 class SmoothSet {
  public:
-  SmoothSet(const DartProposal& set, double most_strain, const FlatPieces& pieces, std::size_t piece,
+  SmoothSet(const DartProposal& set, const SurfaceLines& lines, const SmoothLimits& limits, const PieceToCut& piece,
             const CutOptions& cut_options, const ExactEvaluation& exact)
       : set_(set),
-        most_strain_(std::min(most_strain, kMostGrowth * set.strain + kFlatFigure)),
+        limits_(limits),
         given_(exact.surface().given()),
-        chart_(in_canonical_order(pieces[piece]->chart, exact.stop())),
-        image_(mirror_image(chart_, exact.stop())),
         piece_(piece),
+        chart_(piece.chart),
         cut_options_(cut_options),
         exact_(exact),
-        evaluation_(pieces, piece, exact),
         barriers_(barriers()),
-        chains_(sections_of(chart_.mesh, PartMap(chart_).mask_of(set.edges))),
-        images_(images_of(chart_, image_, chains_)),
-        network_(chart_.mesh, chains_, barriers_),
-        levels_(chains_.size(), 0),
-        highest_(chains_.size(), kLevels) {
-    num_bends_before_ = num_bends(cut_mesh(given_.vertices, given_.faces, lines()));
-    if (cut_options.narrowest > 0) {
-      for (const auto& part : exact.with_cut(pieces, set.edges))
-        num_narrow_before_ += is_part_of(part->chart, pieces[piece]->chart) && is_narrow(*part) ? 1 : 0;
+        images_(lines.images),
+        is_symmetric_(lines.is_symmetric),
+        mirror_(given_, chart_, piece.image),
+        network_(chart_.mesh, lines.lines, barriers_),
+        levels_(lines.lines.size(), 0),
+        highest_(lines.lines.size(), kLevels) {
+    for (const SurfaceLine& line : lines.lines) {
+      start_.push_back(path_of(given_, chart_, line));
+      ends_.push_back({line.first, line.last});
     }
-    for (const HalfEdgeChain& chain : chains_) {
-      ends_.push_back(
-          {chart_.mesh.from_vertex_handle(chain.front()).idx(), chart_.mesh.to_vertex_handle(chain.back()).idx()});
-    }
+    const CutMesh cut = cut_mesh(given_.vertices, given_.faces, start_);
+    num_bends_before_ = num_bends(cut);
+    num_ends_before_ = count_ends(cut.edges);
   }
 
-  DartProposal find() {
+  std::optional<DartProposal> find() {
     while (true) {
       const std::vector<SurfacePath> paths = smooth_enough();
       const CutMesh cut = cut_mesh(given_.vertices, given_.faces, paths);
-      if (!is_any(levels_) || num_bends(cut) > kMostBends * num_bends_before_) return set_;
-      if (std::optional<DartProposal> smooth = evaluate(paths, cut)) return *smooth;
+      if (!is_any(levels_) || num_bends(cut) > limits_.most_bends * num_bends_before_) return std::nullopt;
+      if (std::optional<DartProposal> smooth = evaluate(paths, cut)) return smooth;
     }
   }
 
  private:
   CutMask barriers() const;
-  bool is_narrow(const FlatPiece& piece) const {
-    return !piece.error && !has_room(piece.chart.mesh, piece.uv, cut_options_.narrowest);
-  }
+  bool is_narrow(const FlatPiece& part) const { return wirewarp::is_narrow(part, cut_options_.narrowest); }
   int num_bends(const CutMesh& cut) const;
   std::vector<SurfacePath> lines();
   SurfacePath on_input(const RelaxedLine& line) const;
@@ -135,22 +118,23 @@ class SmoothSet {
   std::vector<char> that_touch(const CutMesh& cut) const;
 
   const DartProposal& set_;
-  const double most_strain_;
+  const SmoothLimits limits_;
   const FlattenInput& given_;
-  const Chart chart_;
-  const std::vector<VertexHandle> image_;  // mirror image of each vertex, or empty
-  const std::size_t piece_;
+  const PieceToCut& piece_;
+  const Chart& chart_;
   const CutOptions& cut_options_;
   const ExactEvaluation& exact_;
-  const LineEvaluation evaluation_;
   const CutMask barriers_;
-  const std::vector<HalfEdgeChain> chains_;
-  const std::vector<std::size_t> images_;  // mirror image of each chain
+  const std::vector<std::size_t>& images_;  // mirror image of each line
+  const bool is_symmetric_;                 // whether all lines are
+  const PathMirror mirror_;
   const LineNetwork network_;
-  std::vector<std::array<int, 2>> ends_;              // vertices at the ends of each chain
-  int num_bends_before_ = 0, num_narrow_before_ = 0;  // along edges
-  std::vector<int> levels_;                           // of each chain: how smooth it is; 0: along its edges
-  std::vector<int> highest_;                          // the highest levels that may be tried
+  std::vector<SurfacePath> start_;        // the lines before
+  std::vector<std::array<int, 2>> ends_;  // of each line
+  int num_bends_before_ = 0;
+  std::array<int, 2> num_ends_before_{};
+  std::vector<int> levels_;   // of each line: how smooth it is; 0: as before
+  std::vector<int> highest_;  // the highest levels that may be tried
 };
 
 /// Returns the edges that lines must not cross: wires, and edges that cuts must avoid, with their mirror images.
@@ -163,7 +147,7 @@ CutMask SmoothSet::barriers() const {
     for (std::size_t i = 1; i < wire.vertices.size(); ++i) edges.push_back({wire.vertices[i - 1], wire.vertices[i]});
     unite(mask, map.mask_of(edges));
   }
-  return MirroredCuts(chart_, image_).with_image(mask);
+  return MirroredCuts(chart_, piece_.image).with_image(mask);
 }
 
 int SmoothSet::num_bends(const CutMesh& cut) const {
@@ -200,23 +184,7 @@ void SmoothSet::lower(std::vector<char> chosen) {
 SurfacePath SmoothSet::on_input(const RelaxedLine& line) const {
   SurfacePath path = wirewarp::on_input(given_, chart_, line.between);
   const auto add_point = [&](const SurfacePoint& point, bool is_first) {
-    const HalfEdgeMesh& mesh = chart_.mesh;
-    const HalfedgeHandle first = mesh.halfedge_handle(point.face);
-    const Planar apex = apex_over(mesh, first);
-    const double third = std::max(point.place.imag() / apex.imag(), 0.0);
-    const double second = std::max((point.place.real() - third * apex.real()) / edge_length(mesh, first), 0.0);
-    const double shares[] = {std::max(1 - second - third, 0.0), second, third};
-    const double sum = shares[0] + second + third;
-    const int face = chart_.source_face[point.face.idx()];
-    Eigen::RowVector3d coordinates(0, 0, 0);
-    HalfedgeHandle h = first;
-    for (const double share : shares) {
-      for (int k = 0; k < 3; ++k) {
-        if (given_.faces(face, k) == chart_.source_vertex[mesh.from_vertex_handle(h).idx()])
-          coordinates[k] = share / sum;
-      }
-      h = mesh.next_halfedge_handle(h);
-    }
+    const auto [face, coordinates] = wirewarp::on_input(given_, chart_, point.face, point.place);
     const Eigen::Index count = path.coordinates.rows();
     Positions3 more(count + 1, 3);
     if (is_first) {
@@ -249,11 +217,12 @@ std::vector<SurfacePath> SmoothSet::lines() {
         lines.push_back(on_input(*relaxed[i]));
         continue;
       }
-      MeshPath along{PathPoint::at_vertex(chart_.mesh.from_vertex_handle(chains_[i].front()))};
-      for (const HalfedgeHandle h : chains_[i]) along.push_back(PathPoint::at_vertex(chart_.mesh.to_vertex_handle(h)));
-      lines.push_back(wirewarp::on_input(given_, chart_, along));
+      lines.push_back(start_[i]);
     }
-    if (!is_any(failed)) return lines;
+    if (!is_any(failed)) {
+      if (is_symmetric_) mirror_.make_symmetric(images_, lines);
+      return lines;
+    }
     lower(failed);
   }
 }
@@ -265,7 +234,7 @@ std::vector<SurfacePath> SmoothSet::smooth_enough() {
     exact_.stop().check();
     std::vector<SurfacePath> paths = lines();
     const CutMesh cut = cut_mesh(given_.vertices, given_.faces, paths);
-    if (is_any(levels_) && count_ends(cut.edges) != count_ends(set_.edges)) {
+    if (is_any(levels_) && count_ends(cut.edges) != num_ends_before_) {
       lower(that_touch(cut));
       continue;
     }
@@ -307,14 +276,14 @@ std::vector<char> SmoothSet::that_touch(const CutMesh& cut) const {
 /// have become too narrow.
 std::vector<char> SmoothSet::beside_failures(const CutMesh& cut, const FlatPieces& after, const Chart& chart) const {
   const auto is_own = [&](const auto& part) { return is_part_of(part->chart, chart); };
-  const auto is_own_and_narrow = [&](const auto& part) { return is_own(part) && is_narrow(*part); };
-  const bool are_narrow = std::count_if(after.begin(), after.end(), is_own_and_narrow) > num_narrow_before_;
+  const bool are_narrow = count_narrow(after, chart, cut_options_.narrowest) > limits_.num_narrow;
   std::vector<char> failures(levels_.size(), 0);
   for (const std::shared_ptr<const FlatPiece>& part : after) {
-    const bool has_failed = part->error || part->strain > most_strain_ || (are_narrow && is_narrow(*part));
+    const bool has_failed = part->error || part->strain > limits_.most_strain || (are_narrow && is_narrow(*part));
     if (!is_own(part) || !has_failed) continue;
     const std::vector<char> around = beside(*part, cut);
-    const bool is_near = !part->error && part->strain > most_strain_ && part->strain <= kFarTooMuch * most_strain_;
+    const bool is_near = !part->error && part->strain > limits_.most_strain &&
+                         part->strain <= limits_.far_too_much * limits_.most_strain;
     unite(failures, is_near ? most_strained(*part, cut, around) : around);
   }
   return failures;
@@ -341,7 +310,7 @@ std::vector<char> SmoothSet::most_strained(const FlatPiece& part, const CutMesh&
   std::vector<double> area(levels_.size(), 0);
   const HalfEdgeMesh& mesh = part.chart.mesh;
   for (const FaceHandle f : mesh.faces()) {
-    if (part.face_strain[f.idx()] <= most_strain_) continue;
+    if (part.face_strain[f.idx()] <= limits_.most_strain) continue;
     const HalfEdgeMesh::Point middle = mesh.calc_face_centroid(f);
     const Eigen::RowVector3d center(middle[0], middle[1], middle[2]);
     double least = std::numeric_limits<double>::infinity();
@@ -366,11 +335,13 @@ std::vector<char> SmoothSet::most_strained(const FlatPiece& part, const CutMesh&
 
 /// Returns the set along these lines. If the set is not good enough, lowers some levels and returns nothing.
 std::optional<DartProposal> SmoothSet::evaluate(const std::vector<SurfacePath>& paths, const CutMesh& cut) {
-  const auto [before, after, length] = evaluation_.cut_along(cut);
-  const Chart& chart = before[piece_]->chart;
+  const CutSurface surface(piece_.pieces, piece_.index, exact_, cut);
+  const FlatPieces &before = surface.before(), &after = surface.after();
+  const Chart& chart = before[piece_.index]->chart;
   const PieceFigures figures = figures_of(after, chart);
   const std::vector<char> failures = beside_failures(cut, after, chart);
-  if (is_any(failures) || figures.num_pieces != set_.num_pieces || spoils_others(before, after, chart)) {
+  const bool is_divided_alike = !figures.error && figures.num_pieces == set_.num_pieces;
+  if (is_any(failures) || !is_divided_alike || spoils_others(before, after, chart)) {
     lower(failures);
     return std::nullopt;
   }
@@ -378,7 +349,7 @@ std::optional<DartProposal> SmoothSet::evaluate(const std::vector<SurfacePath>& 
   smooth.paths = paths;
   smooth.edges.clear();
   if (cut.vertices.rows() == given_.vertices.rows()) smooth.edges = cut.edges;
-  smooth.length = length;
+  smooth.length = surface.length();
   smooth.energy = figures.energy;
   smooth.strain = figures.strain;
   return smooth;
@@ -386,9 +357,28 @@ std::optional<DartProposal> SmoothSet::evaluate(const std::vector<SurfacePath>& 
 
 }  // namespace
 
+int count_narrow(const FlatPieces& pieces, const Chart& chart, double narrowest) {
+  return static_cast<int>(std::count_if(pieces.begin(), pieces.end(), [&](const auto& part) {
+    return is_part_of(part->chart, chart) && is_narrow(*part, narrowest);
+  }));
+}
+
+std::optional<DartProposal> smooth_lines(const DartProposal& set, const SurfaceLines& lines, const SmoothLimits& limits,
+                                         const PieceToCut& piece, const CutOptions& cut_options,
+                                         const ExactEvaluation& exact) {
+  return SmoothSet(set, lines, limits, piece, cut_options, exact).find();
+}
+
 DartProposal smooth_set(const DartProposal& set, double most_strain, const FlatPieces& pieces, std::size_t piece,
                         const CutOptions& cut_options, const ExactEvaluation& exact) {
-  return SmoothSet(set, most_strain, pieces, piece, cut_options, exact).find();
+  const Chart chart = in_canonical_order(pieces[piece]->chart, exact.stop());
+  const std::vector<VertexHandle> image = mirror_image(chart, exact.stop());
+  const SurfaceLines lines = lines_along(chart, image, PartMap(chart).mask_of(set.edges));
+  SmoothLimits limits{std::min(most_strain, kMostGrowth * set.strain + kFlatFigure), kMostBends};
+  limits.far_too_much = kFarTooMuch;
+  if (cut_options.narrowest > 0)
+    limits.num_narrow = count_narrow(exact.with_cut(pieces, set.edges), pieces[piece]->chart, cut_options.narrowest);
+  return smooth_lines(set, lines, limits, {pieces, piece, chart, image}, cut_options, exact).value_or(set);
 }
 
 }  // namespace wirewarp

@@ -1,10 +1,42 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <limits>
+#include <optional>
+#include <vector>
+
 #include "cuts/propose/flat_pieces.h"
+#include "cuts/propose/surface_lines.h"
 #include "wirewarp/propose.h"
 
 namespace wirewarp {
+
+/// A piece of the input that a cut set divides.
+struct PieceToCut {
+  const FlatPieces& pieces;  // all pieces of the input
+  std::size_t index;
+  const Chart& chart;                      // in canonical order
+  const std::vector<VertexHandle>& image;  // mirror image of each vertex, or empty
+};
+
+/// The limits of a smooth set.
+struct SmoothLimits {
+  double most_strain;
+  double most_bends = std::numeric_limits<double>::infinity();  // share of the bends of the set before
+  int num_narrow = std::numeric_limits<int>::max();             // number of pieces that may be too narrow
+  // If a part has more strain than allowed by this factor, all lines around it become less smooth at once. This saves
+  // evaluations, but leaves more bends.
+  double far_too_much = std::numeric_limits<double>::infinity();
+};
+
+/// Returns the number of pieces that are narrower than that. chart: contains the pieces that count.
+int count_narrow(const FlatPieces& pieces, const Chart& chart, double narrowest);
+
+/// Returns a cut set whose lines are as smooth as the limits allow; none if no smoother lines are allowed. set: the set
+/// before, of which only the number of pieces counts. All references are kept for the call. Throws Stopped.
+std::optional<DartProposal> smooth_lines(const DartProposal& set, const SurfaceLines& lines, const SmoothLimits& limits,
+                                         const PieceToCut& piece, const CutOptions& cut_options,
+                                         const ExactEvaluation& exact);
 
 /// Returns a cut set whose seams and darts are smooth lines across triangles, as smooth as the strain of its parts and
 /// their width allow. Lines stay on their edges if nothing smoother is allowed. set: a set of this piece along edges.

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cuts/propose/merge_smooth.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "base/attempt.h"
+#include "cuts/propose/canonical_order.h"
+#include "cuts/propose/line_evaluation.h"
+#include "cuts/propose/merge_sections.h"
+#include "cuts/propose/mirror_image.h"
+#include "cuts/propose/symmetric_paths.h"
+
+namespace wirewarp {
+namespace {
+
+/// Pieces of the fine set may need this many times the strain for which they are merged. With less, many of their lines
+/// keep their zigzags.
+constexpr double kFineGrowth = 2;
+
+/// Without the lines that merging removes, the mesh is coarser, so a set may need more strain than its pieces needed
+/// while they were merged, mostly on a mesh of a few hundred triangles. If it needs too much, pieces are merged again
+/// for less, as a share of the strain before, but not for less than the least share of the strain that is allowed.
+constexpr double kLessShare = 0.85, kLeastShare = 0.5;
+
+/// Strains that differ by less than this factor are equal.
+constexpr double kRoundedFigure = 1 + 1e-6;
+
+}  // namespace
+
+SmoothMerger::SmoothMerger(const PieceToCut& piece, double least_solidity, const CutOptions& cut_options,
+                           const ExactEvaluation& exact)
+    : piece_(piece),
+      least_solidity_(least_solidity),
+      cut_options_(cut_options),
+      exact_(exact),
+      unstopped_(exact.surface(), exact.options(), StopToken()),
+      normal_(normal_of_mirror(piece.chart.mesh, piece.image)) {}
+
+bool SmoothMerger::start(const DartProposal& set, const CutMask& cut, double most_strain) {
+  lines_ = lines_along(piece_.chart, piece_.image, cut);
+  const SmoothLimits limits{std::max(set.strain, kFineGrowth * most_strain)};
+  std::optional<DartProposal> smooth = smooth_lines(set, lines_, limits, piece_, cut_options_, exact_);
+  if (!smooth) return false;
+  set_ = std::move(*smooth);
+  return true;
+}
+
+DartProposal SmoothMerger::evaluate(std::vector<SurfacePath> paths) const {
+  const FlattenInput& given = exact_.surface().given();
+  const CutMesh cut = cut_mesh(given.vertices, given.faces, paths);
+  const CutSurface surface(piece_.pieces, piece_.index, unstopped_, cut);
+  const PieceFigures figures = figures_of(surface.after(), surface.before()[piece_.index]->chart);
+  DartProposal set = set_;
+  set.edges.clear();
+  if (cut.vertices.rows() == given.vertices.rows()) set.edges = cut.edges;
+  set.paths = std::move(paths);
+  set.length = surface.length();
+  set.num_pieces = figures.num_pieces;
+  set.energy = figures.energy;
+  set.strain = figures.strain;
+  return set;
+}
+
+bool SmoothMerger::merge(double share, double most_strain, const std::function<void(double)>& report) {
+  const FlattenInput& given = exact_.surface().given();
+  const CutMesh mesh = cut_mesh(given.vertices, given.faces, set_.paths);
+  const CutSurface surface(piece_.pieces, piece_.index, exact_, mesh);
+  const Chart chart = in_canonical_order(surface.before()[piece_.index]->chart, exact_.stop());
+  const std::vector<VertexHandle> image =
+      piece_.image.empty() ? std::vector<VertexHandle>() : mirror_image(chart, normal_);
+  const MirroredCuts mirrored(chart, image);
+  const CutMask cut = PartMap(chart).mask_of(mesh.edges);
+  const double allowed = std::max(most_strain, set_.strain);
+  for (; share > kLeastShare; share *= kLessShare) {
+    SectionMerger merger({cut, surface.after()}, chart, mirrored, surface.exact(), cut_options_.narrowest,
+                         least_solidity_);
+    const bool stopped = was_stopped([&] { merger.run(share * most_strain, report); });
+    SurfaceLines lines = lines_across(given, piece_.chart, mesh, chart, image, merger.state().cut);
+    std::vector<SurfacePath> paths;
+    for (const SurfaceLine& line : lines.lines) paths.push_back(path_of(given, piece_.chart, line));
+    DartProposal merged = evaluate(std::move(paths));
+    if (merged.strain <= allowed * kRoundedFigure) {
+      set_ = std::move(merged);
+      lines_ = std::move(lines);
+      num_narrow_ = count_narrow(merger.state().pieces, chart, cut_options_.narrowest);
+      return !stopped;
+    }
+    if (stopped) return false;
+  }
+  lines_ = lines_across(given, piece_.chart, mesh, chart, image, cut);
+  num_narrow_ = count_narrow(surface.after(), chart, cut_options_.narrowest);
+  return true;
+}
+
+DartProposal SmoothMerger::smooth(double most_strain, bool keeps_room) const {
+  SmoothLimits limits{std::max(most_strain, set_.strain)};
+  if (keeps_room) limits.num_narrow = num_narrow_;
+  return smooth_lines(set_, lines_, limits, piece_, cut_options_, exact_).value_or(set_);
+}
+
+}  // namespace wirewarp

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+
+#include "cuts/propose/flat_pieces.h"
+#include "cuts/propose/smooth_sets.h"
+#include "wirewarp/propose.h"
+
+namespace wirewarp {
+
+/// Merges the pieces of a finely cut set whose lines were smoothed before. Zigzags along edges work like many small
+/// darts, so pieces that are merged along edges often need too much strain with smooth outlines.
+class SmoothMerger {
+ public:
+  /// least_solidity: as for SectionMerger. All references are kept.
+  SmoothMerger(const PieceToCut& piece, double least_solidity, const CutOptions& cut_options,
+               const ExactEvaluation& exact);
+
+  /// Smooths the lines of a set along edges, within twice the strain that its pieces will be merged for. Returns false
+  /// if no line can be smooth. Throws Stopped.
+  bool start(const DartProposal& set, const CutMask& cut, double most_strain);
+
+  /// Merges pieces as SectionMerger does, up to a share of the allowed strain. Returns false if the caller stopped; the
+  /// set is then merged as far as possible. report: called with the share of candidates that were tried.
+  bool merge(double share, double most_strain, const std::function<void(double)>& report);
+
+  /// Returns the set with the corners smoothed that merging has left. keeps_room: no more pieces become too narrow.
+  /// Throws Stopped.
+  DartProposal smooth(double most_strain, bool keeps_room) const;
+
+  /// Continues from a set that smooth() has returned.
+  void go_on(DartProposal set) { set_ = std::move(set); }
+
+  /// The set, evaluated exactly.
+  const DartProposal& set() const { return set_; }
+
+ private:
+  DartProposal evaluate(std::vector<SurfacePath> paths) const;
+
+  const PieceToCut& piece_;
+  const double least_solidity_;
+  const CutOptions& cut_options_;
+  const ExactEvaluation& exact_;
+  const ExactEvaluation unstopped_;  // completes the last set if the caller stops
+  const Eigen::RowVector3d normal_;  // of the mirror plane; 0 if there is none
+  DartProposal set_;
+  SurfaceLines lines_;  // of the set
+  int num_narrow_ = 0;  // pieces of the set
+};
+
+}  // namespace wirewarp

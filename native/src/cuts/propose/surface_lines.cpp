@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cuts/propose/surface_lines.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "cuts/propose/cut_chains.h"
+#include "cuts/propose/mirror_image.h"
+#include "surface/mesh/geometry.h"
+
+namespace wirewarp {
+namespace {
+
+/// Smaller weights of a corner are rounding.
+constexpr double kRoundedWeight = 1e-9;
+
+/// Returns the corners of a face, starting at its first half-edge, with their places.
+std::array<std::pair<VertexHandle, Planar>, 3> corners_of(const HalfEdgeMesh& mesh, FaceHandle f) {
+  const HalfedgeHandle first = mesh.halfedge_handle(f);
+  return {{{mesh.from_vertex_handle(first), Planar(0)},
+           {mesh.to_vertex_handle(first), Planar(edge_length(mesh, first))},
+           {mesh.to_vertex_handle(mesh.next_halfedge_handle(first)), apex_over(mesh, first)}}};
+}
+
+/// Sets the images of lines along these chains.
+void find_images(const Chart& chart, const std::vector<VertexHandle>& image, const std::vector<HalfEdgeChain>& chains,
+                 SurfaceLines& lines) {
+  const std::size_t none = chains.size();
+  std::vector<std::size_t> line_at(chart.mesh.n_edges(), none);
+  for (std::size_t i = 0; i < chains.size(); ++i) {
+    for (const HalfedgeHandle h : chains[i]) line_at[static_cast<std::size_t>(h.idx() / 2)] = i;
+  }
+  lines.is_symmetric = !image.empty();
+  for (std::size_t i = 0; i < chains.size(); ++i) {
+    const HalfEdgeChain other = image.empty() ? HalfEdgeChain{} : mirrored(chart, image, chains[i]);
+    const std::size_t found = other.empty() ? none : line_at[static_cast<std::size_t>(other.front().idx() / 2)];
+    const bool is_image = found != none && chains[found].size() == other.size() &&
+                          std::all_of(other.begin(), other.end(), [&](HalfedgeHandle h) {
+                            return line_at[static_cast<std::size_t>(h.idx() / 2)] == found;
+                          });
+    lines.images.push_back(is_image ? found : i);
+    lines.is_symmetric = lines.is_symmetric && is_image;
+  }
+}
+
+template <typename Section>
+SurfaceLines lines_of(const Chart& chart, const std::vector<VertexHandle>& image, const CutMask& cut,
+                      const Section& section) {
+  SurfaceLines result;
+  const std::vector<HalfEdgeChain> chains = sections_of(chart.mesh, cut);
+  for (const HalfEdgeChain& chain : chains) {
+    SurfaceLine& line = result.lines.emplace_back();
+    line.first = chart.mesh.from_vertex_handle(chain.front()).idx();
+    line.last = chart.mesh.to_vertex_handle(chain.back()).idx();
+    for (const HalfedgeHandle h : chain) line.sections.push_back(section(h));
+  }
+  find_images(chart, image, chains, result);
+  return result;
+}
+
+HalfedgeHandle side_with_face(const HalfEdgeMesh& mesh, HalfedgeHandle h) {
+  return mesh.is_boundary(h) ? mesh.opposite_halfedge_handle(h) : h;
+}
+
+}  // namespace
+
+SurfaceLines lines_along(const Chart& chart, const std::vector<VertexHandle>& image, const CutMask& cut) {
+  const HalfEdgeMesh& mesh = chart.mesh;
+  return lines_of(chart, image, cut, [&](HalfedgeHandle h) {
+    LineSection section;
+    section.face = mesh.face_handle(side_with_face(mesh, h));
+    section.vertex_from = mesh.from_vertex_handle(h);
+    section.vertex_to = mesh.to_vertex_handle(h);
+    section.edge = mesh.edge_handle(h);
+    for (const auto& [v, place] : corners_of(mesh, section.face)) {
+      if (v == section.vertex_from) section.from = place;
+      if (v == section.vertex_to) section.to = place;
+    }
+    return section;
+  });
+}
+
+SurfaceLines lines_across(const FlattenInput& input, const Chart& chart, const CutMesh& mesh, const Chart& cut_chart,
+                          const std::vector<VertexHandle>& image, const CutMask& cut) {
+  std::vector<int> face_of(static_cast<std::size_t>(input.faces.rows()), -1);  // face of the chart
+  for (std::size_t f = 0; f < chart.source_face.size(); ++f)
+    face_of[static_cast<std::size_t>(chart.source_face[f])] = static_cast<int>(f);
+  return lines_of(cut_chart, image, cut, [&](HalfedgeHandle h) {
+    const FaceHandle small = cut_chart.mesh.face_handle(side_with_face(cut_chart.mesh, h));
+    const int cut_face = cut_chart.source_face[small.idx()];
+    const int face = mesh.sources.faces[static_cast<std::size_t>(cut_face)];
+    LineSection section;
+    section.face = FaceHandle(face_of[static_cast<std::size_t>(face)]);
+    const auto corners = corners_of(chart.mesh, section.face);
+    const auto find = [&](VertexHandle v, Planar& place, VertexHandle& vertex) {
+      const int source = cut_chart.source_vertex[v.idx()];
+      int corner = 0;
+      while (mesh.faces(cut_face, corner) != source) ++corner;
+      for (const auto& [own, at] : corners) {
+        for (int k = 0; k < 3; ++k) {
+          if (input.faces(face, k) != chart.source_vertex[own.idx()]) continue;
+          place += mesh.sources.corner_weights(cut_face, 3 * corner + k) * at;
+          if (source == input.faces(face, k)) vertex = own;
+        }
+      }
+    };
+    find(cut_chart.mesh.from_vertex_handle(h), section.from, section.vertex_from);
+    find(cut_chart.mesh.to_vertex_handle(h), section.to, section.vertex_to);
+    if (section.vertex_from.is_valid() && section.vertex_to.is_valid())
+      section.edge = chart.mesh.edge_handle(chart.mesh.find_halfedge(section.vertex_from, section.vertex_to));
+    return section;
+  });
+}
+
+WeightedPoint on_input(const FlattenInput& input, const Chart& chart, FaceHandle face, Planar place) {
+  const auto corners = corners_of(chart.mesh, face);
+  const double third = place.imag() / corners[2].second.imag();
+  const double second = (place.real() - third * corners[2].second.real()) / corners[1].second.real();
+  WeightedPoint point{chart.source_face[face.idx()], Eigen::RowVector3d::Zero()};
+  const double weights[] = {1 - second - third, second, third};
+  for (int i = 0; i < 3; ++i) {
+    for (int k = 0; k < 3; ++k) {
+      if (input.faces(point.face, k) == chart.source_vertex[corners[i].first.idx()])
+        point.weights[k] = weights[i] < kRoundedWeight ? 0 : weights[i];
+    }
+  }
+  point.weights /= point.weights.sum();
+  return point;
+}
+
+SurfacePath path_of(const FlattenInput& input, const Chart& chart, const SurfaceLine& line) {
+  SurfacePath path{{}, Positions3(static_cast<Eigen::Index>(line.sections.size() + 1), 3)};
+  const auto add = [&](FaceHandle face, Planar place) {
+    const WeightedPoint point = on_input(input, chart, face, place);
+    path.coordinates.row(static_cast<Eigen::Index>(path.faces.size())) = point.weights;
+    path.faces.push_back(point.face);
+  };
+  for (const LineSection& section : line.sections) add(section.face, section.from);
+  add(line.sections.back().face, line.sections.back().to);
+  return path;
+}
+
+}  // namespace wirewarp

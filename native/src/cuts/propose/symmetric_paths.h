@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "surface/charts/chart.h"
+#include "wirewarp/surface_path.h"
+
+namespace wirewarp {
+
+/// Returns the unit normal of the plane between the vertices and their mirror images; 0 if there are none.
+Eigen::RowVector3d normal_of_mirror(const HalfEdgeMesh& mesh, const std::vector<VertexHandle>& image);
+
+/// Makes mirrored lines exact mirror images. Lines are relaxed one by one, and rounding errors grow where they pass
+/// vertices.
+class PathMirror {
+ public:
+  /// image: mirror image of each vertex, or empty. All references are kept.
+  PathMirror(const FlattenInput& input, const Chart& chart, const std::vector<VertexHandle>& image);
+
+  /// Replaces one path of each pair by the image of the other. Puts paths that are their own images on the plane, or
+  /// makes them symmetric. images: mirror image of each path, or the path itself.
+  void make_symmetric(const std::vector<std::size_t>& images, std::vector<SurfacePath>& paths) const;
+
+ private:
+  struct Point {
+    int face;
+    Eigen::RowVector3d weights;
+  };
+
+  struct FaceImage {
+    int face = -1;
+    int corners[3] = {0, 0, 0};  // corner of the image for each corner
+  };
+
+  static Point point_of(const SurfacePath& path, std::size_t i);
+  static void set_point(SurfacePath& path, std::size_t i, const Point& point);
+  Eigen::RowVector3d position(const Point& point) const;
+  Point mirrored(const Point& point) const;
+  bool is_near(const Point& a, const Point& b) const { return (position(a) - position(b)).norm() < tolerance_; }
+  bool has_image(const SurfacePath& path) const;
+  SurfacePath mirrored(const SurfacePath& path) const;
+  Point on_plane(const Point& point) const;
+  void settle_ends(SurfacePath& path) const;
+  void settle(SurfacePath& path) const;
+  double side(const SurfacePath& path) const;
+
+  const FlattenInput& input_;
+  std::vector<FaceImage> faces_;  // of the input; empty: no mirror image
+  Eigen::RowVector3d normal_;
+  double tolerance_ = 0;  // scene units
+};
+
+}  // namespace wirewarp

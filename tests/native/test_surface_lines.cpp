@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The lines of a cut set on a chart, and their mirror images.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "cuts/propose/flat_pieces.h"
+#include "cuts/propose/mirror_image.h"
+#include "cuts/propose/surface_lines.h"
+#include "cuts/propose/symmetric_paths.h"
+#include "test_meshes.h"
+#include "wirewarp/cut_mesh.h"
+
+namespace wirewarp::test_surface_lines {
+namespace {
+
+constexpr int kCells = 8;
+
+/// A sheet of 8 by 8 cells whose first coordinate runs from 0 to 8. All diagonals have mirror images across the plane
+/// in the middle, and no other plane mirrors the sheet.
+FlattenInput mirrored_sheet() {
+  FlattenInput sheet = test::make_grid(
+      kCells, kCells, [](double s, double t) { return Eigen::Vector3d(kCells * s, kCells * t, 2 * t * t * t); });
+  int f = 0;
+  for (int y = 0; y < kCells; ++y) {
+    for (int x = 0; x < kCells; ++x) {
+      const int a = y * (kCells + 1) + x, b = a + 1, c = a + kCells + 1, d = c + 1;
+      if (x < kCells / 2) {
+        sheet.faces.row(f++) << a, b, d;
+        sheet.faces.row(f++) << a, d, c;
+      } else {
+        sheet.faces.row(f++) << a, b, c;
+        sheet.faces.row(f++) << b, d, c;
+      }
+    }
+  }
+  return sheet;
+}
+
+/// Returns the path through these points, straight between edges of the sheet's faces: as a list of places (x, y).
+SurfacePath path_through(const FlattenInput& sheet, const std::vector<std::pair<double, double>>& places) {
+  SurfacePath path{{}, Positions3(static_cast<Eigen::Index>(places.size()), 3)};
+  for (const auto& [x, y] : places) {
+    for (int f = 0; f < static_cast<int>(sheet.faces.rows()); ++f) {
+      Eigen::Matrix3d corners;
+      for (int k = 0; k < 3; ++k) corners.col(k) = sheet.vertices.row(sheet.faces(f, k)).transpose();
+      corners.row(2).setOnes();
+      const Eigen::Vector3d weights = corners.inverse() * Eigen::Vector3d(x, y, 1);
+      if (weights.minCoeff() < -1e-12) continue;
+      path.coordinates.row(static_cast<Eigen::Index>(path.faces.size())) = weights.cwiseMax(0.0);
+      path.faces.push_back(f);
+      break;
+    }
+  }
+  return path;
+}
+
+Eigen::RowVector3d place(const FlattenInput& sheet, const SurfacePath& path, std::size_t i) {
+  Eigen::RowVector3d point(0, 0, 0);
+  for (int k = 0; k < 3; ++k) {
+    point += path.coordinates(static_cast<Eigen::Index>(i), k) * sheet.vertices.row(sheet.faces(path.faces[i], k));
+  }
+  return point;
+}
+
+TEST(SurfaceLines, OfACutMeshCutTheInputAtTheSamePlaces) {
+  const FlattenInput sheet = mirrored_sheet();
+  // From the outline across edges and through faces to a junction inside a face, and on in two directions.
+  const std::vector<SurfacePath> paths{
+      path_through(sheet, {{0, 2}, {0.6, 2.6}, {1, 2.75}, {1.5625, 2.5625}, {1.75, 2.5}}),
+      path_through(sheet, {{1.75, 2.5}, {2, 2.6}, {2.7, 2.7}, {3, 3}, {4, 3}}),
+      path_through(sheet, {{1.75, 2.5}, {1.9, 2}, {1.8, 1.8}, {1.5, 1}}),
+  };
+  const CutMesh cut = cut_mesh(sheet.vertices, sheet.faces, paths);
+  const Chart chart = test::chart_of(sheet);
+  const Chart cut_chart = test::chart_of({cut.vertices, cut.faces, {}, {}, {}});
+  const SurfaceLines lines = lines_across(sheet, chart, cut, cut_chart, {}, PartMap(cut_chart).mask_of(cut.edges));
+  ASSERT_EQ(lines.lines.size(), 3U);
+  std::vector<SurfacePath> again;
+  for (const SurfaceLine& line : lines.lines) again.push_back(path_of(sheet, chart, line));
+  const CutMesh second = cut_mesh(sheet.vertices, sheet.faces, again);
+  ASSERT_EQ(second.vertices.rows(), cut.vertices.rows());
+  EXPECT_EQ(second.edges.size(), cut.edges.size());
+  for (const auto& vertex : cut.vertices.rowwise()) {
+    EXPECT_LT((second.vertices.rowwise() - vertex).rowwise().norm().minCoeff(), 1e-9);
+  }
+}
+
+TEST(PathMirror, MakesPairsExactAndPutsOtherPathsOnThePlane) {
+  const FlattenInput sheet = mirrored_sheet();
+  const Chart chart = test::chart_of(sheet);
+  const std::vector<VertexHandle> image = mirror_image(chart, StopToken());
+  ASSERT_FALSE(image.empty());
+  const double off = 0.01;  // less than a tenth of an edge
+  std::vector<SurfacePath> paths{
+      path_through(sheet, {{1, 2.5}, {2, 3.3}, {3, 3.6}}),
+      path_through(sheet, {{7, 2.5 + off}, {6, 3.3}, {5, 3.6 - off}}),
+      path_through(sheet, {{4, 5}, {4 + off, 5.5}, {4, 6}}),            // along the plane
+      path_through(sheet, {{3, 6.5}, {4, 6.8}, {5, 6.5 + off}}),        // across the plane
+      path_through(sheet, {{4 + off, 1.5}, {5, 1.3}, {6, 1.2}}),        // from the plane
+      path_through(sheet, {{4 - off, 1.5}, {3, 1.3 + off}, {2, 1.2}}),  // its mirror image
+  };
+  PathMirror(sheet, chart, image).make_symmetric({1, 0, 2, 3, 5, 4}, paths);
+  const auto expect_images = [&](const SurfacePath& a, const SurfacePath& b, bool is_reversed) {
+    ASSERT_EQ(a.faces.size(), b.faces.size());
+    for (std::size_t i = 0; i < a.faces.size(); ++i) {
+      const Eigen::RowVector3d p = place(sheet, a, i);
+      const Eigen::RowVector3d q = place(sheet, b, is_reversed ? a.faces.size() - 1 - i : i);
+      EXPECT_LT((q - Eigen::RowVector3d(kCells - p[0], p[1], p[2])).norm(), 1e-12);
+    }
+  };
+  expect_images(paths[0], paths[1], false);
+  expect_images(paths[2], paths[2], false);
+  expect_images(paths[3], paths[3], true);
+  expect_images(paths[4], paths[5], false);
+  EXPECT_NEAR(place(sheet, paths[4], 0)[0], kCells / 2.0, 1e-12);
+}
+
+}  // namespace
+}  // namespace wirewarp::test_surface_lines
