@@ -44,6 +44,7 @@ LAYERS = [
     "newton/cache",
     "newton/solve",
     "cuts/feasibility",
+    "cuts/parts",
     "cuts/propose",
     "result",
 ]

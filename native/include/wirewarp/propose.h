@@ -78,13 +78,18 @@ std::vector<DartProposal> propose_darts(const FlattenInput& input, const Options
 /// the result would cover less than 60% of its convex hull, and less of it than each of them covers of its own, because
 /// it would have long arms.
 ///
-/// With is_smooth, the lines of a cut set are smoothed until they turn by less than 30 degrees at each vertex between
-/// their ends, and junctions move with them. Smooth lines do not cross wires, or edges of no_seam and no_crossing.
-/// Vertices on these edges do not move. Pieces are joined after their lines were smoothed, for 1, 2, 4, 8, … times the
-/// accepted strain, because zigzags along edges work like many small darts. Then the lines are smoothed again within
-/// this strain, or within the strain of the set if that is larger. The first set may therefore leave more than the
-/// accepted strain. Lines keep some of their bends, or their edges, if they need too much strain otherwise or if lines
-/// would meet.
+/// With is_smooth, a closed piece with necks is divided along them and along planes through its parts, if the input has
+/// no wires, eases and thickness, and no_seam and no_crossing are empty. The parts are joined for strains of 20% and
+/// 10%, or for those that `strain` leads to, of at least 10%. A joined part covers 85% of its convex hull, or as much
+/// as one of its parts. If these sets stay within their strains, no others are searched.
+///
+/// Otherwise, with is_smooth, the lines of a cut set are smoothed until they turn by less than 30 degrees at each
+/// vertex between their ends, and junctions move with them. Smooth lines do not cross wires, or edges of no_seam and
+/// no_crossing. Vertices on these edges do not move. Pieces are joined after their lines were smoothed, for 1, 2, 4, 8,
+/// … times the accepted strain, because zigzags along edges work like many small darts. Then the lines are smoothed
+/// again within this strain, or within the strain of the set if that is larger. The first set may therefore leave more
+/// than the accepted strain. Lines keep some of their bends, or their edges, if they need too much strain otherwise or
+/// if lines would meet.
 ///
 /// Sets with few cuts and no joined pieces are smoothed in the end. Such a set leaves at most twice the strain of the
 /// set along edges, and stays within the smallest of 1, 2, 4, 8, … times the accepted strain that the set along edges

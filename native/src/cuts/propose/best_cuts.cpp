@@ -13,6 +13,7 @@
 #include "base/attempt.h"
 #include "base/sentence.h"
 #include "cuts/propose/cut_sets.h"
+#include "cuts/propose/part_sets.h"
 #include "cuts/propose/piece_search.h"
 #include "cuts/propose/smooth_darts.h"
 #include "cuts/propose/smooth_sets.h"
@@ -207,6 +208,11 @@ std::vector<DartProposal> best_cuts(const FlatPieces& pieces, CutKind kind, cons
   if (!piece) return search_pieces(pieces, kind, cut_options, exact);
   const double searched = cut_options.is_smooth ? kSearched : 1;
   progress.begin_part(0, searched);
+  if (cut_options.is_smooth) {
+    std::vector<DartProposal> sets = part_sets(pieces, *piece, cut_options, exact, progress);
+    for (DartProposal& set : sets) set.piece = static_cast<int>(*piece);
+    if (!sets.empty()) return sets;
+  }
   std::vector<DartProposal> sets = CutSetSearch(pieces, *piece, cut_options, exact, progress).search();
   const double share = (1 - searched) / static_cast<double>(sets.size());
   const auto smooth_all = [&] {

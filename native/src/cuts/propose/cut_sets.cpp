@@ -24,9 +24,6 @@
 namespace wirewarp {
 namespace {
 
-/// The largest strain that woven fabric allows. By default, pieces with at most this strain are not cut again.
-constexpr double kTargetStrain = 0.05;
-
 /// Largest number of cuts (with their mirror images) after the opening: two for each of the twenty parts of a plush
 /// animal.
 constexpr std::size_t kMostCuts = 40;
@@ -306,9 +303,10 @@ void CutSetSearch::add_merged(std::vector<CutSet>& sets) {
 }
 
 /// Adds sets with smooth lines and fewer sections than the last set, which is dropped with all sets that have more
-/// pieces than these. Returns false if its lines cannot be smooth. Throws Stopped; sets added by then remain.
+/// pieces than these. Returns false, with the last set at the end again, if its lines cannot be smooth or if the merged
+/// set needs too much strain. Throws Stopped; sets added by then remain.
 bool CutSetSearch::add_smooth(std::vector<CutSet>& sets) {
-  const CutSet& fine = sets.back();
+  const CutSet fine = sets.back();
   double least = std::max(target_, kFlat);
   while (least * kStrainStep <= fine.proposal.strain) least *= kStrainStep;
   const PieceToCut piece{pieces_, piece_, chart_, image_};
@@ -339,7 +337,9 @@ bool CutSetSearch::add_smooth(std::vector<CutSet>& sets) {
     const bool may_have_more = levels[i + 1].allowed > levels[i].allowed;
     merger.go_on(may_have_more ? merger.smooth(levels[i + 1].allowed, false) : smooth);
   }
-  return true;
+  if (sets.back().proposal.strain <= levels.back().allowed) return true;
+  sets.push_back(fine);  // pieces are merged along edges, too
+  return false;
 }
 
 /// Reports progress on a logarithmic scale, because each cut lowers the strain by about the same ratio.

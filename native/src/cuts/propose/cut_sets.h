@@ -15,6 +15,9 @@
 
 namespace wirewarp {
 
+/// The largest strain that woven fabric allows. By default, pieces with at most this strain are not cut again.
+constexpr double kTargetStrain = 0.05;
+
 /// Returns the allowed strains of up to three merged sets, each twice the strain before. The last strain is the one
 /// whose ratio to the largest useful strain is nearest to 1, if three sets are enough. least: the first strain.
 std::vector<double> allowed_strains(double least, double target);

@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cuts/parts/necks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+#include "cuts/feasibility/ranks.h"
+#include "cuts/parts/level_lines.h"
+#include "surface/mesh/geodesic_distance.h"
+#include "surface/mesh/geometry.h"
+
+namespace wirewarp {
+namespace {
+
+/// Number of points over which the average distance is taken. With 40, it differs from the average over all vertices by
+/// about 1%, less than between a tip and its surroundings.
+constexpr std::size_t kSamples = 40;
+
+/// Radius around a tip in which no other vertex is farther from the rest, and the least distance between two tips; over
+/// the root of the area. The ears of a bear of 30 cm are four times as far apart.
+constexpr double kAroundTip = 0.12, kBetweenTips = 0.06;
+
+/// Largest number of tips: those of two hands.
+constexpr std::size_t kMostTips = 24;
+
+/// Number of distances at which lines are measured, and of those on each side among which a neck has the least L / √A.
+constexpr int kLevels = 120, kAround = 6;
+
+/// Least and largest share of the area at a tip: a bear's ear has 0.024, its head 0.4.
+constexpr double kSmallest = 0.006, kLargest = 0.55;
+
+/// A neck has at most this L / √A. A bear's ears have 2.27, and the arms of a star 2. Around more than a share of
+/// kLarge of the area, it has at most the second value: a bear's head has 1.16, a rabbit's 1.46, and a loop around the
+/// middle of a star 2.3.
+constexpr double kShort = 2.4, kShortIfLarge = 1.5, kLarge = 0.25;
+
+/// Beyond a neck, L grows by this factor before the area grows by the second one. On a cone, L grows by 1.34 while the
+/// area grows by 1.8, but L / √A is constant.
+constexpr double kWidens = 1.12, kSoon = 1.8;
+
+/// Two parts are the same, contain one another, or are disjoint, if they are it but for these shares of their areas.
+constexpr double kSame = 0.6, kNested = 0.97, kDisjoint = 0.03;
+
+/// Parts that together are the whole surface but for this share have one neck.
+constexpr double kWhole = 0.75;
+
+/// Distances that differ by less than this share are equal but for rounding errors.
+constexpr double kRounding = 1e-9;
+
+using Distances = Eigen::VectorXd;
+
+/// Returns the index of the first of the largest values.
+int first_of_largest(const Eigen::VectorXd& values) {
+  const double least = (1 - kRounding) * values.maxCoeff();
+  return static_cast<int>(std::find_if(values.begin(), values.end(), [&](double value) { return value >= least; }) -
+                          values.begin());
+}
+
+class NeckSearch {
+ public:
+  NeckSearch(const HalfEdgeMesh& mesh, const std::vector<VertexHandle>& image, const StopToken& stop)
+      : mesh_(mesh), image_(image), stop_(stop), geodesic_(mesh, stop), areas_(mesh.n_faces()) {
+    for (const FaceHandle f : mesh.faces()) areas_[f.idx()] = face_area(mesh, f);
+    area_ = areas_.sum();
+  }
+
+  std::vector<Neck> find() {
+    std::vector<Candidate> found;
+    for (const Distances& distance : distances_from_tips()) {
+      stop_.check();
+      add_candidates(distance, found);
+    }
+    std::stable_sort(found.begin(), found.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.ratio < b.ratio; });
+    for (const Candidate& candidate : found) accept(candidate);
+    std::stable_sort(accepted_.begin(), accepted_.end(), [&](const Candidate& a, const Candidate& b) {
+      return area_of(a.is_inside) > area_of(b.is_inside);
+    });
+    std::vector<Neck> necks;
+    for (Candidate& candidate : accepted_) necks.push_back(std::move(candidate.neck));
+    return necks;
+  }
+
+ private:
+  using Faces = std::vector<char>;  // per face: whether it is at the tip
+
+  struct Candidate {
+    double ratio;  // of its length to the root of the smaller area
+    Neck neck;
+    Faces is_inside;
+  };
+
+  Distances mirrored(const Distances& values) const {
+    Distances result(values.size());
+    for (Eigen::Index v = 0; v < values.size(); ++v) result[v] = values[image_[static_cast<std::size_t>(v)].idx()];
+    return result;
+  }
+
+  /// Returns the mean distance of each vertex from the whole surface. Each sample counts with the area around it.
+  Distances average_distance() const;
+  std::vector<Distances> distances_from_tips() const;
+  void add_candidates(const Distances& distance, std::vector<Candidate>& found) const;
+  void accept(const Candidate& candidate);
+  bool fits(const Faces& one, const Faces& other) const;
+  Faces within(const Distances& distance, double level) const;
+
+  double area_of(const Faces& faces) const {
+    double area = 0;
+    for (std::size_t f = 0; f < faces.size(); ++f) area += faces[f] != 0 ? areas_[static_cast<Eigen::Index>(f)] : 0;
+    return area;
+  }
+  double common_area(const Faces& a, const Faces& b) const {
+    double area = 0;
+    for (std::size_t f = 0; f < a.size(); ++f)
+      area += a[f] != 0 && b[f] != 0 ? areas_[static_cast<Eigen::Index>(f)] : 0;
+    return area;
+  }
+
+  double distance_of(const Distances& distance, FaceHandle f) const {
+    double sum = 0;
+    for (const VertexHandle v : mesh_.fv_range(f)) sum += distance[v.idx()];
+    return sum / 3;
+  }
+
+  const HalfEdgeMesh& mesh_;
+  const std::vector<VertexHandle>& image_;
+  const StopToken& stop_;
+  const GeodesicDistance geodesic_;
+  Eigen::VectorXd areas_;  // per face
+  double area_ = 0;
+  std::vector<Candidate> accepted_;
+};
+
+Distances NeckSearch::average_distance() const {
+  const Positions3 points = points_of(mesh_);
+  const Eigen::RowVector3d center = points.colwise().mean();
+  const int first = first_of_largest((points.rowwise() - center).rowwise().norm());
+  std::vector<Distances> from{geodesic_.from(VertexHandle(first))};
+  Distances nearest = from.front();
+  std::vector<std::size_t> sample_of(mesh_.n_vertices(), 0);
+  while (from.size() < std::min<std::size_t>(kSamples, mesh_.n_vertices())) {
+    stop_.check();
+    from.push_back(geodesic_.from(VertexHandle(first_of_largest(nearest))));
+    for (std::size_t v = 0; v < sample_of.size(); ++v) {
+      const auto row = static_cast<Eigen::Index>(v);
+      if (from.back()[row] >= nearest[row]) continue;
+      nearest[row] = from.back()[row];
+      sample_of[v] = from.size() - 1;
+    }
+  }
+  Distances average = Distances::Zero(nearest.size());
+  for (const FaceHandle f : mesh_.faces()) {
+    for (const VertexHandle v : mesh_.fv_range(f)) average += areas_[f.idx()] / 3 * from[sample_of[v.idx()]];
+  }
+  average /= area_;
+  return image_.empty() ? average : Distances((average + mirrored(average)) / 2);
+}
+
+/// Returns the distances from each tip; of a mirrored pair, from one of them. A tip in the mirror plane has symmetric
+/// distances.
+std::vector<Distances> NeckSearch::distances_from_tips() const {
+  const Distances average = average_distance();
+  const double size = std::sqrt(area_);
+  const std::vector<int> ranks = ranks_of({average.begin(), average.end()}, kRounding * size);
+  std::vector<int> order(mesh_.n_vertices());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return ranks[a] > ranks[b]; });
+  std::vector<char> is_taken(mesh_.n_vertices(), 0);
+  std::vector<Distances> tips;
+  for (const int v : order) {
+    if (tips.size() == kMostTips) break;
+    if (is_taken[v] != 0) continue;
+    stop_.check();
+    Distances distance = geodesic_.from(VertexHandle(v));
+    bool is_tip = true;
+    for (Eigen::Index w = 0; w < distance.size(); ++w) {
+      if (distance[w] < kAroundTip * size && ranks[w] > ranks[v]) is_tip = false;
+      if (distance[w] >= kBetweenTips * size) continue;
+      is_taken[w] = 1;
+      if (!image_.empty()) is_taken[image_[static_cast<std::size_t>(w)].idx()] = 1;
+    }
+    if (!is_tip) continue;
+    if (!image_.empty() && distance[image_[v].idx()] < kAroundTip * size)
+      distance = (distance + mirrored(distance)) / 2;
+    tips.push_back(std::move(distance));
+  }
+  return tips;
+}
+
+NeckSearch::Faces NeckSearch::within(const Distances& distance, double level) const {
+  Faces faces(mesh_.n_faces(), 0);
+  for (const FaceHandle f : mesh_.faces()) faces[f.idx()] = distance_of(distance, f) < level ? 1 : 0;
+  return faces;
+}
+
+/// Adds the distances at which the surface around a tip is narrower than before and beyond.
+void NeckSearch::add_candidates(const Distances& distance, std::vector<Candidate>& found) const {
+  const double farthest = distance.maxCoeff(), first = kBetweenTips * std::sqrt(area_);
+  std::vector<double> levels, areas, lengths, ratios;
+  for (int i = 0; i < kLevels; ++i) {
+    const double level = first + (farthest - first) * i / kLevels;
+    double area = 0;
+    for (const FaceHandle f : mesh_.faces()) area += distance_of(distance, f) < level ? areas_[f.idx()] : 0;
+    levels.push_back(level);
+    areas.push_back(area);
+    lengths.push_back(level_length(mesh_, distance, level));
+    const double least = std::min(area, area_ - area);
+    ratios.push_back(least > 0 ? lengths.back() / std::sqrt(least) : std::numeric_limits<double>::infinity());
+  }
+  for (int i = 0; i < kLevels; ++i) {
+    const double most = areas[i] > kLarge * area_ ? kShortIfLarge : kShort;
+    if (areas[i] < kSmallest * area_ || areas[i] > kLargest * area_ || ratios[i] > most) continue;
+    const auto begin = ratios.begin() + std::max(i - kAround, 0),
+               end = ratios.begin() + std::min(i + kAround + 1, kLevels);
+    if (ratios[i] > *std::min_element(begin, end)) continue;
+    bool widens = false;
+    for (int k = i + 1; k < kLevels && areas[k] < kSoon * areas[i]; ++k)
+      widens = widens || lengths[k] >= kWidens * lengths[i];
+    if (widens) found.push_back({ratios[i], {distance, levels[i]}, within(distance, levels[i])});
+  }
+}
+
+/// Returns whether two parts are clearly nested or disjoint.
+bool NeckSearch::fits(const Faces& one, const Faces& other) const {
+  const double both = common_area(one, other), a = area_of(one), b = area_of(other), least = std::min(a, b);
+  if (both > kSame * (a + b - both) || a + b - 2 * both > kWhole * area_) return false;
+  return both > kNested * least || both < kDisjoint * least;
+}
+
+/// Accepts a neck, together with its mirror image, if it fits all others.
+void NeckSearch::accept(const Candidate& candidate) {
+  std::vector<Candidate> added{candidate};
+  if (!image_.empty()) {
+    Candidate other{candidate.ratio, {mirrored(candidate.neck.distance), candidate.neck.level}, {}};
+    other.is_inside = within(other.neck.distance, other.neck.level);
+    const double both = common_area(candidate.is_inside, other.is_inside), own = area_of(candidate.is_inside);
+    if (both >= kDisjoint * own && both <= kNested * own) return;
+    if (both < kDisjoint * own) {
+      added.push_back(std::move(other));
+    } else {
+      added.front().neck.distance = (candidate.neck.distance + other.neck.distance) / 2;
+    }
+  }
+  for (const Candidate& known : accepted_) {
+    for (const Candidate& each : added) {
+      if (!fits(each.is_inside, known.is_inside)) return;
+    }
+  }
+  std::move(added.begin(), added.end(), std::back_inserter(accepted_));
+}
+
+}  // namespace
+
+std::vector<Neck> find_necks(const HalfEdgeMesh& mesh, const std::vector<VertexHandle>& image, const StopToken& stop) {
+  return NeckSearch(mesh, image, stop).find();
+}
+
+}  // namespace wirewarp

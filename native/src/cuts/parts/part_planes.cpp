@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cuts/parts/part_planes.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "surface/mesh/geometry.h"
+#include "surface/mesh/principal_axes.h"
+
+namespace wirewarp {
+namespace {
+
+/// The weight of a part's centroid beside one for the middle of each of its outlines: it decides if all outlines are on
+/// one line.
+constexpr double kCentroid = 0.1;
+
+/// The cosine between normals above which two planes are the same.
+constexpr double kSameNormal = 0.98;
+
+/// A normal with less than this length in the mirror plane is turned into the mirror's own.
+constexpr double kInPlane = 0.3;
+
+Eigen::Vector3d at(const HalfEdgeMesh& mesh, VertexHandle v) {
+  return {mesh.point(v)[0], mesh.point(v)[1], mesh.point(v)[2]};
+}
+
+/// Returns the sum of areas times x xᵀ, with x the centroid of a face relative to a point.
+Eigen::Matrix3d spread_around(const HalfEdgeMesh& mesh, const Eigen::Vector3d& point) {
+  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+  for (const FaceHandle f : mesh.faces()) {
+    const HalfEdgeMesh::Point center = mesh.calc_face_centroid(f);
+    const Eigen::Vector3d x = Eigen::Vector3d(center[0], center[1], center[2]) - point;
+    spread += face_area(mesh, f) * x * x.transpose();
+  }
+  return spread;
+}
+
+/// Returns the middle of a loop's length.
+Eigen::Vector3d middle_of(const HalfEdgeMesh& mesh, const HalfEdgeChain& loop) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  double length = 0;
+  for (const HalfedgeHandle h : loop) {
+    const double own = edge_length(mesh, h);
+    sum += own / 2 * (at(mesh, mesh.from_vertex_handle(h)) + at(mesh, mesh.to_vertex_handle(h)));
+    length += own;
+  }
+  return sum / length;
+}
+
+}  // namespace
+
+Plane Plane::mirrored(const Plane& mirror) const {
+  const auto across = [&](const Eigen::Vector3d& v) -> Eigen::Vector3d {
+    return v - 2 * v.dot(mirror.normal) * mirror.normal;
+  };
+  return {mirror.point + across(point - mirror.point), across(normal)};
+}
+
+Eigen::VectorXd distances_from(const Plane& plane, const HalfEdgeMesh& mesh) {
+  return (points_of(mesh).rowwise() - plane.point.transpose()) * plane.normal;
+}
+
+Plane mirror_plane(const HalfEdgeMesh& mesh, const std::vector<VertexHandle>& image) {
+  Plane plane{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
+  for (const VertexHandle v : mesh.vertices()) {
+    const Eigen::Vector3d here = at(mesh, v), there = at(mesh, image[v.idx()]);
+    plane.point += (here + there) / 2 / static_cast<double>(mesh.n_vertices());
+    if ((there - here).norm() > plane.normal.norm()) plane.normal = there - here;
+  }
+  plane.normal.normalize();
+  return plane;
+}
+
+Eigen::Vector3d centroid_of(const HalfEdgeMesh& mesh) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const FaceHandle f : mesh.faces()) {
+    const HalfEdgeMesh::Point center = mesh.calc_face_centroid(f);
+    sum += face_area(mesh, f) * Eigen::Vector3d(center[0], center[1], center[2]);
+  }
+  return sum / surface_area(mesh);
+}
+
+std::vector<Plane> planes_through(const Chart& part, const std::optional<Plane>& mirror) {
+  const HalfEdgeMesh& mesh = part.mesh;
+  const Eigen::Vector3d center = centroid_of(mesh);
+  const Eigen::Matrix3d spread = spread_around(mesh, center), axes = principal_axes(mesh, spread);
+  std::vector<Plane> planes;
+  const auto add = [&](Plane plane) {
+    if (mirror) {
+      const double across = plane.normal.dot(mirror->normal);
+      plane.point -= (plane.point - mirror->point).dot(mirror->normal) * mirror->normal;
+      plane.normal -= across * mirror->normal;
+      plane.normal = plane.normal.norm() < kInPlane ? mirror->normal : plane.normal.normalized();
+    }
+    const bool is_known = std::any_of(planes.begin(), planes.end(), [&](const Plane& known) {
+      return std::abs(known.normal.dot(plane.normal)) > kSameNormal;
+    });
+    if (!is_known) planes.push_back(plane);
+  };
+  /// Adds planes that contain a line: along the least and along the largest spread across it.
+  const auto add_along = [&](const Eigen::Vector3d& point, const Eigen::Vector3d& direction) {
+    const Eigen::Matrix3d across = Eigen::Matrix3d::Identity() - direction * direction.transpose();
+    const Eigen::Matrix3d frame = principal_axes(mesh, across * spread * across);
+    for (const int k : {1, 2}) add({point, (across * frame.col(k)).normalized()});
+  };
+  std::vector<Eigen::Vector3d> middles;
+  for (const HalfEdgeChain& loop : part.boundary_loops) middles.push_back(middle_of(mesh, loop));
+  if (middles.size() == 1 && (center - middles[0]).norm() > 0) add_along(center, (center - middles[0]).normalized());
+  if (middles.size() == 2) add_along((middles[0] + middles[1]) / 2, (middles[1] - middles[0]).normalized());
+  if (middles.size() > 2) {
+    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+    for (const Eigen::Vector3d& each : middles) middle += each / static_cast<double>(middles.size());
+    Eigen::Matrix3d around = kCentroid * (center - middle) * (center - middle).transpose();
+    for (const Eigen::Vector3d& each : middles) around += (each - middle) * (each - middle).transpose();
+    add({middle, Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(around).eigenvectors().col(0)});
+  }
+  for (int k = 0; k < 3; ++k) add({center, axes.col(k)});
+  return planes;
+}
+
+}  // namespace wirewarp

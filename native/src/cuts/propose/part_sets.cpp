@@ -1,0 +1,366 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cuts/propose/part_sets.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "base/attempt.h"
+#include "base/in_threads.h"
+#include "cuts/feasibility/mirrored_cuts.h"
+#include "cuts/parts/level_lines.h"
+#include "cuts/parts/necks.h"
+#include "cuts/parts/part_planes.h"
+#include "cuts/propose/canonical_order.h"
+#include "cuts/propose/cut_again.h"
+#include "cuts/propose/cut_chains.h"
+#include "cuts/propose/cut_sets.h"
+#include "cuts/propose/flat_width.h"
+#include "cuts/propose/line_evaluation.h"
+#include "cuts/propose/merge_sections.h"
+#include "cuts/propose/mirror_image.h"
+#include "surface/mesh/geometry.h"
+
+namespace wirewarp {
+namespace {
+
+/// Largest number of times that a part is divided by planes. A ball needs three for eight equal parts, and a rabbit
+/// five for 20% of strain.
+constexpr int kMostRounds = 5;
+
+/// A model with more parts than this is left to the search along edges, which joins more of them: 24 parts with a front
+/// and a back each are the most that a plush maker would sew.
+constexpr std::size_t kMostParts = 48;
+
+/// Strains above count as this strain, so that one bad part does not outweigh all others.
+constexpr double kWorst = 2;
+
+/// The price of a seam's length over the root of the part's area, of a part, and of a part that is too narrow, as
+/// strain over the whole part. They decide between planes that leave about the same strain.
+constexpr double kLengthPrice = 0.02, kPartPrice = 0.01, kNarrowPrice = 0.1;
+
+/// Least solidity of joined parts. With 0.75, half of a fish and its tail become one piece with arms; with 0.85, they
+/// do not.
+constexpr double kPartSolidity = 0.85;
+
+/// Parts are not divided for less strain: more seams then help less than a fabric that stretches.
+constexpr double kLeastStrain = 0.1;
+
+/// Parts are divided and joined for this share of the allowed strain, because the final mesh has other triangles beside
+/// the lines, which changes most strains by up to 2%. If a strain changes more, parts are joined again for less strain.
+constexpr double kMargin = 0.97;
+
+/// Parts are mirror images of each other if their centroids differ by less than this share of the model's size.
+constexpr double kMirrored = 1e-3;
+
+/// Returns a chart for a mesh alone, whose sources are the vertices and faces of the mesh.
+Chart alone(const HalfEdgeMesh& mesh) {
+  Chart chart;
+  chart.mesh = mesh;
+  chart.source_vertex.resize(mesh.n_vertices());
+  chart.source_face.resize(mesh.n_faces());
+  std::iota(chart.source_vertex.begin(), chart.source_vertex.end(), 0);
+  std::iota(chart.source_face.begin(), chart.source_face.end(), 0);
+  return chart;
+}
+
+FlattenInput input_of(const HalfEdgeMesh& mesh) { return {points_of(mesh), triangles_of(mesh), VertexPairs(0, 2), {}}; }
+
+/// Adds the lines on a chart at which a function of its vertices has a value. input: the mesh that the chart is from.
+void add_lines(const FlattenInput& input, const Chart& chart, const Eigen::VectorXd& values, double level,
+               std::vector<SurfacePath>& paths) {
+  for (const MeshPath& line : level_lines(chart.mesh, values, level)) {
+    SurfacePath path = on_input(input, chart, line);
+    if (!is_one_place(input.faces, path)) paths.push_back(std::move(path));
+  }
+}
+
+/// The pieces of a mesh that is cut along its edges, as a model of its own.
+class CutModel {
+ public:
+  CutModel(const CutMesh& mesh, const ExactEvaluation& exact)
+      : input_{mesh.vertices, mesh.faces, as_pairs(mesh.edges), {}},
+        surface_(input_, exact.options()),
+        exact_(surface_, exact.options(), exact.stop()),
+        pieces_(exact_.uncut()) {}
+
+  const FlattenInput& input() const { return input_; }
+  const ExactEvaluation& exact() const { return exact_; }
+  const FlatPieces& pieces() const { return pieces_; }
+
+ private:
+  const FlattenInput input_;
+  const SurfaceToCut surface_;
+  const ExactEvaluation exact_;
+  const FlatPieces pieces_;
+};
+
+/// Returns the sets that have fewer pieces, less strain or less length than each other set, the longest first.
+std::vector<DartProposal> without_worse(std::vector<DartProposal> sets) {
+  std::stable_sort(sets.begin(), sets.end(),
+                   [](const DartProposal& a, const DartProposal& b) { return a.length > b.length; });
+  const auto is_worse = [](const DartProposal& set, const DartProposal& other) {
+    return set.num_pieces >= other.num_pieces && set.strain >= other.strain;
+  };
+  std::vector<DartProposal> kept;
+  for (auto set = sets.begin(); set != sets.end(); ++set) {
+    if (std::none_of(set + 1, sets.end(), [&](const DartProposal& shorter) { return is_worse(*set, shorter); }))
+      kept.push_back(*set);
+  }
+  return kept;
+}
+
+class PartSearch {
+ public:
+  PartSearch(const FlatPieces& pieces, std::size_t piece, const CutOptions& cut_options, const ExactEvaluation& exact,
+             CutProgress& progress)
+      : pieces_(pieces),
+        piece_(piece),
+        cut_options_(cut_options),
+        exact_(exact),
+        progress_(progress),
+        chart_(in_canonical_order(pieces[piece]->chart, exact.stop())),
+        image_(mirror_image(chart_, exact.stop())),
+        size_(std::sqrt(surface_area(chart_.mesh))) {
+    if (!image_.empty()) mirror_ = mirror_plane(chart_.mesh, image_);
+  }
+
+  std::vector<DartProposal> search() {
+    const double target = cut_options_.strain.value_or(kTargetStrain);
+    std::vector<double> limits = allowed_strains(target, target);
+    std::reverse(limits.begin(), limits.end());
+    while (!limits.empty() && limits.back() < kLeastStrain) limits.pop_back();
+    if (limits.empty()) return {};
+    progress_.enter(0, kNecksFound);
+    const FlattenInput own = input_of(chart_.mesh);
+    std::vector<SurfacePath> loops;
+    for (const Neck& neck : find_necks(chart_.mesh, image_, exact_.stop()))
+      add_lines(own, alone(chart_.mesh), neck.distance, neck.level, loops);
+    if (loops.empty()) return {};
+    CutMesh mesh = cut_again(uncut(own), loops);
+    std::vector<DartProposal> sets;
+    progress_.enter(kNecksFound, kDivided);
+    was_stopped([&] {
+      for (std::size_t i = 0; i < limits.size(); ++i) {
+        const double limit = kMargin * limits[i], count = static_cast<double>(limits.size());
+        if (!divide(mesh, limit)) break;
+        if (i == 0) add(mesh, limits[i], sets);
+        progress_.enter(kDivided + (1 - kDivided) * static_cast<double>(i) / count,
+                        kDivided + (1 - kDivided) * static_cast<double>(i + 1) / count);
+        const double strain = add(merged(mesh, limit), limits[i], sets);
+        if (strain > limits[i]) add(merged(mesh, limit * limits[i] / strain), limits[i], sets);
+      }
+    });
+    return without_worse(std::move(sets));
+  }
+
+ private:
+  /// Progress once the necks are found, and once the model is divided. Only then it is known that there are sets.
+  static constexpr double kNecksFound = 0.1, kDivided = 0.3;
+
+  struct Choice {
+    double price = std::numeric_limits<double>::infinity();
+    Plane plane;
+  };
+
+  bool divide(CutMesh& mesh, double limit) const;
+  Choice best_plane(const FlatPiece& part, bool is_symmetric, double limit) const;
+  double price_of(const FlatPiece& part, const Plane& plane, double limit) const;
+  std::size_t partner_of(const FlatPieces& parts, std::size_t part) const;
+  CutMesh merged(const CutMesh& mesh, double limit) const;
+  double add(const CutMesh& mesh, double limit, std::vector<DartProposal>& sets) const;
+  std::vector<SurfacePath> paths_of(const CutMesh& mesh) const;
+  SurfacePath on_given(const SurfacePath& path) const;
+
+  const FlatPieces& pieces_;
+  const std::size_t piece_;
+  const CutOptions& cut_options_;
+  const ExactEvaluation& exact_;
+  CutProgress& progress_;
+  const Chart chart_;
+  const std::vector<VertexHandle> image_;  // mirror image of each vertex, or empty
+  const double size_;                      // root of the area
+  std::optional<Plane> mirror_;
+};
+
+/// Divides parts by planes until each has at most this strain. Returns false if there are too many parts, or if some
+/// part has no flat shape then.
+bool PartSearch::divide(CutMesh& mesh, double limit) const {
+  for (int round = 0;; ++round) {
+    const CutModel model(mesh, exact_);
+    const FlatPieces& parts = model.pieces();
+    if (parts.size() > kMostParts) return false;
+    const auto is_bad = [&](const auto& part) { return part->error || part->strain > limit; };
+    if (round == kMostRounds || std::none_of(parts.begin(), parts.end(), is_bad))
+      return std::none_of(parts.begin(), parts.end(), [](const auto& part) { return part->error.has_value(); });
+    std::vector<SurfacePath> paths;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      const std::size_t partner = partner_of(parts, i);
+      if (!is_bad(parts[i]) || partner < i) continue;
+      const Choice best = best_plane(*parts[i], partner == i && mirror_, limit);
+      if (std::isinf(best.price)) return false;
+      const auto add = [&](const Chart& part, const Plane& plane) {
+        add_lines(model.input(), part, distances_from(plane, part.mesh), 0, paths);
+      };
+      add(parts[i]->chart, best.plane);
+      if (partner < parts.size() && partner > i) add(parts[partner]->chart, best.plane.mirrored(*mirror_));
+    }
+    mesh = cut_again(mesh, paths);
+  }
+}
+
+/// Returns the mirror image of a part, which may be the part itself; the number of parts if it has none.
+std::size_t PartSearch::partner_of(const FlatPieces& parts, std::size_t part) const {
+  if (!mirror_) return part;
+  const Plane at{centroid_of(parts[part]->chart.mesh), Eigen::Vector3d::Zero()};
+  const Eigen::Vector3d there = at.mirrored(*mirror_).point;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if ((centroid_of(parts[i]->chart.mesh) - there).norm() < kMirrored * size_) return i;
+  }
+  return parts.size();
+}
+
+PartSearch::Choice PartSearch::best_plane(const FlatPiece& part, bool is_symmetric, double limit) const {
+  const std::vector<Plane> planes = planes_through(part.chart, is_symmetric ? mirror_ : std::nullopt);
+  std::vector<double> prices(planes.size());
+  run_in_threads(
+      planes.size(), num_cores(),
+      [&](std::size_t i) {
+        const OnOneCore on_one_core;
+        prices[i] = price_of(part, planes[i], limit);
+      },
+      [&] { exact_.stop().may_go_on(); });
+  exact_.stop().check();
+  const auto best = static_cast<std::size_t>(std::min_element(prices.begin(), prices.end()) - prices.begin());
+  return {prices[best], planes[best]};
+}
+
+/// Returns the price of the parts that a plane makes of a part: the strain above the limit, and the effort to sew them.
+double PartSearch::price_of(const FlatPiece& part, const Plane& plane, double limit) const {
+  const Chart own = alone(part.chart.mesh);
+  const FlattenInput input = input_of(own.mesh);
+  std::vector<SurfacePath> paths;
+  add_lines(input, own, distances_from(plane, own.mesh), 0, paths);
+  if (paths.empty()) return std::numeric_limits<double>::infinity();
+  const CutModel model(cut_again(uncut(input), paths), exact_);
+  const double length = level_length(own.mesh, distances_from(plane, own.mesh), 0);
+  double strained = 0, area = 0, price = kLengthPrice * length / std::sqrt(surface_area(own.mesh));
+  for (const std::shared_ptr<const FlatPiece>& each : model.pieces()) {
+    const double part_area = surface_area(each->chart.mesh);
+    const double strain = each->error ? kWorst : std::min(each->strain, kWorst);
+    area += part_area;
+    strained += part_area * std::max(strain - limit, 0.0);
+    const bool is_narrow = !each->error && !has_room(each->chart.mesh, each->uv, cut_options_.narrowest);
+    price += kPartPrice + (is_narrow ? kNarrowPrice : 0);
+  }
+  return price + strained / area;
+}
+
+/// Returns the mesh with fewer of its cuts.
+CutMesh PartSearch::merged(const CutMesh& mesh, double limit) const {
+  CutMesh whole = mesh;
+  whole.edges.clear();
+  const CutModel model(whole, exact_);
+  const Chart chart = in_canonical_order(model.pieces().front()->chart, exact_.stop());
+  const CutMask cut = PartMap(chart).mask_of(mesh.edges);
+  const std::vector<VertexHandle> image = mirror_image(chart, exact_.stop());
+  const MirroredCuts mirrored(chart, image);
+  SectionMerger merger({cut, model.exact().with_cut(model.pieces(), mesh.edges)}, chart, mirrored, model.exact(),
+                       cut_options_.narrowest, kPartSolidity);
+  merger.run(limit, [](double) {});
+  whole.edges = edges_of(chart, merger.state().cut);
+  return whole;
+}
+
+/// Returns the cuts as lines on the given mesh.
+std::vector<SurfacePath> PartSearch::paths_of(const CutMesh& mesh) const {
+  CutMesh whole = mesh;
+  whole.edges.clear();
+  const CutModel model(whole, exact_);
+  const Chart& chart = model.pieces().front()->chart;
+  std::vector<SurfacePath> paths;
+  for (const HalfEdgeChain& section : sections_of(chart.mesh, PartMap(chart).mask_of(mesh.edges))) {
+    std::vector<VertexHandle> along{chart.mesh.from_vertex_handle(section.front())};
+    for (const HalfedgeHandle h : section) along.push_back(chart.mesh.to_vertex_handle(h));
+    SurfacePath path{{}, Positions3::Zero(static_cast<Eigen::Index>(along.size()), 3)};
+    for (std::size_t i = 0; i < along.size(); ++i) {
+      const FaceHandle face(
+          mesh.sources.faces[static_cast<std::size_t>(chart.source_face[chart.mesh.cvf_begin(along[i])->idx()])]);
+      path.faces.push_back(face.idx());
+      const std::map<int, double> weights = weights_of(mesh.sources, chart.source_vertex[along[i].idx()]);
+      int k = 0;
+      for (const VertexHandle corner : chart_.mesh.fv_range(face)) {
+        const auto found = weights.find(corner.idx());
+        if (found != weights.end()) path.coordinates(static_cast<Eigen::Index>(i), k) = found->second;
+        ++k;
+      }
+    }
+    SurfacePath line = on_given(path);
+    if (!is_one_place(exact_.surface().given().faces, line)) paths.push_back(std::move(line));
+  }
+  return paths;
+}
+
+/// Converts a path whose coordinates are in the order of the chart's mesh.
+SurfacePath PartSearch::on_given(const SurfacePath& path) const {
+  const FlattenInput& given = exact_.surface().given();
+  SurfacePath result{{}, Positions3::Zero(path.coordinates.rows(), 3)};
+  for (std::size_t i = 0; i < path.faces.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    const int face = chart_.source_face[static_cast<std::size_t>(path.faces[i])];
+    result.faces.push_back(face);
+    int k = 0;
+    for (const VertexHandle corner : chart_.mesh.fv_range(FaceHandle(path.faces[i]))) {
+      for (int j = 0; j < 3; ++j) {
+        if (given.faces(face, j) == chart_.source_vertex[corner.idx()])
+          result.coordinates(row, j) = path.coordinates(row, k);
+      }
+      ++k;
+    }
+  }
+  return result;
+}
+
+/// Adds the set along the cuts of a mesh, with its exact figures, unless it is too long or has more strain than
+/// allowed.
+double PartSearch::add(const CutMesh& mesh, double limit, std::vector<DartProposal>& sets) const {
+  DartProposal set;
+  set.paths = paths_of(mesh);
+  const FlattenInput& given = exact_.surface().given();
+  const CutMesh cut = cut_mesh(given.vertices, given.faces, set.paths);
+  const CutSurface surface(pieces_, piece_, exact_, cut);
+  const PieceFigures figures = figures_of(surface.after(), surface.before()[piece_]->chart);
+  const double length = surface.length();
+  if (figures.error || figures.strain > limit || length > cut_options_.longest) return figures.strain;
+  set.length = length;
+  set.num_pieces = figures.num_pieces;
+  set.energy = figures.energy;
+  set.strain = figures.strain;
+  set.energy_before = set.strain_before = std::numeric_limits<double>::infinity();
+  sets.push_back(std::move(set));
+  return figures.strain;
+}
+
+bool can_be_divided(const FlatPiece& piece, const CutOptions& cut_options, const ExactEvaluation& exact) {
+  const FlattenInput& given = exact.surface().given();
+  const HalfEdgeMesh& mesh = piece.chart.mesh;
+  const auto is_boundary = [&](HalfedgeHandle h) { return mesh.is_boundary(h); };
+  return given.wires.empty() && given.eases.empty() &&
+         cut_options.no_seam.rows() + cut_options.no_crossing.rows() == 0 && exact.options().thickness == 0 &&
+         mesh.n_faces() > 0 && std::none_of(mesh.halfedges_begin(), mesh.halfedges_end(), is_boundary);
+}
+
+}  // namespace
+
+std::vector<DartProposal> part_sets(const FlatPieces& pieces, std::size_t piece, const CutOptions& cut_options,
+                                    const ExactEvaluation& exact, CutProgress& progress) {
+  if (!can_be_divided(*pieces[piece], cut_options, exact)) return {};
+  return PartSearch(pieces, piece, cut_options, exact, progress).search();
+}
+
+}  // namespace wirewarp

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "cuts/propose/cut_progress.h"
+#include "cuts/propose/flat_pieces.h"
+#include "wirewarp/propose.h"
+
+namespace wirewarp {
+
+/// Returns cut sets of a closed piece along its necks and along planes through its parts, as a sewist divides a toy:
+/// an ear, a limb, a head and a body, each with a front and a back. The longest set is the first. Returns none if the
+/// piece has no necks or cannot be divided into flat parts this way, if it is not closed, and if cuts are restricted
+/// by wires, eases, forbidden edges or thickness. Throws Stopped; if stopped after the first set, returns those found.
+std::vector<DartProposal> part_sets(const FlatPieces& pieces, std::size_t piece, const CutOptions& cut_options,
+                                    const ExactEvaluation& exact, CutProgress& progress);
+
+}  // namespace wirewarp

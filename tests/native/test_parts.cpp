@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The parts of closed models: distances along surfaces, level lines, necks, and the cut sets along them.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "base/planar.h"
+#include "cuts/parts/level_lines.h"
+#include "cuts/parts/necks.h"
+#include "cuts/parts/part_planes.h"
+#include "cuts/propose/mirror_image.h"
+#include "disguise.h"
+#include "judge_cuts.h"
+#include "surface/charts/cut_into_charts.h"
+#include "surface/mesh/geodesic_distance.h"
+#include "surface/mesh/geometry.h"
+#include "test_meshes.h"
+#include "wirewarp/cut_mesh.h"
+#include "wirewarp/propose.h"
+
+namespace wirewarp::test_parts {
+namespace {
+
+Chart chart_of(const FlattenInput& input) { return test::charts_of(input).charts.front(); }
+
+/// Two balls around the z axis that grow together: a closed surface with a neck of radius 0.35 at z = 0.
+FlattenInput dumbbell(int around, int rings) {
+  FlattenInput input = test::closed_sphere(around, rings);
+  for (auto p : input.vertices.rowwise()) {
+    const double width = 0.35 + 0.65 * p[2] * p[2];
+    p << width * p[0], width * p[1], 2 * p[2];
+  }
+  return input;
+}
+
+VertexHandle highest(const HalfEdgeMesh& mesh) {
+  return *std::max_element(mesh.vertices_begin(), mesh.vertices_end(),
+                           [&](VertexHandle a, VertexHandle b) { return mesh.point(a)[2] < mesh.point(b)[2]; });
+}
+
+/// Returns the largest error of the distances from a pole of the unit sphere.
+double error_on_sphere(int rings) {
+  const Chart chart = chart_of(test::closed_sphere(2 * rings, rings));
+  const VertexHandle pole = highest(chart.mesh);
+  const Eigen::VectorXd distance = GeodesicDistance(chart.mesh, {}).from(pole);
+  double error = 0;
+  for (const VertexHandle v : chart.mesh.vertices())
+    error = std::max(error, std::abs(distance[v.idx()] - std::acos(std::clamp(chart.mesh.point(v)[2], -1.0, 1.0))));
+  return error;
+}
+
+TEST(GeodesicDistance, ConvergesToTheArcsOfASphere) {
+  const double coarse = error_on_sphere(12), fine = error_on_sphere(24);
+  EXPECT_LT(fine, 0.05);
+  EXPECT_LT(fine, 0.75 * coarse);
+}
+
+TEST(GeodesicDistance, IsZeroAtItsVertexOnly) {
+  const Chart chart = chart_of(dumbbell(16, 16));
+  const Eigen::VectorXd distance = GeodesicDistance(chart.mesh, {}).from(VertexHandle(5));
+  for (const VertexHandle v : chart.mesh.vertices()) EXPECT_EQ(distance[v.idx()] <= 0, v.idx() == 5) << v.idx();
+}
+
+TEST(LevelLines, CrossASheetFromOutlineToOutline) {
+  const Chart chart = chart_of(test::make_grid(5, 5, [](double s, double t) { return Eigen::Vector3d(s, t, 0); }));
+  const Eigen::VectorXd x = points_of(chart.mesh).col(0);
+  for (const double level : {0.37, 0.4}) {  // across triangles, and along edges
+    const std::vector<MeshPath> lines = level_lines(chart.mesh, x, level);
+    ASSERT_EQ(lines.size(), 1U) << level;
+    EXPECT_NEAR(path_length(chart.mesh, lines[0]), 1, 1e-12) << level;
+    EXPECT_NEAR(level_length(chart.mesh, x, level), 1, 1e-12) << level;
+    for (const PathPoint& point : lines[0]) EXPECT_NEAR(position(chart.mesh, point)[0], level, 1e-12);
+  }
+}
+
+TEST(LevelLines, CloseAroundATorus) {
+  const Chart chart = chart_of(test::closed_torus(40, 20));
+  const Eigen::VectorXd height = points_of(chart.mesh).col(2);
+  const double level = 0.3 * height.maxCoeff();
+  const std::vector<MeshPath> lines = level_lines(chart.mesh, height, level);
+  ASSERT_EQ(lines.size(), 2U);  // inside and outside
+  double length = 0;
+  for (const MeshPath& line : lines) {
+    EXPECT_EQ((position(chart.mesh, line.front()) - position(chart.mesh, line.back())).norm(), 0);
+    length += path_length(chart.mesh, line);
+  }
+  EXPECT_NEAR(length, level_length(chart.mesh, height, level), 1e-12 * length);
+  EXPECT_TRUE(level_lines(chart.mesh, height, 2 * height.maxCoeff()).empty());
+}
+
+TEST(Necks, AreShortLoopsBetweenParts) {
+  const Chart chart = chart_of(dumbbell(24, 24));
+  const std::vector<Neck> necks = find_necks(chart.mesh, {}, {});
+  ASSERT_EQ(necks.size(), 1U);
+  EXPECT_NEAR(level_length(chart.mesh, necks[0].distance, necks[0].level), 2 * kPi * 0.35, 0.1 * 2 * kPi * 0.35);
+  for (const MeshPath& line : level_lines(chart.mesh, necks[0].distance, necks[0].level)) {
+    for (const PathPoint& point : line) EXPECT_LT(std::abs(position(chart.mesh, point)[2]), 0.3);
+  }
+}
+
+TEST(Necks, AreSymmetricIfTheModelIs) {
+  // Two balls at the ends of a third one, and the plane between them.
+  FlattenInput input = test::closed_sphere(24, 40);
+  for (auto p : input.vertices.rowwise()) {
+    const double width = 0.4 + 0.3 * std::cos(3 * kPi * p[2]);
+    p << width * p[0], width * p[1], 3 * p[2];
+  }
+  const Chart chart = chart_of(input);
+  std::vector<VertexHandle> image(chart.mesh.n_vertices());
+  for (const VertexHandle v : chart.mesh.vertices()) {
+    const HalfEdgeMesh::Point p = chart.mesh.point(v);
+    const auto is_image = [&](VertexHandle w) {
+      return (chart.mesh.point(w) - HalfEdgeMesh::Point(p[0], p[1], -p[2])).norm() < 1e-9;
+    };
+    image[v.idx()] = *std::find_if(chart.mesh.vertices_begin(), chart.mesh.vertices_end(), is_image);
+  }
+  const std::vector<Neck> necks = find_necks(chart.mesh, image, {});
+  ASSERT_EQ(necks.size(), 2U);
+  EXPECT_EQ(necks[0].level, necks[1].level);
+  for (const VertexHandle v : chart.mesh.vertices())
+    EXPECT_EQ(necks[0].distance[v.idx()], necks[1].distance[image[v.idx()].idx()]);
+}
+
+TEST(Necks, AreMissingOnABall) { EXPECT_TRUE(find_necks(chart_of(test::closed_sphere(24, 16)).mesh, {}, {}).empty()); }
+
+TEST(PartPlanes, AreMirroredWithTheirPart) {
+  const Chart half = chart_of(test::sphere_band(24, 6, 0.8));
+  const Plane mirror{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitX()};
+  for (const Plane& plane : planes_through(half, mirror)) {
+    const Plane other = plane.mirrored(mirror);
+    EXPECT_NEAR(std::abs(other.normal.dot(plane.normal)), 1, 1e-12);
+    EXPECT_NEAR((other.point - plane.point).dot(plane.normal), 0, 1e-12);
+  }
+  EXPECT_GE(planes_through(half, std::nullopt).size(), 2U);
+}
+
+std::vector<DartProposal> smooth_sets(const FlattenInput& input, CutOptions cut_options = {}) {
+  cut_options.is_smooth = true;
+  return propose_seams(input, {}, cut_options, {});
+}
+
+TEST(PartSets, DivideAModelAtItsNeck) {
+  const FlattenInput input = dumbbell(24, 24);
+  const std::vector<DartProposal> sets = smooth_sets(input);
+  ASSERT_FALSE(sets.empty());
+  const FlattenInput cut = test::with_paths(input, sets.front().paths);
+  for (const Piece& piece : flatten(cut).pieces) {
+    double low = 0, high = 0;
+    for (const int v : piece.source_vertex) {
+      low = std::min(low, cut.vertices(v, 2));
+      high = std::max(high, cut.vertices(v, 2));
+    }
+    EXPECT_LT(std::min(-low, high), 0.3);  // no piece reaches far into both balls
+  }
+}
+
+TEST(PartSets, ClaimTheFiguresOfARun) {
+  const FlattenInput input = dumbbell(24, 24);
+  for (const DartProposal& set : smooth_sets(input)) {
+    ASSERT_FALSE(set.paths.empty());
+    const FlattenInput cut = test::with_paths(input, set.paths);
+    test::expect_figures(cut, {set.energy, set.strain, set.length, set.num_pieces});
+  }
+}
+
+TEST(PartSets, DoNotDependOnHowTheModelIsGiven) {
+  FlattenInput input = dumbbell(20, 20);
+  // Without symmetry, no two planes are equally good.
+  for (auto p : input.vertices.rowwise()) p << p[0] + 0.1 * p[1], 0.8 * p[1] * (1 + 0.1 * p[2]), p[2] + 0.15 * p[0];
+  ASSERT_NE(input.vertices.rows() % 7, 0);
+  const std::vector<DartProposal> sets = smooth_sets(input), others = smooth_sets(test::disguised(input));
+  ASSERT_FALSE(sets.empty());
+  ASSERT_EQ(sets.size(), others.size());
+  for (std::size_t i = 0; i < sets.size(); ++i) {
+    EXPECT_EQ(sets[i].num_pieces, others[i].num_pieces);
+    EXPECT_NEAR(sets[i].strain, others[i].strain, 1e-4);
+  }
+}
+
+TEST(PartSets, LeaveForbiddenEdgesToTheSearchAlongEdges) {
+  const FlattenInput input = dumbbell(16, 16);
+  CutOptions cut_options;
+  cut_options.no_seam.resize(1, 2);
+  cut_options.no_seam << input.faces(0, 0), input.faces(0, 1);
+  for (const DartProposal& set : smooth_sets(input, cut_options)) {
+    for (const VertexPair& edge : set.edges) {
+      const std::set<int> ends{edge[0], edge[1]};
+      EXPECT_NE(ends, (std::set<int>{input.faces(0, 0), input.faces(0, 1)}));
+    }
+  }
+}
+
+TEST(PartSets, CanBeStopped) {
+  const FlattenInput input = dumbbell(24, 24);
+  CutOptions cut_options;
+  cut_options.is_smooth = true;
+  const auto stop = [](const std::string&, double fraction) { return fraction < 0.01; };
+  EXPECT_THROW(propose_seams(input, {}, cut_options, stop), FlattenError);
+}
+
+}  // namespace
+}  // namespace wirewarp::test_parts
