@@ -5,6 +5,7 @@
 #include "arrays.h"
 #include "bind.h"
 #include "record.h"
+#include "running_call.h"
 
 namespace wirewarp::bindings {
 namespace {
@@ -42,8 +43,9 @@ py::tuple pair_of(const std::array<double, 2>& pair) { return py::make_tuple(pai
 
 void bind_cloth(py::module_& module) {
   Record<Cloth> record(module, "Cloth");
-  record.def(py::init(&make_cloth), py::arg("weft") = 1.0, py::arg("warp") = 1.0, py::arg("shear") = 0.5, py::kw_only(),
-             py::arg("squeeze") = 1.0, py::arg("stretch") = py::make_tuple(0.0, 0.0), py::arg("locking") = py::none(),
+  record.def(py::init(&make_cloth), py::call_guard<RunningCall>(), py::arg("weft") = 1.0, py::arg("warp") = 1.0,
+             py::arg("shear") = 0.5, py::kw_only(), py::arg("squeeze") = 1.0,
+             py::arg("stretch") = py::make_tuple(0.0, 0.0), py::arg("locking") = py::none(),
              py::arg("limits") = py::none());
   record.def_static(
       "preset", [](const py::object& name) { return preset(name).cloth; }, py::arg("name"),

@@ -72,7 +72,7 @@ py::object as_arrays(const std::vector<std::vector<int>>& lists, py::handle owne
 void bind_cut_mesh(py::module_& module) {
   Record<SurfacePath> path(module, "SurfacePath");
   path.def(
-      py::init(&make_path), py::arg("faces"), py::arg("coordinates"),
+      py::init(&make_path), py::call_guard<RunningCall>(), py::arg("faces"), py::arg("coordinates"),
       "faces: (k,) whole numbers, two or more. coordinates: (k, 3) numbers of 0 or more, each row with the sum 1.");
   path.field("faces", &SurfacePath::faces).field("coordinates", &SurfacePath::coordinates).picklable();
   Record<CutSources>(module, "CutSources")

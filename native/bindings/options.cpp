@@ -9,6 +9,7 @@
 #include "bind.h"
 #include "enums.h"
 #include "record.h"
+#include "running_call.h"
 
 namespace wirewarp::bindings {
 namespace {
@@ -111,7 +112,7 @@ void bind_options(py::module_& module) {
                check_options(options);
                return options;
              }),
-             py::kw_only(), py::arg("method") = name_of(defaults.method, kMethods),
+             py::call_guard<RunningCall>(), py::kw_only(), py::arg("method") = name_of(defaults.method, kMethods),
              py::arg("node_weight") = name_of(defaults.node_weight, kNodeWeights),
              py::arg("inner") = name_of(defaults.inner, kInners), py::arg("fairness") = defaults.fairness,
              py::arg("max_factorizations") = defaults.max_factorizations,

@@ -20,7 +20,7 @@ class RunningWork {
 };
 
 /// A call that releases the GIL itself, or whose arguments may release it while they are read, as numpy and __array__()
-/// may. Functions have it as their py::call_guard. Its constructor and its destructor need the GIL.
+/// may. Functions and constructors have it as their py::call_guard. Its constructor and its destructor need the GIL.
 class RunningCall {
  public:
   /// Does not return in a daemon thread once Python is ending.

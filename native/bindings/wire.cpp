@@ -5,6 +5,7 @@
 #include "arrays.h"
 #include "bind.h"
 #include "record.h"
+#include "running_call.h"
 #include "wirewarp/flatten.h"
 
 namespace wirewarp::bindings {
@@ -46,8 +47,8 @@ py::object read_only(const Values& values, const py::object& owner) {
 
 void bind_wire(py::module_& module) {
   Record<Wire> record(module, "Wire");
-  record.def(py::init(&make_wire), py::arg("vertices"), py::arg("tolerance") = 0.0, py::arg("name") = "",
-             py::arg("ease") = 0.0,
+  record.def(py::init(&make_wire), py::call_guard<RunningCall>(), py::arg("vertices"), py::arg("tolerance") = 0.0,
+             py::arg("name") = "", py::arg("ease") = 0.0,
              "vertices: any sequence or array of whole numbers, consecutive ones joined by an edge; a closed wire "
              "repeats its first. tolerance: 0 rigid, finite elastic, math.inf super-elastic. ease: the length asked "
              "for is (1 + h) "
@@ -63,7 +64,7 @@ void bind_wire(py::module_& module) {
 
 void bind_ease(py::module_& module) {
   Record<Ease> record(module, "Ease");
-  record.def(py::init(&make_ease), py::arg("half_edges"), py::arg("ratio"),
+  record.def(py::init(&make_ease), py::call_guard<RunningCall>(), py::arg("half_edges"), py::arg("ratio"),
              "half_edges: (k, 2) vertex pairs. ratio: above -1; 0.05 for a sleeve head, 1 for gathers.");
   record.def(
       py::pickle([](const py::object& self) { return py::make_tuple(self.attr("half_edges"), self.attr("ratio")); },

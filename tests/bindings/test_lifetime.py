@@ -157,6 +157,10 @@ def test_python_ends_while_a_thread_flattens(stage, calls_on):
         "simplify_seams(slow, faces, seams=[])",
         "propose_darts(slow, faces)",
         "start(slow, faces)",
+        "SurfacePath(slow, vertices)",
+        "Ease(slow, 0.05)",
+        "Cloth(slow)",
+        "Options(gap=slow)",
     ],
 )
 def test_python_ends_while_a_thread_reads_arguments(call):
