@@ -14,13 +14,13 @@ from methods import KEEPING_LENGTHS
 from sheet import Column, draw_sheet
 from text import count, degrees, picture, table
 
-DRAWN = {  # rotation and tilt of the model in degrees, inches for a flattening, its preferred width over height
-    "Fitted top": ((-28, 8), 4.2, 1.4),
-    "Quarter sphere": ((-62, 10), 2.6, 1.0),
-    "Wetsuit collar": ((-24, 18), 3.6, 1.0),
-    "Wetsuit upper body": ((-28, 8), 3.8, 1.4),
-    "Jeans": ((-28, 8), 3.2, 1.0),
-    "Armchair cover": ((-34, 26), 3.8, 1.4),
+DRAWN = {  # rotation and tilt of the model in degrees, preferred width over height of a flattening
+    "Fitted top": ((-28, 8), 1.4),
+    "Quarter sphere": ((-62, 10), 1.0),
+    "Wetsuit collar": ((-24, 18), 1.0),
+    "Wetsuit upper body": ((-28, 8), 1.4),
+    "Jeans": ((-28, 8), 1.0),
+    "Armchair cover": ((-34, 26), 1.4),
 }
 NOISE = 1e-9  # shapes with less energy count as undistorted
 SEEN = math.radians(0.05)  # smallest difference of angles in the table

@@ -24,9 +24,9 @@ CHOICES: dict[str, dict[str, str]] = {
     "Woven, best direction": {"cloth": "woven", "orientation": "best"},
     "Jersey": {"cloth": "jersey"},
 }
-DRAWN = {  # rotation and tilt of the model in degrees, inches for a flattening, its preferred width over height
-    "Fitted top": ((-28, 8), 3.6, 1.4),
-    "Hat": ((-30, 24), 2.8, 1.0),
+DRAWN = {  # rotation and tilt of the model in degrees, preferred width over height of a flattening
+    "Fitted top": ((-28, 8), 1.4),
+    "Hat": ((-30, 24), 1.0),
 }
 WORN = ("Fitted top", "Hat", "Wetsuit upper body", "Jeans")  # samples in the shape of a body
 
@@ -73,10 +73,10 @@ def strains(found: Strained) -> str:
 
 
 def draw(inputs: Inputs, name: str, found: dict[str, Strained]) -> str:
-    view, cell_width, aspect = DRAWN[name]
+    view, aspect = DRAWN[name]
     columns = [Column(choice, inputs.shapes[name], found[choice].result) for choice in CHOICES]
     path = inputs.pictures / f"cloth_{name.lower().replace(' ', '_')}.png"
-    draw_sheet(path, columns, [THREAD_STRAIN], view, cell_width, aspect)
+    draw_sheet(path, columns, [THREAD_STRAIN], view, aspect)
     return picture(f"{name}: model, and how far the threads of each fabric are strained", path)
 
 

@@ -78,7 +78,7 @@ def draw(inputs: Inputs, name: str, as_made: Strained) -> str:
     shape = inputs.shapes[name]
     columns = [Column("Lengths of the model", shape, flatten(shape)), Column("As made", shape, as_made.result)]
     path = inputs.pictures / f"made_{name.lower().replace(' ', '_').replace('-', '_')}.png"
-    draw_sheet(path, columns, [THREAD_STRAIN], DRAWN[name], 4.4, 1.2)
+    draw_sheet(path, columns, [THREAD_STRAIN], DRAWN[name], 1.2)
     return picture(f"{name}: model, its pieces with the model's lengths, and as made", path)
 
 

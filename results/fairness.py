@@ -11,18 +11,18 @@ from sheet import Column, draw_sheet
 from text import degrees, picture, table
 
 VALUES = (0.05, 0.1, 0.2, 0.4)
-DRAWN = {"Quarter sphere": ((-62, 10), 2.5), "Wetsuit collar": ((-24, 18), 3.0)}  # view in degrees, and inches
+DRAWN = {"Quarter sphere": (-62, 10), "Wetsuit collar": (-24, 18)}  # rotation and tilt of the model in degrees
 HEADER = ["", "*E*", "max *E_r*", "angles: rms", "largest", "factorizations"]
 
 
 def subsection(inputs: Inputs) -> str:
     pictures, rows = [], []
-    for name, (view, cell_width) in DRAWN.items():
+    for name, view in DRAWN.items():
         sample = inputs.shapes[name]
         shape = with_tolerances(sample, [0.0] * len(sample.wires))
         columns = [Column(f"fairness {value:g}", shape, flatten(shape, fairness=value)) for value in VALUES]
         path = inputs.pictures / f"fairness_{name.lower().replace(' ', '_')}.png"
-        draw_sheet(path, columns, [ARAP_ENERGY], view, cell_width)
+        draw_sheet(path, columns, [ARAP_ENERGY], view)
         pictures.append(picture(f"{name} by the refined method with four values of fairness", path))
         for column in columns:
             found = summarize(shape.vertices, column.result)

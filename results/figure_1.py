@@ -43,7 +43,7 @@ def section(inputs: Inputs) -> str:
         shape = with_tolerances(inputs.shapes["Quarter sphere"], tolerances)
         columns.append(Column(title, shape, flatten(shape, method=method)))
     path = inputs.pictures / "figure_1.png"
-    draw_sheet(path, columns[:DRAWN], MAPS, view=(-62, 10), cell_width=2.5, label_wires=True)
+    draw_sheet(path, columns[:DRAWN], MAPS, view=(-62, 10), label_wires=True)
 
     found = [summarize(column.shape.vertices, column.result) for column in columns]
     rigid, refined, one, both, _, refined_both = found

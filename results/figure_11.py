@@ -22,7 +22,7 @@ def section(inputs: Inputs) -> str:
         shape = inputs.shapes[name]
         columns = [Column(method, shape, inputs.by_all_methods(name)[method]) for method in KEEPING_LENGTHS]
         path = inputs.pictures / f"figure_11_{name.lower().replace(' ', '_')}.png"
-        draw_sheet(path, columns, [LENGTHS, ASPECT_RATIO], view, cell_width=4.0, aspect=1.5)
+        draw_sheet(path, columns, [LENGTHS, ASPECT_RATIO], view, aspect=1.5)
         pictures.append(picture(f"{name}: model, pieces, lengths and aspect ratio", path))
         found = [summarize(shape.vertices, column.result) for column in columns]
         for column, s in zip(columns, found, strict=True):

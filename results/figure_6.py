@@ -42,7 +42,7 @@ def section(inputs: Inputs) -> str:
     pictures = []
     for name, quantity in SHEETS.items():
         path = inputs.pictures / f"figure_6_{name}.png"
-        draw_sheet(path, columns, [quantity], view=(-28, 8), cell_width=2.8)
+        draw_sheet(path, columns, [quantity], view=(-28, 8))
         pictures.append(picture(f"Jeans by five methods: {name.replace('_', ' ')}", path))
 
     found = {name: summarize(shape.vertices, result) for name, result in results.items()}

@@ -29,7 +29,7 @@ def section(inputs: Inputs) -> str:
         shape = with_tolerances(sample, [tolerance] * len(sample.wires))
         columns.append(Column(title, shape, flatten(shape, method=method)))
     path = inputs.pictures / "figure_8.png"
-    draw_sheet(path, columns[:DRAWN], MAPS, view=(-24, 18), cell_width=3.2, label_wires=True)
+    draw_sheet(path, columns[:DRAWN], MAPS, view=(-24, 18), label_wires=True)
 
     found = [summarize(column.shape.vertices, column.result) for column in columns]
     header = ["", "*E*", "mean *E_r*", "max *E_r*", "max *E_A*", "flipped"]

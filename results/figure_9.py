@@ -16,7 +16,7 @@ def section(inputs: Inputs) -> str:
     shape = inputs.shapes["Wetsuit upper body"]
     columns = [Column(name, shape, inputs.by_all_methods(shape.name)[name]) for name in KEEPING_LENGTHS]
     path = inputs.pictures / "figure_9.png"
-    draw_sheet(path, columns, MAPS, view=(-28, 8), cell_width=3.8, aspect=1.5)
+    draw_sheet(path, columns, MAPS, view=(-28, 8), aspect=1.5)
 
     found = [summarize(shape.vertices, column.result) for column in columns]
     rigid, elastic, refined = found

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Draws a picture: the model, then one column per flattening and one row per map, all at one scale."""
+"""Draws a picture: the model, and below it one column per flattening and one row per map, all at one scale."""
 
 from __future__ import annotations
 
@@ -22,8 +22,11 @@ from palette import ELASTIC, FAINT_INK, INK, RIGID, TURNED_OVER, percent
 from save_picture import save
 from shapes import Shape
 
-MODEL_WIDTH, SCALE_WIDTH = 2.4, 1.15  # inches
-TITLE_MARGIN, TITLE_LINE, FOOT_HEIGHT = 0.23, 0.17, 0.5
+# Inches. Text of 8 points is readable if a picture of this width is as wide as the page of the site.
+PAGE_WIDTH = 9.0
+MODEL_WIDTH, MODEL_HEIGHT, KEY_WIDTH, SCALE_WIDTH = 2.8, 2.4, 1.4, 1.15
+TITLE_MARGIN, TITLE_LINE, FOOT_HEIGHT = 0.23, 0.17, 0.55
+WIDEST_CELL = 2.7
 
 
 @dataclass(frozen=True)
@@ -40,35 +43,34 @@ def draw_sheet(
     columns: Sequence[Column],
     maps: Sequence[Map],
     view: tuple[float, float],
-    cell_width: float,
     aspect: float = 1.0,
     label_wires: bool = False,
 ) -> None:
-    """Draw the picture. view: rotation and tilt of the model in degrees; cell_width: of a flattening, inches.
-
-    aspect: preferred width over height of a flattening. label_wires writes the length variation at each wire, for
-    surfaces of one piece.
+    """Draw the picture. view: rotation and tilt of the model in degrees; aspect: preferred width over height of a
+    flattening. label_wires writes the length variation at each wire, for surfaces of one piece.
     """
     results = [column.result for column in columns]
     arrangement = arrange(columns[-1].shape.vertices, results, aspect)
+    cell_width = min((PAGE_WIDTH - SCALE_WIDTH) / len(columns), WIDEST_CELL)
     cell_height = cell_width * arrangement.size[1] / arrangement.size[0]
     title_height = TITLE_MARGIN + TITLE_LINE * max(column.title.count("\n") + 1 for column in columns)
-    size = np.array([
-        MODEL_WIDTH + len(columns) * cell_width + SCALE_WIDTH, title_height + len(maps) * cell_height + FOOT_HEIGHT,
-    ])  # fmt: skip
+    top = FOOT_HEIGHT + len(maps) * cell_height  # of the maps
+    size = np.array([len(columns) * cell_width + SCALE_WIDTH, top + title_height + MODEL_HEIGHT])
     figure = plt.figure(figsize=size)
 
     def panel(x: float, y: float, width: float, height: float) -> Axes:
         """Return axes at inches from the lower left corner."""
         return figure.add_axes((x / size[0], y / size[1], width / size[0], height / size[1]))
 
-    model = panel(0.1, FOOT_HEIGHT + 0.2, MODEL_WIDTH - 0.3, size[1] - FOOT_HEIGHT - title_height - 0.2)
+    left = (len(columns) * cell_width - MODEL_WIDTH - KEY_WIDTH) / 2  # model and key are above the middle of the maps
+    model = panel(left, size[1] - MODEL_HEIGHT + 0.1, MODEL_WIDTH, MODEL_HEIGHT - 0.2)
     draw_model(model, columns[-1].shape, *view)
+    _draw_key(figure, columns, (left + MODEL_WIDTH) / size[0], 1 - MODEL_HEIGHT / 2 / size[1])
     for row, quantity in enumerate(maps):
         scale = scale_of(quantity, columns[-1].shape, results)
-        y = FOOT_HEIGHT + (len(maps) - 1 - row) * cell_height
+        y = top - (row + 1) * cell_height
         for k, column in enumerate(columns):
-            axes = panel(MODEL_WIDTH + k * cell_width, y, cell_width, cell_height)
+            axes = panel(k * cell_width, y, cell_width, cell_height)
             positions = arrangement.positions(k)
             for piece, uv in zip(column.result.pieces, positions, strict=True):
                 draw_piece(axes, quantity, scale, column.shape, piece, uv)
@@ -78,10 +80,9 @@ def draw_sheet(
         bar = panel(size[0] - SCALE_WIDTH + 0.15, y + 0.06 * cell_height, 0.13, 0.88 * cell_height)
         draw_scale(bar, quantity, scale, _exceeds(quantity, scale, columns))
     for k, column in enumerate(columns):
-        middle = (MODEL_WIDTH + (k + 0.5) * cell_width) / size[0]
-        figure.text(middle, 1 - 0.12 / size[1], column.title, ha="center", va="top", fontsize=10)
-        figure.text(middle, (FOOT_HEIGHT - 0.08) / size[1], _summary(column), ha="center", va="top", fontsize=8)
-    _draw_key(figure, columns)
+        middle = (k + 0.5) * cell_width / size[0]
+        figure.text(middle, (top + title_height - 0.12) / size[1], column.title, ha="center", va="top", fontsize=10)
+        figure.text(middle, (FOOT_HEIGHT - 0.05) / size[1], _summary(column), ha="center", va="top", fontsize=8)
     save(figure, path)
 
 
@@ -104,13 +105,14 @@ def _label_wires(axes: Axes, column: Column, uv: np.ndarray) -> None:
 def _summary(column: Column) -> str:
     found = summarize(column.shape.vertices, column.result)
     return (
-        f"$E$ {found.energy:.4f}   $E_r$ mean {found.mean_aspect_ratio:.3f}, max {found.max_aspect_ratio:.2f}\n"
-        f"$E_A$ max {found.max_face_energy:.3g}   flipped: {found.flipped}"
+        f"$E$ {found.energy:.4f}   flipped: {found.flipped}\n"
+        f"$E_r$ mean {found.mean_aspect_ratio:.3f}, max {found.max_aspect_ratio:.2f}\n"
+        f"$E_A$ max {found.max_face_energy:.3g}"
     )
 
 
-def _draw_key(figure: Figure, columns: Sequence[Column]) -> None:
-    """Draw the key of lines in the lower left corner."""
+def _draw_key(figure: Figure, columns: Sequence[Column], x: float, y: float) -> None:
+    """Draw the key of lines beside the model, from its left middle at these fractions of the figure."""
     wires = columns[-1].shape.wires
     handles = [Line2D([], [], color=INK, linewidth=1.0, label="outline or seam")]
     if any(wire.tolerance == 0 for wire in wires):
@@ -119,4 +121,4 @@ def _draw_key(figure: Figure, columns: Sequence[Column]) -> None:
         handles.append(Line2D([], [], color=ELASTIC, linewidth=2.2, label="elastic wire"))
     if any(len(p.metrics.flipped_faces) for c in columns for p in c.result.pieces):
         handles.append(Patch(color=TURNED_OVER, label="flipped"))
-    figure.legend(handles=handles, loc="lower left", fontsize=8, frameon=False)
+    figure.legend(handles=handles, loc="center left", bbox_to_anchor=(x, y), fontsize=8, frameon=False)
