@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Draws the two pictures of the page: time against size, and distortion against length errors."""
 
+import math
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
@@ -14,6 +15,8 @@ from peer_tables import growth
 from save_picture import save
 
 LEAST_ERROR = 1e-16  # relative; smaller errors are drawn here
+MARKER_SIZE = 6  # points
+SAME_ENERGY = 0.05  # relative; markers of this size would cover each other
 COLORS = {"wirewarp": "#0072b2", "refined": "#d55e00", "libigl": "#009e73", "Blender": "#8a6fb0"}
 MARKERS = {
     flatteners.WARPING: "o",
@@ -34,7 +37,13 @@ MARKERS = {
 def style(name: str) -> dict:
     """Return one color for the methods of one program, with different markers."""
     color = next(color for start, color in COLORS.items() if name.startswith(start))
-    return {"color": color, "marker": MARKERS[name], "markersize": 6, "markerfacecolor": "none", "markeredgewidth": 1.4}
+    return {
+        "color": color,
+        "marker": MARKERS[name],
+        "markersize": MARKER_SIZE,
+        "markerfacecolor": "none",
+        "markeredgewidth": 1.4,
+    }
 
 
 def plot_times(comparisons: Sequence[Comparison], path: Path) -> None:
@@ -50,10 +59,15 @@ def plot_times(comparisons: Sequence[Comparison], path: Path) -> None:
 def plot_lengths(comparison: Comparison, path: Path) -> None:
     """One point for each method."""
     with picture(path, 4.2, "Method") as axes:
+        energies: list[float] = []
         for name in MARKERS:
             if outcome := comparison.outcomes.get(name):
                 error = max(outcome.edge_error, LEAST_ERROR)
-                axes.plot(error, outcome.energy, linestyle="", label=name, **style(name))
+                # Markers of methods with the same energy are drawn around each other.
+                around = sum(math.isclose(outcome.energy, energy, rel_tol=SAME_ENERGY) for energy in energies)
+                energies.append(outcome.energy)
+                look = style(name) | {"markersize": MARKER_SIZE * (1 + around / 2)}
+                axes.plot(error, outcome.energy, linestyle="", label=name, **look)
         axes.set(xscale="log", xlabel="worst length error of an edge of outline or wires, relative", xlim=(1e-16, 1))
         axes.set_ylabel("distortion: ARAP energy over area")
         axes.set_ylim(bottom=0)
