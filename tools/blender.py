@@ -5,7 +5,9 @@ Debian's Blender is the whole program, 3.4 in Debian 12 and 4.3 in Debian 13; th
 own Python.
 """
 
+import os
 import shutil
+from collections.abc import Sequence
 from pathlib import Path
 
 from tools import addon_coverage
@@ -18,6 +20,7 @@ from tools.environment import (
     require_apt,
     require_python,
     run,
+    run_at_once,
     run_quietly,
     venv,
 )
@@ -32,6 +35,8 @@ NUMPY = {"3.11": "numpy==1.26.4", "3.13": "numpy==2.5.5"}  # both ABIs: Blender 
 DEBIAN_BLENDER = {"3.11": "3.4", "3.13": "4.3"}.get(DEBIAN_VERSION, "")
 # name of the add-on in Debian's Blender
 ADDON_MODULE = LEGACY_MODULE if DEBIAN_VERSION == LEGACY_PYTHON else EXTENSION_MODULE
+RUNNER = ROOT / "tests" / "addon" / "run_in_blender.py"
+BLENDERS = 2  # at once: the tests of one use little more than one core
 BPY = {"bpy==4.2.23": "3.11", "bpy==4.5.15": "3.11", "bpy==5.0.1": "3.11", "bpy==5.2.3": "3.13"}
 EXTENSION_PROGRAM = "addons_core/bl_pkg/cli/blender_ext.py"  # the program behind `blender --command extension`
 
@@ -81,11 +86,23 @@ def run_with_addon(name: str, script: Path, *arguments: str | Path) -> None:
 
 def debian_blender_tests() -> None:
     require_apt(*BLENDER_APT)
-    runner = ROOT / "tests" / "addon" / "run_in_blender.py"
-    settings = blender_folder("test-debian") | {"WIREWARP_ZIP": str(debian_blender_zip())}
-    settings |= addon_coverage.begin("headless")
-    run(blender("--python", runner, "--", "-q", "tests/addon"), **settings)
+    settings = {"WIREWARP_ZIP": str(debian_blender_zip())} | addon_coverage.begin("headless")
+    run_addon_tests(blender("--python", RUNNER), "debian", **settings)
     addon_coverage.show("headless")
+
+
+def run_addon_tests(command: Sequence[str | Path], name: str, *options: str, **settings: str) -> None:
+    """Run the tests of the add-on in several Blenders at once, each with a share of the files and a private folder.
+
+    command: starts a Blender that runs RUNNER; options: of pytest. If PYTEST_ADDOPTS is set, all tests run in one
+    Blender.
+    """
+    files = sorted((ROOT / "tests" / "addon").glob("test_*.py"), key=lambda file: (-file.stat().st_size, file.name))
+    shares = 1 if os.environ.get("PYTEST_ADDOPTS") else BLENDERS
+    run_at_once([
+        ([*command, "--", "-q", *options, *files[k::shares]], blender_folder(f"test-{name}-{k}") | settings)
+        for k in range(shares)
+    ])  # fmt: skip
 
 
 def window_tests() -> None:
@@ -114,6 +131,5 @@ def bpy_tests(requirement: str) -> None:
     python = bpy_python(requirement)
     tags = blender_script(python, "modules/_bpy_internal/extensions/tags.py")
     run([python, blender_script(python, EXTENSION_PROGRAM), "validate", f"--valid-tags={tags}", extension_zip()])
-    settings = blender_folder(f"test-{python.parent.parent.name}") | {"WIREWARP_ZIP": str(extension_zip())}
     chosen = [] if requirement == list(BPY)[-1] else ["-m", "api"]
-    run([python, "tests/addon/run_in_blender.py", "--", "-q", *chosen, "tests/addon"], **settings)
+    run_addon_tests([python, RUNNER], python.parent.parent.name, *chosen, WIREWARP_ZIP=str(extension_zip()))

@@ -13,6 +13,7 @@ import subprocess
 import sys
 import time
 from collections.abc import Iterable, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -76,11 +77,24 @@ def run(command: Sequence[str | Path], **more: str) -> None:
         raise StepError(failure(command, done.returncode))
 
 
-def run_quietly(what: str, command: Sequence[str | Path], **more: str) -> None:
-    """Run a command, print one line about it, and show its output only if it fails."""
-    begin = time.monotonic()
-    say(what)
-    done = subprocess.run(
+def run_at_once(commands: Sequence[tuple[Sequence[str | Path], dict[str, str]]]) -> None:
+    """Run commands at the same time, each with its environment variables, then show their outputs one by one.
+
+    Raises StepError for the first command that failed, after all have ended.
+    """
+    with ThreadPoolExecutor(len(commands)) as threads:
+        done = list(threads.map(_captured, commands))
+    for each in done:
+        print(each.stdout, end="", flush=True)
+    for (command, _), each in zip(commands, done, strict=True):
+        if each.returncode:
+            raise StepError(failure(command, each.returncode))
+
+
+def _captured(job: tuple[Sequence[str | Path], dict[str, str]]) -> subprocess.CompletedProcess[str]:
+    """Run a command. Its output and errors are captured together."""
+    command, more = job
+    return subprocess.run(
         [str(c) for c in command],
         cwd=ROOT,
         env=clean_environment(**more),
@@ -89,6 +103,13 @@ def run_quietly(what: str, command: Sequence[str | Path], **more: str) -> None:
         text=True,
         errors="replace",
     )
+
+
+def run_quietly(what: str, command: Sequence[str | Path], **more: str) -> None:
+    """Run a command, print one line about it, and show its output only if it fails."""
+    begin = time.monotonic()
+    say(what)
+    done = _captured((command, more))
     if done.returncode:
         print("\n".join(done.stdout.splitlines()[-60:]), flush=True)
         raise StepError(failure(command, done.returncode))
