@@ -27,6 +27,7 @@ def ball():
 
 def test_a_closed_model_gets_cut_sets_of_which_one_is_marked(addon, capfd):
     source = ball()
+    bpy.context.scene.wirewarp.dart_lines = "EDGES"  # the edges below are those of the model
     buttons = []
     with pytest.raises(RuntimeError):
         bpy.ops.object.wirewarp_flatten()
@@ -69,6 +70,7 @@ def test_a_canceled_search_keeps_the_sets_found_by_then(addon):
 
 def test_sets_with_pieces_narrower_than_two_allowances_have_a_warning(addon):
     source = ball()
+    bpy.context.scene.wirewarp.dart_lines = "EDGES"  # smooth sets of a ball have no narrow pieces
     SUGGEST["SEAMS"]()
     cuts = found(addon, source).cuts
     limit = (min(cut.width for cut in cuts) + max(cut.width for cut in cuts)) / 2
