@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from textwrap import fill
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -27,6 +28,8 @@ PAGE_WIDTH = 9.0
 MODEL_WIDTH, MODEL_HEIGHT, KEY_WIDTH, SCALE_WIDTH = 2.8, 2.4, 1.4, 1.15
 TITLE_MARGIN, TITLE_LINE, FOOT_HEIGHT = 0.23, 0.17, 0.55
 WIDEST_CELL = 2.7
+LEAST_ROW = 1.2  # for the title of a scale
+LETTERS = 13  # of a title per inch
 
 
 @dataclass(frozen=True)
@@ -53,8 +56,11 @@ def draw_sheet(
     arrangement = arrange(columns[-1].shape.vertices, results, aspect)
     cell_width = min((PAGE_WIDTH - SCALE_WIDTH) / len(columns), WIDEST_CELL)
     cell_height = cell_width * arrangement.size[1] / arrangement.size[0]
-    title_height = TITLE_MARGIN + TITLE_LINE * max(column.title.count("\n") + 1 for column in columns)
-    top = FOOT_HEIGHT + len(maps) * cell_height  # of the maps
+    letters = round(LETTERS * cell_width)
+    titles = ["\n".join(fill(line, letters) for line in column.title.split("\n")) for column in columns]
+    title_height = TITLE_MARGIN + TITLE_LINE * max(title.count("\n") + 1 for title in titles)
+    row_height = max(cell_height, LEAST_ROW)
+    top = FOOT_HEIGHT + len(maps) * row_height  # of the maps
     size = np.array([len(columns) * cell_width + SCALE_WIDTH, top + title_height + MODEL_HEIGHT])
     figure = plt.figure(figsize=size)
 
@@ -68,20 +74,20 @@ def draw_sheet(
     _draw_key(figure, columns, (left + MODEL_WIDTH) / size[0], 1 - MODEL_HEIGHT / 2 / size[1])
     for row, quantity in enumerate(maps):
         scale = scale_of(quantity, columns[-1].shape, results)
-        y = top - (row + 1) * cell_height
+        y = top - (row + 1) * row_height
         for k, column in enumerate(columns):
-            axes = panel(k * cell_width, y, cell_width, cell_height)
+            axes = panel(k * cell_width, y + (row_height - cell_height) / 2, cell_width, cell_height)
             positions = arrangement.positions(k)
             for piece, uv in zip(column.result.pieces, positions, strict=True):
                 draw_piece(axes, quantity, scale, column.shape, piece, uv)
             frame(axes, np.zeros(2), arrangement.size)
             if label_wires and row == 0:
                 _label_wires(axes, column, positions[0])
-        bar = panel(size[0] - SCALE_WIDTH + 0.15, y + 0.06 * cell_height, 0.13, 0.88 * cell_height)
+        bar = panel(size[0] - SCALE_WIDTH + 0.15, y + 0.06 * row_height, 0.13, 0.88 * row_height)
         draw_scale(bar, quantity, scale, _exceeds(quantity, scale, columns))
     for k, column in enumerate(columns):
         middle = (k + 0.5) * cell_width / size[0]
-        figure.text(middle, (top + title_height - 0.12) / size[1], column.title, ha="center", va="top", fontsize=10)
+        figure.text(middle, (top + title_height - 0.12) / size[1], titles[k], ha="center", va="top", fontsize=10)
         figure.text(middle, (FOOT_HEIGHT - 0.05) / size[1], _summary(column), ha="center", va="top", fontsize=8)
     save(figure, path)
 
