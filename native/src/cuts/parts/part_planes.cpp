@@ -67,7 +67,7 @@ Plane mirror_plane(const HalfEdgeMesh& mesh, const std::vector<VertexHandle>& im
   for (const VertexHandle v : mesh.vertices()) {
     const Eigen::Vector3d here = at(mesh, v), there = at(mesh, image[v.idx()]);
     plane.point += (here + there) / 2 / static_cast<double>(mesh.n_vertices());
-    if ((there - here).norm() > plane.normal.norm()) plane.normal = there - here;
+    if ((here - there).norm() > plane.normal.norm()) plane.normal = here - there;
   }
   plane.normal.normalize();
   return plane;

@@ -2,15 +2,18 @@
 #include "cuts/propose/cut_again.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <set>
+#include <utility>
+
+#include "surface/cut_mesh/path_sites.h"
+#include "surface/mesh/edge_table.h"
 
 namespace wirewarp {
 namespace {
 
-/// cut_mesh() moves points to one if their coordinates differ by less: its default `snap`.
-constexpr double kOnePlace = 0.05;
+/// The default of cut_mesh(), which callers use to cut along the lines of a set.
+constexpr double kCutSnap = 0.05;
 
 VertexPair ordered(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
 
@@ -28,8 +31,10 @@ CutMesh uncut(const FlattenInput& input) {
   return mesh;
 }
 
-CutMesh cut_again(const CutMesh& before, const std::vector<SurfacePath>& paths) {
-  CutMesh after = cut_mesh(before.vertices, before.faces, paths);
+CutMesh cut_again(const CutMesh& before, std::vector<SurfacePath> paths) {
+  const auto num_vertices = static_cast<int>(before.vertices.rows());
+  CutMesh after = cut_mesh(before.vertices, before.faces,
+                           without_collapsed(before.faces, num_vertices, std::move(paths)), kCutSnap);
   std::map<VertexPair, std::vector<int>> divided;
   for (const std::vector<int>& along : after.sources.divided_edges)
     divided[ordered(along.front(), along.back())] = along;
@@ -68,21 +73,22 @@ std::map<int, double> weights_of(const CutSources& sources, int vertex) {
   return weights;
 }
 
-bool is_one_place(const Triangles& faces, const SurfacePath& path) {
-  const auto weights_at = [&](std::size_t i) {
-    std::map<int, double> weights;
-    for (int k = 0; k < 3; ++k) weights[faces(path.faces[i], k)] += path.coordinates(static_cast<Eigen::Index>(i), k);
-    return weights;
-  };
-  const std::map<int, double> first = weights_at(0);
-  for (std::size_t i = 1; i < path.faces.size(); ++i) {
-    std::map<int, double> difference = weights_at(i);
-    for (const auto& [v, weight] : first) difference[v] -= weight;
-    for (const auto& each : difference) {
-      if (std::abs(each.second) >= kOnePlace) return false;
-    }
+std::vector<SurfacePath> without_collapsed(const Triangles& faces, int num_vertices, std::vector<SurfacePath> paths) {
+  const EdgeTable edges(faces, num_vertices);
+  while (true) {
+    PathSites sites(faces, edges, num_vertices, kCutSnap);
+    const auto is_collapsed = [&](const SurfacePath& path) {
+      std::set<int> passed;
+      for (std::size_t i = 0; i < path.faces.size(); ++i) {
+        const auto row = path.coordinates.row(static_cast<Eigen::Index>(i));
+        passed.insert(sites.add(path.faces[i], {row[0], row[1], row[2]}));
+      }
+      return passed.size() < 2;
+    };
+    const auto kept = std::remove_if(paths.begin(), paths.end(), is_collapsed);
+    if (kept == paths.end()) return paths;
+    paths.erase(kept, paths.end());  // other points may move elsewhere without these
   }
-  return true;
 }
 
 }  // namespace wirewarp

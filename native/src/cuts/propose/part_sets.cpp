@@ -7,7 +7,6 @@
 #include <map>
 #include <numeric>
 #include <optional>
-#include <set>
 #include <utility>
 
 #include "base/attempt.h"
@@ -74,10 +73,7 @@ FlattenInput input_of(const HalfEdgeMesh& mesh) { return {points_of(mesh), trian
 /// Adds the lines on a chart at which a function of its vertices has a value. input: the mesh that the chart is from.
 void add_lines(const FlattenInput& input, const Chart& chart, const Eigen::VectorXd& values, double level,
                std::vector<SurfacePath>& paths) {
-  for (const MeshPath& line : level_lines(chart.mesh, values, level)) {
-    SurfacePath path = on_input(input, chart, line);
-    if (!is_one_place(input.faces, path)) paths.push_back(std::move(path));
-  }
+  for (const MeshPath& line : level_lines(chart.mesh, values, level)) paths.push_back(on_input(input, chart, line));
 }
 
 /// The pieces of a mesh that is cut along its edges, as a model of its own.
@@ -142,7 +138,7 @@ class PartSearch {
     for (const Neck& neck : find_necks(chart_.mesh, image_, exact_.stop()))
       add_lines(own, alone(chart_.mesh), neck.distance, neck.level, loops);
     if (loops.empty()) return {};
-    CutMesh mesh = cut_again(uncut(own), loops);
+    CutMesh mesh = cut_again(uncut(own), std::move(loops));
     std::vector<DartProposal> sets;
     progress_.enter(kNecksFound, kDivided);
     was_stopped([&] {
@@ -210,7 +206,7 @@ bool PartSearch::divide(CutMesh& mesh, double limit) const {
       add(parts[i]->chart, best.plane);
       if (partner < parts.size() && partner > i) add(parts[partner]->chart, best.plane.mirrored(*mirror_));
     }
-    mesh = cut_again(mesh, paths);
+    mesh = cut_again(mesh, std::move(paths));
   }
 }
 
@@ -247,7 +243,7 @@ double PartSearch::price_of(const FlatPiece& part, const Plane& plane, double li
   std::vector<SurfacePath> paths;
   add_lines(input, own, distances_from(plane, own.mesh), 0, paths);
   if (paths.empty()) return std::numeric_limits<double>::infinity();
-  const CutModel model(cut_again(uncut(input), paths), exact_);
+  const CutModel model(cut_again(uncut(input), std::move(paths)), exact_);
   const double length = level_length(own.mesh, distances_from(plane, own.mesh), 0);
   double strained = 0, area = 0, price = kLengthPrice * length / std::sqrt(surface_area(own.mesh));
   for (const std::shared_ptr<const FlatPiece>& each : model.pieces()) {
@@ -300,8 +296,7 @@ std::vector<SurfacePath> PartSearch::paths_of(const CutMesh& mesh) const {
         ++k;
       }
     }
-    SurfacePath line = on_given(path);
-    if (!is_one_place(exact_.surface().given().faces, line)) paths.push_back(std::move(line));
+    paths.push_back(on_given(path));
   }
   return paths;
 }
@@ -330,8 +325,8 @@ SurfacePath PartSearch::on_given(const SurfacePath& path) const {
 /// allowed.
 double PartSearch::add(const CutMesh& mesh, double limit, std::vector<DartProposal>& sets) const {
   DartProposal set;
-  set.paths = paths_of(mesh);
   const FlattenInput& given = exact_.surface().given();
+  set.paths = without_collapsed(given.faces, static_cast<int>(given.vertices.rows()), paths_of(mesh));
   const CutMesh cut = cut_mesh(given.vertices, given.faces, set.paths);
   const CutSurface surface(pieces_, piece_, exact_, cut);
   const PieceFigures figures = figures_of(surface.after(), surface.before()[piece_]->chart);

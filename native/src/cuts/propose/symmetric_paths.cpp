@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "cuts/parts/part_planes.h"
 #include "newton/coarsen/coarse_chart.h"
 
 namespace wirewarp {
@@ -15,15 +16,8 @@ constexpr double kSamePoint = 0.1;
 }  // namespace
 
 Eigen::RowVector3d normal_of_mirror(const HalfEdgeMesh& mesh, const std::vector<VertexHandle>& image) {
-  Eigen::RowVector3d normal(0, 0, 0);
-  double farthest = 0;
-  for (std::size_t v = 0; v < image.size(); ++v) {
-    const HalfEdgeMesh::Point apart = mesh.point(VertexHandle(static_cast<int>(v))) - mesh.point(image[v]);
-    if (apart.norm() <= farthest) continue;
-    farthest = apart.norm();
-    normal << apart[0] / farthest, apart[1] / farthest, apart[2] / farthest;
-  }
-  return normal;
+  if (image.empty()) return Eigen::RowVector3d(0, 0, 0);
+  return mirror_plane(mesh, image).normal.transpose();
 }
 
 PathMirror::PathMirror(const FlattenInput& input, const Chart& chart, const std::vector<VertexHandle>& image)
