@@ -234,7 +234,7 @@ def _strained_places(report: ObjectReport) -> list[int]:
 
 
 def remedy_of(issue: Issue) -> str | None:
-    """Return the kind of fix for the issue; None if there is no fix."""
+    """Return the kind of fix for the issue, or None if nothing fixes it."""
     if issue.proposed_seams:
         return "SEAMS"
     return "TOLERANCES" if issue.proposed_tolerances else OF_CODES.get(issue.code)
