@@ -244,7 +244,7 @@ def test_lines_are_in_order_and_the_worst_decides_the_exit_code(models, tmp_path
 def test_kills_lose_nothing_and_do_nothing_twice(tmp_path):
     from many_models import check_kills
 
-    check_kills(tmp_path, 50, 2)
+    check_kills(tmp_path, 30, 2)
 
 
 @posix

@@ -195,7 +195,7 @@ def test_errors_of_spyrrow_are_reported_and_pieces_are_packed_without_it(monkeyp
         "wirewarp.pattern.nest.spyrrow_nesting._described",
         lambda item, grain: described(item, grain) | {"outline": bow_tie},
     )
-    marker = sample("Hat").nested(1400, seconds=3)
+    marker = sample("Hat").nested(1400, seconds=0.1)
     assert marker.by == "slides"
     (warning,) = marker.warnings
     assert warning.startswith("spyrrow failed, so pieces were packed without it: ")
@@ -230,8 +230,7 @@ def test_the_search_process_ends_if_progress_raises(searches):
 
 def test_a_search_ends_if_its_parent_is_killed(tmp_path):
     pytest.importorskip("spyrrow")
-    # this search takes more than a minute
-    code = "from patterns import sample; sample('Toy').nested(1000, times=4, seconds=3600)"
+    code = "from patterns import sample; sample('Hat').nested(1400, times=4, seconds=3600)"
     temporary = dict.fromkeys(("TMPDIR", "TEMP", "TMP"), str(tmp_path))
     caller = subprocess.Popen([sys.executable, "-c", code], cwd=Path(__file__).parent, env=os.environ | temporary)
     while not any(found.stat().st_size for found in tmp_path.glob("*/found")):
