@@ -3,6 +3,7 @@
 
 import bpy
 import numpy as np
+import pytest
 from surfaces import read
 
 SIMPLIFY = bpy.ops.object.wirewarp_simplify_seams
@@ -47,3 +48,33 @@ def are_mirrored(source, edges):
     """Return whether the edges are their own mirror image across x = 0."""
     middles = read(source.data.vertices, "co", np.float32, 3)[np.array(edges)].mean(axis=1).round(4)
     return {tuple(middle) for middle in middles.tolist()} == {(-x, y, z) for x, y, z in middles.tolist()}
+
+
+def places(source):
+    return read(source.data.vertices, "co", np.float32, 3).astype(float)
+
+
+def add_layers(source):
+    """Add a UV map, a vertex group, materials and shape keys, whose values follow from the place of each element."""
+    mesh = source.data
+    corners = places(source)[read(mesh.loops, "vertex_index", np.int32)]
+    mesh.uv_layers.new(name="Mine").data.foreach_set("uv", corners[:, :2].astype(np.float32).ravel())
+    source.vertex_groups.new(name="All").add(range(len(mesh.vertices)), 0.5, "REPLACE")
+    for name in "Red", "Blue":
+        mesh.materials.append(bpy.data.materials.new(name))
+    mesh.polygons.foreach_set("material_index", [face.center.x > 0 for face in mesh.polygons])
+    source.shape_key_add(name="Basis")
+    twice = source.shape_key_add(name="Twice")
+    twice.value = 0.0  # Blender 5 creates keys with the value 1
+    twice.data.foreach_set("co", (2 * places(source)).astype(np.float32).ravel())
+
+
+def check_layers(source):
+    """Check the values of add_layers() everywhere, even on new vertices and faces."""
+    mesh = source.data
+    now = places(source)[read(mesh.loops, "vertex_index", np.int32)]
+    assert read(mesh.uv_layers["Mine"].data, "uv", np.float32, 2) == pytest.approx(now[:, :2], abs=1e-6)
+    assert all(source.vertex_groups["All"].weight(vertex.index) == 0.5 for vertex in mesh.vertices)
+    assert [face.material_index for face in mesh.polygons] == [face.center.x > 0 for face in mesh.polygons]
+    twice = read(mesh.shape_keys.key_blocks["Twice"].data, "co", np.float32, 3)
+    assert twice == pytest.approx(2 * places(source), abs=1e-6)

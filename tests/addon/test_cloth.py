@@ -132,24 +132,3 @@ def test_stretched_fabric_is_cut_smaller(addon):
     assert report.ok and all(chain.ok for chain in (*piece.outline, *piece.wires))
     assert piece.threads.across == pytest.approx(0.2, abs=1e-4)
     assert not piece.threads.over  # not over the limit, because the stretch is intended
-
-
-def test_thick_material_is_flattened_in_its_middle(addon):
-    """A half cylinder of radius 1, modeled as the inner surface, is longer by thickness / 2 except at its outermost
-    edges.
-
-    At these edges, the normal is that of the only face, which differs from the radius by half the angle between faces.
-    """
-    bpy.context.scene.unit_settings.scale_length = 0.1
-    size, middle = 32, 0.1
-    target = grid("Half", half_cylinder, size=size)
-    widths = []
-    for thickness in (0.0, 20.0):  # millimeters; a Blender unit is 100 mm
-        bpy.ops.object.wirewarp_flatten(orientation="UP", thickness=thickness, keep_places=False)
-        widths.append(sorted(box(target))[1])
-    chord, half_turn = 2 * math.sin(math.pi / (2 * size)), math.pi / (2 * size)
-    missing = 2 * middle * math.sin(half_turn)
-    assert widths[0] == pytest.approx(size * chord, rel=1e-6)
-    assert widths[1] == pytest.approx(size * chord * (1 + middle) - missing, rel=1e-3)
-    notes = [note.text for note in last_report(addon, target).notes]
-    assert "Lengths on the model are measured in the middle of the material's thickness." in notes

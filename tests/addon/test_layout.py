@@ -131,17 +131,6 @@ def test_without_a_grain_wire_pieces_are_upright_as_on_the_model():
     assert direction_of(source, *ALONG_X)[1] == pytest.approx(-1, abs=1e-4)
 
 
-def test_world_up_and_the_longest_straight_edge():
-    source = grid("Half Cylinder", lambda x, y: half_cylinder(x, 1.2 * y))
-    source.rotation_euler = (0, np.pi / 2, 0)  # the model lies on its side: x of the mesh points down
-    mark(source, on_line(1, 0.0))
-    flatten(source, orientation="UP")
-    assert direction_of(source, 36, 37) == pytest.approx([0, -1], abs=1e-4)
-    flatten(source, orientation="BOUNDARY")
-    longest = max(((0, 8), (0, 72)), key=lambda ends: np.linalg.norm(difference(source, *ends)))
-    assert abs(direction_of(source, *longest)[1]) == pytest.approx(1, abs=1e-4)
-
-
 def test_pieces_of_models_flattened_together_are_at_one_height_and_not_under_a_model():
     """A small model, a tall one on its right, and a model that hovers at the place for the pieces of the first."""
     models = [grid(name, bump) for name in ("Left", "Tall", "Hovering")]

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Maps on the flat pieces: the library's measures as attributes, and the model's materials and prints."""
 
+import math
+
 import bpy
 import numpy as np
 import pytest
@@ -8,6 +10,7 @@ from surfaces import (
     bump,
     edge_vertices,
     flat_of,
+    flat_places,
     flat_sources,
     grid,
     half_cylinder,
@@ -91,8 +94,12 @@ def test_thick_material_that_unfolds_changes_no_length(addon):
     bpy.ops.object.wirewarp_flatten(thickness=20.0)
     values, _ = variations(target)
     assert values == pytest.approx(0, abs=1e-6)
+    half_turn, middle = math.pi / 32, 0.1  # half of the thickness; at the ends, normals are those of the only face
+    width = 16 * 2 * math.sin(half_turn) * (1 + middle) - 2 * middle * math.sin(half_turn)
+    assert np.ptp(flat_places(target), axis=0).max() == pytest.approx(width, rel=1e-3)
     report = addon.state.reports.last_report(target)
     assert report.hints == [] and addon.core.verdict(report).kind == "ready for any fabric"
+    assert "Lengths on the model are measured in the middle" in report.notes[-1].text
 
 
 def test_lines_with_their_target_length_have_no_change(addon):

@@ -37,23 +37,6 @@ def seams_of(target):
     return edge_vertices(target.data)[read(target.data.edges, "use_seam", bool)]
 
 
-@pytest.mark.parametrize("mode", ["OBJECT", "EDIT"])
-def test_a_tube_is_flat_once_the_proposed_seam_is_marked(addon, mode):
-    source = tube()
-    flatten_fails(CUT)
-    bpy.ops.object.mode_set(mode=mode)
-    assert take() == {"FINISHED"}
-    assert source.mode == mode
-    bpy.ops.object.mode_set(mode="OBJECT")
-    ends = read(source.data.vertices, "co", np.float32, 3)[seams_of(source)]
-    assert {0.0, 3.0} <= set(ends[..., 2].ravel().tolist())  # from one opening to the other
-    assert addon.state.changes.has_changed(source, addon.state.reports.last_report(source).model_state)
-    assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
-    ratio = read(flat_of(source).data.attributes["aspect_ratio"].data, "value", np.float32)
-    assert ratio == pytest.approx(1, abs=1e-4)  # a tube that is cut open is developable
-    assert addon.state.reports.last_report(source).issues == []
-
-
 def joined(source, *others):
     select_only(source, *others)
     bpy.ops.object.join()

@@ -5,9 +5,9 @@ import bpy
 import numpy as np
 import pytest
 from everything import draw_panels
-from suggesting import SUGGEST, choose_smooth, found
-from surfaces import bump, flat_of, grid, mark, on_line, read, round_bump
-from test_smooth_lines import places, seam_places, surface
+from suggesting import SUGGEST, choose_smooth, found, places
+from surfaces import bump, flat_of, grid, mark, on_line, round_bump
+from test_smooth_lines import seam_places, surface
 from test_suggestions import two_hills
 
 pytestmark = pytest.mark.api
@@ -60,48 +60,6 @@ def test_mirror_images_are_cut_together(addon):
     assert apart.max() < 1e-5
     (piece,) = addon.state.reports.last_report(source).pieces
     assert piece.needed == pytest.approx(cut.strain, abs=1e-6)
-
-
-def add_layers(source):
-    """Add a UV map, a vertex group, materials and shape keys, whose values follow from the place of each element."""
-    mesh = source.data
-    corners = places(source)[read(mesh.loops, "vertex_index", np.int32)]
-    mesh.uv_layers.new(name="Mine").data.foreach_set("uv", corners[:, :2].astype(np.float32).ravel())
-    source.vertex_groups.new(name="All").add(range(len(mesh.vertices)), 0.5, "REPLACE")
-    for name in "Red", "Blue":
-        mesh.materials.append(bpy.data.materials.new(name))
-    mesh.polygons.foreach_set("material_index", [face.center.x > 0 for face in mesh.polygons])
-    source.shape_key_add(name="Basis")
-    twice = source.shape_key_add(name="Twice")
-    twice.value = 0.0  # Blender 5 creates keys with the value 1
-    twice.data.foreach_set("co", (2 * places(source)).astype(np.float32).ravel())
-
-
-def check_layers(source):
-    """Check the values of add_layers() everywhere, even on new vertices and faces."""
-    mesh = source.data
-    now = places(source)[read(mesh.loops, "vertex_index", np.int32)]
-    assert read(mesh.uv_layers["Mine"].data, "uv", np.float32, 2) == pytest.approx(now[:, :2], abs=1e-6)
-    assert all(source.vertex_groups["All"].weight(vertex.index) == 0.5 for vertex in mesh.vertices)
-    assert [face.material_index for face in mesh.polygons] == [face.center.x > 0 for face in mesh.polygons]
-    twice = read(mesh.shape_keys.key_blocks["Twice"].data, "co", np.float32, 3)
-    assert twice == pytest.approx(2 * places(source), abs=1e-6)
-
-
-def test_attributes_and_marks_stay(addon):
-    source = grid("Bump", bump)
-    mesh = source.data
-    mark(source, on_line(0, -0.75))
-    wired = {tuple(sorted(edge.vertices)) for edge, wire in zip(mesh.edges, wires(mesh), strict=True) if wire}
-    add_layers(source)
-    choose_smooth(addon, source, "DARTS")
-    bpy.ops.object.wirewarp_mend(what="SUGGESTION")
-    check_layers(source)
-    assert {tuple(sorted(edge.vertices)) for edge, wire in zip(mesh.edges, wires(mesh), strict=True) if wire} == wired
-
-
-def wires(mesh):
-    return read(mesh.attributes["wirewarp_wire"].data, "value", np.int32)
 
 
 def test_painted_faces_are_not_entered(addon):

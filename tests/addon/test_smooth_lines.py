@@ -4,7 +4,7 @@
 import bpy
 import numpy as np
 import pytest
-from suggesting import pairs
+from suggesting import add_layers, check_layers, pairs, places
 from surfaces import bump, edge_vertices, flat_of, grid, mark, mark_seam, on_line, read, round_bump, select_edges
 from test_proposals import seams_of
 
@@ -34,10 +34,6 @@ def smooth(target, line=lambda a, b: True):
     return result
 
 
-def places(source):
-    return read(source.data.vertices, "co", np.float32, 3).astype(float)
-
-
 def seam_places(source):
     """Return the ends (k,2,3) of each seam edge."""
     return places(source)[np.array(seams_of(source)).reshape(-1, 2)]
@@ -55,13 +51,7 @@ def surface(source):
 @pytest.mark.parametrize("faces", ["triangles", "quads"])
 def test_a_seam_along_stairs_becomes_a_straight_line_and_all_else_stays(faces):
     source = grid("Grid", lambda x, y: (x, y, 0.0), faces=faces)
-    layer = source.data.uv_layers.new(name="Mine")
-    corner_places = places(source)[read(source.data.loops, "vertex_index", np.int32)]
-    layer.data.foreach_set("uv", corner_places[:, :2].astype(np.float32).ravel())
-    source.shape_key_add(name="Basis")
-    key = source.shape_key_add(name="Twice")
-    key.data.foreach_set("co", (2 * places(source)).astype(np.float32).ravel())
-    source.vertex_groups.new(name="All").add(range(len(source.data.vertices)), 0.5, "REPLACE")
+    add_layers(source)
     before, area = places(source), surface(source)
     start, end = stairs(source)
     assert smooth(source) == {"FINISHED"}
@@ -71,11 +61,7 @@ def test_a_seam_along_stairs_becomes_a_straight_line_and_all_else_stays(faces):
     aside = np.cross(ends - start, (end - start) / length)
     assert np.linalg.norm(aside, axis=2).max() < 0.2 * 2 / SIZE
     assert np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1).sum() == pytest.approx(length, rel=2e-3)
-    now = places(source)[read(source.data.loops, "vertex_index", np.int32)]
-    assert read(source.data.uv_layers["Mine"].data, "uv", np.float32, 2) == pytest.approx(now[:, :2], abs=1e-6)
-    twice = read(source.data.shape_keys.key_blocks["Twice"].data, "co", np.float32, 3)
-    assert twice == pytest.approx(2 * places(source), abs=1e-6)
-    assert all(source.vertex_groups["All"].weight(index) == 0.5 for index in range(len(source.data.vertices)))
+    check_layers(source)
 
 
 @pytest.mark.parametrize("faces", ["quads", "ngons"])

@@ -5,9 +5,9 @@ import bpy
 import numpy as np
 import pytest
 from everything import draw_panels
-from suggesting import bent_ring, choose_smooth, found
-from test_smooth_darts import add_layers, check_layers, drawn_on, lengths, rounded
-from test_smooth_lines import places, seam_places, surface
+from suggesting import add_layers, bent_ring, check_layers, choose_smooth, found, places
+from test_smooth_darts import drawn_on, lengths, rounded
+from test_smooth_lines import seam_places, surface
 
 pytestmark = pytest.mark.api
 

@@ -10,7 +10,7 @@ import pypdfium2
 import pytest
 import shapely
 import wirewarp
-from patterns import MILLIMETER, quads, rectangle, sample, turn
+from patterns import MILLIMETER, quads, rectangle, sample
 from wirewarp.pattern import Pattern
 from wirewarp.pattern.make.outline import flat_piece
 
@@ -81,24 +81,6 @@ def test_cutting_lines_alone_have_the_same_pages(paper, keep_places):
     assert len({len(pages) for _, pages in drawn}) == 1
     frames = [[(*(page.low - laid.bounds[0]), *page.size) for page in pages] for laid, pages in drawn]
     assert np.array(frames[0]) == pytest.approx(np.array(frames[1]))
-
-
-@pytest.mark.parametrize("angle", [45, 90])
-def test_every_text_beside_a_piece_is_on_a_sheet(angle):
-    """A strap may be anywhere at the edge of a sheet: no sheet is added only for texts."""
-    (strap,) = straps(1)
-    turned = strap.vertices @ turn(angle)
-    low, high = turned.min(axis=0), turned.max(axis=0)
-    corner = replace(strap, vertices=strap.vertices - strap.vertices.min(axis=0))
-    for right in np.arange(160.0, 200.0, 8.0):  # the first sheet ends at 185, the second starts at 175
-        last = replace(strap, name="A strap with a name", vertices=turned - (high[0], low[1]) + (right, 195.0))
-        laid, pages = Pattern.from_pieces([corner, last], [], allowance=0).pages("a4", keep_places=True)
-        for text in (text for piece in laid.pieces for text in piece.texts):
-            half = np.array([len(text.lines[0]) / 2, 1.0]) * text.height / 2  # letters half as wide as high
-            box = np.stack(np.meshgrid(*(np.linspace(-each, each, 20) for each in half)), axis=-1).reshape(-1, 2)
-            points = text.center + box @ turn(text.angle)
-            on_page = [np.all((points > page.low) & (points < page.low + page.size), axis=1) for page in pages]
-            assert np.all(np.any(on_page, axis=0))
 
 
 def straps(count):
