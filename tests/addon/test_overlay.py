@@ -352,6 +352,10 @@ def test_a_failed_piece_has_lines_around_it_and_none_inside(addon):
     bpy.ops.mesh.primitive_cylinder_add(vertices=12, end_fill_type="NOTHING")
     tube = bpy.context.active_object
     flatten_fails("tube")
+    assert "failed" not in addon.overlay.failures.failures(tube).lines  # alone, it only has no cut yet
+    select_only(tube, grid("Bump", bump))
+    bpy.ops.object.join()
+    flatten_fails("tube")
     (issue,) = addon.state.reports.last_report(tube).issues
     found = addon.overlay.failures.failures(tube)
     assert len(found.triangles) == 3 * 2 * 12

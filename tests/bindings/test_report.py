@@ -131,6 +131,29 @@ def test_a_closed_model_has_not_failed():
     assert kinds(mixed) == [Kind.FAILED]
 
 
+def test_a_piece_that_only_a_seam_flattens_has_not_failed():
+    report = report_of_pieces(None, None)
+    report.pieces = [replace(piece, has_layout=False) for piece in report.pieces]
+    tube, outline = Issue("boundary_too_short", "It is a tube.", 0), Issue("infeasible_lengths", "No shape.", 1)
+
+    def found(*issues):
+        return verdict(replace(report, issues=list(issues))).lines
+
+    (line,) = found(tube, replace(outline, proposed_seams=[(0, 1)]))
+    assert (line.kind, line.text) == (Kind.NEEDS_SEAM, "Piece 1 and Piece 2 need seams: choose where to cut them")
+    assert line.kind.level is Level.CAUTION
+    closed, line = found(tube, Issue("closed_chart", "It is closed.", 1))
+    assert (closed.text, line.text) == (
+        "Piece 2 is closed: choose where to cut it",
+        "Piece 1 needs a seam: choose where to cut it",
+    )
+    assert [line.kind for line in found(tube, outline)] == [Kind.FAILED]  # without the seam, a wire may be wrong
+    assert [line.kind for line in found(tube, Issue("flipped_faces", "It flips.", 1))] == [Kind.FAILED]
+    report.pieces[0].has_layout = True  # it looks like a piece to cut
+    report.pieces = report.pieces[:1]
+    assert [line.kind for line in found(tube)] == [Kind.FAILED]
+
+
 def test_ignored_modifiers_make_no_piece_ready():
     found = as_seen(verdict(report_of_pieces(0.0)), ["modifiers", "shape keys", "modifiers"])
     (line,) = found.lines

@@ -8,7 +8,7 @@ import numpy as np
 
 from ..blender.attributes import find_values, has_attributes
 from ..blender.mesh import corner_edges, corner_vertices, edge_vertices, faces_of_corners, next_loops, vertex_places
-from ..core import CLOSED_CODE, Issue
+from ..core import Issue, Kind
 from ..names import SOURCE_FACE, SOURCE_VERTEX
 from ..solve.chains import edge_keys
 from ..solve.cut_faces import Segments, places_on
@@ -66,9 +66,9 @@ def _elements(target: bpy.types.Object) -> _Elements | None:
         if not has_attributes(mesh, SOURCE_VERTEX, SOURCE_FACE):
             return None
         source = find_values(mesh, SOURCE_VERTEX)
-    # A closed model does not count as failed.
-    closed = [issue for issue in report.issues if issue.code == CLOSED_CODE]
-    issues = [] if len(closed) == len(report.pieces) else report.issues
+    # A model that has no cut yet has not failed.
+    is_uncut = {line.kind for line in report.tables.verdict.lines} <= {Kind.CLOSED, Kind.NEEDS_SEAM}
+    issues = [] if is_uncut else report.issues
     faces = _failed_faces(mesh, issues)
     pairs = np.sort(source[edge_vertices(mesh)], axis=1)
     masks = {

@@ -46,11 +46,6 @@ class ErrorFacts:
     def face_text(self) -> str:
         return counted(self.faces, "face")
 
-    @property
-    def proposed(self) -> str:
-        """Return ", such as the suggested one"; "" without a proposal."""
-        return ", such as the suggested one" if self.error.proposed_seams else ""
-
     def wire_text(self, indices: list[int]) -> str:
         """Return the names of wires, such as 'wire "Hip"' or 'wires "Hip" and "Bust"'."""
         return f"wire{'s' if len(indices) > 1 else ''} {_listed([quoted([self.wires[index]]) for index in indices])}"
@@ -91,11 +86,10 @@ def _outline_too_short(facts: ErrorFacts) -> str:
     else:
         fault = f"The piece cannot be flattened: mark seams between its {count} openings"
     outlines = "outline is" if count == 1 else "outlines are"
-    return f"{fault}{facts.proposed}. Its {outlines} too short to surround it: {_listed(lengths)}."
+    return f"{fault}. Its {outlines} too short to surround it: {_listed(lengths)}."
 
 
 def _infeasible_lengths(facts: ErrorFacts) -> str:
-    mark = f"ark a seam{facts.proposed}."
     match facts["reason"]:
         case "wires":
             method = "" if facts["is_refined"] else ", by the method Refined"
@@ -104,15 +98,17 @@ def _infeasible_lengths(facts: ErrorFacts) -> str:
                 f"{_looser(facts)}{method}."
             )
         case "stretch":
-            remedy = f"Use less stretch, or m{mark}" if facts["is_good_unstretched"] else f"M{mark}"
-            return f"No flat shape of the piece was found with the lengths that the fabric's stretch requires. {remedy}"
+            remedy = "Use less stretch, or mark a seam" if facts["is_good_unstretched"] else "Mark a seam"
+            return (
+                f"No flat shape of the piece was found with the lengths that the fabric's stretch requires. {remedy}."
+            )
         case "method":
             return (
                 "WireWarping++ finds no flat shape for the wires of the piece. Use the method Refined, which keeps "
                 "them within their tolerances."
             )
     free = ", even with its wires free" if facts["has_wires"] else ""
-    return f"No flat shape of the piece was found that keeps the length of its outline{free}. M{mark}"
+    return f"No flat shape of the piece was found that keeps the length of its outline{free}. Mark a seam."
 
 
 def _looser(facts: ErrorFacts) -> str:
@@ -178,10 +174,9 @@ def _lengths_not_kept(facts: ErrorFacts) -> str:
 
 
 def _flipped(facts: ErrorFacts) -> str:
-    seams = "Mark the suggested seams, or add" if facts.error.proposed_seams else "Add"
     free = ", or remove a wire nearby or set a tolerance" if facts["has_wires"] else ""
     fault = f"The piece is flipped at {facts.face_text}{_also(0, facts.overlapping)}"
-    return f"{fault}. {seams} a seam or a dart there{free}."
+    return f"{fault}. Add a seam or a dart there{free}."
 
 
 def _no_proposal(facts: ErrorFacts) -> str:
@@ -212,7 +207,7 @@ def _no_proposal(facts: ErrorFacts) -> str:
 
 SENTENCES: dict[str, Callable[[ErrorFacts], str]] = {
     "cancelled": lambda _: "Canceled before the piece was flat. Flatten again.",
-    "closed_chart": lambda facts: f"The piece is closed: mark a seam that opens it{facts.proposed}.",
+    "closed_chart": lambda _: "The piece is closed: mark a seam that opens it.",
     "boundary_too_short": _outline_too_short,
     "empty_mesh": lambda _: (
         "The mesh has no faces, so there is nothing to flatten. In Edit Mode, fill its outlines with "
@@ -220,8 +215,7 @@ SENTENCES: dict[str, Callable[[ErrorFacts], str]] = {
     ),
     "flipped_faces": _flipped,
     "handles": lambda facts: (
-        f"The piece has {counted(facts['num_handles'], 'handle')} like a torus: mark seams that cut "
-        f"each of them{facts.proposed}."
+        f"The piece has {counted(facts['num_handles'], 'handle')} like a torus: mark seams that cut each of them."
     ),
     "inconsistent_orientation": _inconsistent_orientation,
     "infeasible_lengths": _infeasible_lengths,
@@ -245,9 +239,7 @@ SENTENCES: dict[str, Callable[[ErrorFacts], str]] = {
     ),
     "not_solvable": _not_solvable,
     "overlapping_faces": lambda facts: (
-        f"The piece overlaps itself at {facts.face_text}. "
-        f"{'Mark the suggested seams, or cut' if facts.error.proposed_seams else 'Cut'} it in two with a "
-        "seam, or add a dart there."
+        f"The piece overlaps itself at {facts.face_text}. Cut it in two with a seam, or add a dart there."
     ),
     "repeated_face": lambda facts: (
         f"{counted(facts.faces, 'face has', 'faces have')} the same vertices as another one. "

@@ -6,11 +6,12 @@ from dataclasses import dataclass
 from enum import StrEnum
 
 from . import wording
-from .model import ANY_FABRIC, Piece, Report, Ways
+from .model import ANY_FABRIC, Issue, Piece, Report, Ways
 from .strain import percent_text
 from .words import counted
 
 CLOSED_CODE = "closed_chart"
+SEAM_CODES = {"boundary_too_short", "handles", "infeasible_lengths", CLOSED_CODE}  # faults that a seam can cure
 ANY_LIMIT = 1.0  # no fabric stretches to twice its length
 NOT_KNOWN = Ways(across=None, along=None)  # unknown maximum stretch
 SHOWN_NAMES = 4
@@ -27,7 +28,8 @@ class Kind(StrEnum):
 
     NOT_FLATTENED = "not flattened"
     FAILED = "failed"  # a guarantee is broken
-    CLOSED = "closed"  # only closed pieces failed: they have no cut yet
+    CLOSED = "closed"  # closed pieces, which have no cut yet
+    NEEDS_SEAM = "needs seam"  # tubes and other pieces that cannot be flattened without a further seam
     NO_FABRIC = "no fabric"  # a piece must stretch to more than twice its length
     BEYOND_FABRIC = "beyond fabric"  # the chosen fabric does not stretch as far
     NEEDS_STRETCH = "needs stretch"  # no fabric is chosen, and not every fabric stretches far enough
@@ -83,8 +85,8 @@ def verdict(*reports: Report) -> Verdict:
     by_kind: dict[Kind, list[_Entry]] = {}
     for entry in entries:
         by_kind.setdefault(_kind_of(entry), []).append(entry)
-    if Kind.FAILED in by_kind and Kind.CLOSED in by_kind:  # the issues already name the closed pieces
-        by_kind[Kind.FAILED] += by_kind.pop(Kind.CLOSED)
+    if Kind.FAILED in by_kind:  # the issues already name the pieces without a cut
+        by_kind[Kind.FAILED] += by_kind.pop(Kind.CLOSED, []) + by_kind.pop(Kind.NEEDS_SEAM, [])
     if Kind.NEEDS_STRETCH in by_kind:  # the sentence is about all pieces, which are cut from one fabric
         by_kind[Kind.NEEDS_STRETCH] += by_kind.pop(Kind.READY_FOR_ANY, [])
     whole = [report.object or "the model" for report in reports if any(issue.piece is None for issue in report.issues)]
@@ -108,8 +110,7 @@ def as_seen(found: Verdict, makers: Iterable[str]) -> Verdict:
 def _kind_of(entry: _Entry) -> Kind:
     piece, threads = entry.piece, entry.piece.threads
     if not piece.ok:
-        codes = {issue.code for issue in entry.report.issues if issue.piece == piece.index}
-        return Kind.CLOSED if codes == {CLOSED_CODE} else Kind.FAILED
+        return _kind_of_failed(piece, [issue for issue in entry.report.issues if issue.piece == piece.index])
     if not threads:
         if piece.needed <= ANY_FABRIC:
             return Kind.READY_FOR_ANY
@@ -123,6 +124,17 @@ def _kind_of(entry: _Entry) -> Kind:
     return Kind.READY_FOR_ANY if is_any else Kind.READY
 
 
+def _kind_of_failed(piece: Piece, issues: Sequence[Issue]) -> Kind:
+    codes = {issue.code for issue in issues}
+    if codes == {CLOSED_CODE}:
+        return Kind.CLOSED
+    # a piece with a faulty shape might be cut by mistake
+    is_uncut = bool(codes) and codes <= SEAM_CODES and not piece.has_layout
+    # the lengths of wires or of the fabric's stretch may be wrong, too, unless a seam was found that helps
+    is_helped = all(issue.proposed_seams for issue in issues if issue.code == "infeasible_lengths")
+    return Kind.NEEDS_SEAM if is_uncut and is_helped else Kind.FAILED
+
+
 def _texts(kind: Kind, own: list[_Entry], entries: list[_Entry], with_objects: bool) -> list[str]:
     """Return the sentences about the pieces of one kind, the worst first. entries: all pieces."""
     everything = len(own) == len(entries)
@@ -130,8 +142,9 @@ def _texts(kind: Kind, own: list[_Entry], entries: list[_Entry], with_objects: b
     match kind:
         case Kind.FAILED:
             return [wording.failed(len(own), len(entries))]
-        case Kind.CLOSED:
-            return [wording.closed("" if everything and len(own) == 1 else names, len(own))]
+        case Kind.CLOSED | Kind.NEEDS_SEAM:
+            sentence = wording.closed if kind is Kind.CLOSED else wording.needs_seam
+            return [sentence("" if everything and len(own) == 1 else names, len(own))]
         case Kind.NO_FABRIC:
             return [wording.no_fabric(names)]
         case Kind.BEYOND_FABRIC:

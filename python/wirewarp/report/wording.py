@@ -20,6 +20,12 @@ def closed(names: str, count: int) -> str:
     return f"{names or 'This model'} {what}"
 
 
+def needs_seam(names: str, count: int) -> str:
+    """Return the sentence about pieces that only a seam can flatten. names: as for closed()."""
+    what = "need seams: choose where to cut them" if count > 1 else "needs a seam: choose where to cut it"
+    return f"{names or 'This model'} {what}"
+
+
 def failed(count: int, of: int) -> str:
     return f"Do not cut: {count} of {counted(of, 'piece')} failed" if of > 1 else "Do not cut: the piece failed"
 
