@@ -70,7 +70,9 @@ def test_a_canceled_search_keeps_the_sets_found_by_then(addon):
 
 def test_sets_with_pieces_narrower_than_two_allowances_have_a_warning(addon):
     source = ball()
-    bpy.context.scene.wirewarp.dart_lines = "EDGES"  # smooth sets of a ball have no narrow pieces
+    settings = bpy.context.scene.wirewarp
+    settings.dart_lines = "EDGES"  # smooth sets of a ball have no narrow pieces
+    settings.cloth, settings.gives_across, settings.gives_along = "SWIM", 100, 100  # far enough for every set
     SUGGEST["SEAMS"]()
     cuts = found(addon, source).cuts
     limit = (min(cut.width for cut in cuts) + max(cut.width for cut in cuts)) / 2
@@ -85,7 +87,7 @@ def test_sets_with_pieces_narrower_than_two_allowances_have_a_warning(addon):
     assert "too narrow" not in draw_panels(addon)
     bpy.ops.object.wirewarp_choose_suggestion(index=is_narrow.index(True))
     assert "less than two allowances. It may be too narrow to sew." in draw_panels(addon)
-    bpy.context.scene.wirewarp.allowance = 0.0
+    settings.allowance = 0.0
     SUGGEST["SEAMS"]()
     assert not any(cut.is_narrow for cut in found(addon, source).cuts)
 

@@ -43,13 +43,16 @@ def test_the_chosen_set_has_the_fewest_pieces_for_the_fabric(addon):
     figures = (9, 0.04), (3, 0.3), (5, 0.1), (6, 0.2), (8, 0.097)
     sets = [suggest.Cut([], [], [], None, 0, [1.0], strain, math.inf, pieces) for pieces, strain in figures]
     narrow = [replace(each, is_narrow=True) if each.num_pieces == 5 else each for each in sets]
-    assert [each.num_pieces for each in suggest.from_few_pieces(narrow, 0.5)] == [3, 5, 6, 8, 9]
+    assert [each.num_pieces for each in suggest.from_few_pieces(narrow, 0.5, 1.0)] == [3, 5, 6, 8, 9]
     # the set of 8 pieces reaches the limit
-    assert [each.num_pieces for each in suggest.from_few_pieces(sets, 0.098)] == [3, 5, 8, 9]
+    assert [each.num_pieces for each in suggest.from_few_pieces(sets, 0.098, 1.0)] == [3, 5, 8, 9]
     beside = replace(sets[0], num_pieces=8, strain=0.03, is_narrow=True)
-    rows = [(each.num_pieces, each.strain) for each in suggest.from_few_pieces([*sets, beside], 0.098)]
+    rows = [(each.num_pieces, each.strain) for each in suggest.from_few_pieces([*sets, beside], 0.098, 1.0)]
     assert rows[2:4] == [(8, 0.097), (8, 0.03)]
-    sets = suggest.from_few_pieces(sets, 0.5)
+    # nobody sews the set of 30% if the softer direction stretches 20% and another set needs no more
+    assert [each.num_pieces for each in suggest.from_few_pieces(sets, 0.098, 0.2)] == [5, 8, 9]
+    assert [each.num_pieces for each in suggest.from_few_pieces(sets, 0.01, 0.02)] == [3, 5, 9]
+    sets = suggest.from_few_pieces(sets, 0.5, 1.0)
     assert [each.num_pieces for each in sets] == [3, 5, 9]
     assert [suggest.set_for(sets, [limit]) for limit in (0.5, 0.2, 0.05, 0.01)] == [0, 1, 2, 2]
     assert suggest.set_for(sets, [0.05, 0.5]) == 2  # this set is within the limits of both directions of the fabric
@@ -58,6 +61,9 @@ def test_the_chosen_set_has_the_fewest_pieces_for_the_fabric(addon):
     assert [suggest.set_for(sets, [limit]) for limit in (0.5, 0.2, 0.01)] == [0, 2, 2]
     narrow = [replace(each, is_narrow=True) for each in sets]
     assert suggest.set_for(narrow, [0.2]) == 1
+    koala = [replace(sets[0], strain=0.77), replace(sets[0], num_pieces=4, strain=0.17, is_narrow=True)]
+    assert suggest.set_for(koala, [0.2]) == 1  # the stretch comes before the width
+    assert suggest.set_for(koala, [0.1]) == 1
 
 
 def test_mirror_images_without_common_figures_are_one_row(addon):

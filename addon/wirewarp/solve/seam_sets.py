@@ -85,11 +85,17 @@ SEARCH = 0.8  # share of the progress that the search gets; measuring widths get
 
 
 def with_widths(
-    search: Steps[list[Cut]], library: ModuleType, arrays: MeshArrays, choices: FlattenChoices, limit: float
+    search: Steps[list[Cut]],
+    library: ModuleType,
+    arrays: MeshArrays,
+    choices: FlattenChoices,
+    limit: float,
+    most: float,
 ) -> Steps[list[Cut]]:
     """Search, and return cut sets with their widths. If the measurement is canceled, the sets have no widths.
 
-    limit: the maximum stretch of the fabric, which decides between cut sets. Other cuts stay as they are.
+    limit, most: the maximum stretch of the fabric in the tighter and in the softer direction, which decide between cut
+    sets. Other cuts stay as they are.
     """
     cuts = yield from reported_as(search, lambda share: SEARCH * share)
     if not cuts[0].is_set:
@@ -98,7 +104,7 @@ def with_widths(
         sets = yield from reported_as(_measured(cuts, library, arrays, choices), _after_search)
     except CanceledError:
         sets = cuts
-    return from_few_pieces(sets, limit) if cuts[0].is_first else sets
+    return from_few_pieces(sets, limit, most) if cuts[0].is_first else sets
 
 
 def _after_search(share: float) -> float:

@@ -196,14 +196,15 @@ def _with_mirror_images(proposals: list[DartProposal], arrays: MeshArrays) -> li
     return cuts
 
 
-def from_few_pieces(sets: Sequence[Cut], limit: float) -> list[Cut]:
+def from_few_pieces(sets: Sequence[Cut], limit: float, most: float) -> list[Cut]:
     """Return cut sets by their number of pieces, without those that have more pieces but about the same stretch.
 
     A small gain counts if it reaches the limit, which is the maximum stretch. Sets with narrow pieces never replace
-    others.
+    others. Sets beyond `most`, the maximum stretch in the softer direction, are left out if another set is within it.
     """
     kept: list[Cut] = []
-    for each in sorted(sets, key=lambda cut: (cut.num_pieces, cut.strain, cut.lengths[0])):
+    within = [each for each in sets if each.strain <= most]
+    for each in sorted(within or sets, key=lambda cut: (cut.num_pieces, cut.strain, cut.lengths[0])):
         least = min((other.strain for other in kept if other.is_narrow == each.is_narrow), default=math.inf)
         if each.strain < WORTH_PIECES * least or each.strain <= limit < least:
             kept.append(each)
@@ -211,14 +212,16 @@ def from_few_pieces(sets: Sequence[Cut], limit: float) -> list[Cut]:
 
 
 def set_for(sets: Sequence[Cut], limits: Sequence[float]) -> int:
-    """Return the set to show: the fewest pieces within the first limit that a set keeps, otherwise the least stretch.
+    """Return the set to show, among those within the first limit that a set keeps: one with room, of fewest pieces.
 
-    limits: maximum stretches of the fabric, the smaller direction first. A set with narrow pieces is shown only if
-    all sets have narrow pieces.
+    If no set keeps a limit, it is the set of least stretch. limits: maximum stretches of the fabric, the smaller
+    direction first.
     """
-    wide = [index for index, each in enumerate(sets) if not each.is_narrow] or list(range(len(sets)))
-    within = (index for limit in limits for index in wide if sets[index].strain <= limit)
-    return next(within, wide[-1])
+    for limit in limits:
+        within = [index for index, each in enumerate(sets) if each.strain <= limit]
+        if within:
+            return min(within, key=lambda index: (sets[index].is_narrow, index))
+    return min(range(len(sets)), key=lambda index: sets[index].strain)
 
 
 def _steps_of(plan: list[DartProposal], arrays: MeshArrays, piece: int | None) -> list[Cut]:

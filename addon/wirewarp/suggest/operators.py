@@ -44,6 +44,7 @@ from ..ui.window_run import WindowSteps, fault_sentence
 CHOOSE_FABRIC = "Choose a fabric that stretches more."
 SET_TARGET = "Set a larger target."
 SOFT = 0.2  # maximum stretch of plush and knits, of which most closed models are sewn
+SOFTEST = 0.5  # maximum stretch of jersey, the softest fabric that is not made for swimming
 
 
 @dataclass(frozen=True)
@@ -105,7 +106,8 @@ def begin_search(context: bpy.types.Context, source: bpy.types.Object, kind: str
     else:
         steps = suggest_cuts(core.library(), model.arrays, choices, options, no_seam)
     if options.target is None:
-        steps = with_widths(steps, core.library(), model.arrays, choices, _accepted(used)[0])
+        most = (known_stretch(used.cloth) or [SOFTEST])[-1]
+        steps = with_widths(steps, core.library(), model.arrays, choices, _accepted(used)[0], most)
     return Search(options, model, used, own, is_shaped or is_split, steps, {each.index: each.name for each in pieces})
 
 
