@@ -14,9 +14,9 @@ from .ui import window_run
 
 ROOMS = (ui, marks, flatten, suggest, export, report_panel, overlay)
 SIDEBAR = (  # Blender shows panels in the order in which they are registered
+    marks.panel,
     report_panel.flatten_panel,
     report_panel.export_panel,
-    marks.panel,
     report_panel.piece_list,
     marks.wire_list,
     report_panel.panel,

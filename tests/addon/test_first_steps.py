@@ -107,9 +107,16 @@ def test_one_click_gives_the_pattern_the_intended_size(addon, sized):
     buttons = []
     assert "Was it modeled in another unit?" in draw_panels(addon, buttons)
     assert "scene.wirewarp_set_unit" in buttons
+    count = buttons.count("scene.wirewarp_set_unit")
     assert bpy.ops.scene.wirewarp_set_unit(meters=0.01) == {"FINISHED"}
-    assert "another unit" not in draw_panels(addon)
+    buttons.clear()
+    said = draw_panels(addon, buttons)
+    assert "another unit" not in said and '"Chair" is 77 cm large now.' in said
+    # the rows keep their places under the mouse until the next run
+    assert buttons.count("scene.wirewarp_set_unit") == count
     bpy.ops.object.wirewarp_flatten()
+    buttons.clear()
+    assert "large now" not in draw_panels(addon, buttons) and "scene.wirewarp_set_unit" not in buttons
     report = addon.state.reports.last_report(bpy.data.objects["Chair"])
     assert report.meters == pytest.approx(0.01)
     assert flat_of(bpy.data.objects["Chair"]).dimensions.x > 77

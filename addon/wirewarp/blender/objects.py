@@ -131,6 +131,12 @@ def strange_size(target: bpy.types.Object, scene: bpy.types.Scene) -> str:
     return f'"{target.name}" is {size} {"large" if largest > LARGEST else "small"}. Was it modeled in another unit?'
 
 
+def size_text(target: bpy.types.Object, scene: bpy.types.Scene) -> str:
+    """Return a sentence about the present size."""
+    largest = max(target.dimensions) * meters_per_blender_unit(scene)
+    return f'"{target.name}" is {LengthText("cm", 100.0).rough(largest)} large now.'
+
+
 def likely_units(target: bpy.types.Object) -> Sequence[float]:
     """Return meters per Blender unit for which the model has a sewable size, the likeliest first."""
     largest = max(target.dimensions)

@@ -1,7 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Draws the panel of marks, with the switches of the overlay."""
-
-from collections.abc import Sequence
+"""Draws the panel of marks. It is above Flatten, because the verdict below Flatten grows and shrinks."""
 
 import bpy
 
@@ -17,20 +15,24 @@ OF_PIECES = (("ONE", "Ease"), ("NONE", "Clear Ease"))  # buttons shown if a side
 class VIEW3D_PT_wirewarp_mark(OnMesh, SidebarPanel, bpy.types.Panel):
     bl_label = "Mark"
 
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        if not super().poll(context):
+            return False
+        model = model_of(context.active_object)  # flat pieces have marks only in Edit Mode
+        return model is None or is_deleted(model) or context.mode == "EDIT_MESH"
+
     def draw(self, context: bpy.types.Context) -> None:
         layout, model = self.layout, model_of(context.active_object)
         if model:
             sentence = (
-                f'Select "{model.name}" to mark seams and wires. In Edit Mode of these flat pieces you can mark the '
-                "ease and the allowance of one side."
+                f'Select "{model.name}" to mark seams and wires. On these flat pieces you can mark the allowance and '
+                "the ease of one side."
             )
             if is_deleted(model):
                 draw_sentence(context, layout, f"These are flat pieces. {DELETED.format(model.name)}", "ERROR")
             else:
                 draw_sentence(context, layout, sentence, "INFO")
-                if context.mode == "EDIT_MESH":
-                    _draw_ease(layout, context, "Ease of selected sides", OF_PIECES)
-                    _draw_allowances(layout, "Allowance of selected sides")
             return
         if context.mode != "EDIT_MESH":
             layout.operator("object.wirewarp_mark_model", icon="EDITMODE_HLT")
@@ -54,31 +56,43 @@ class VIEW3D_PT_wirewarp_mark(OnMesh, SidebarPanel, bpy.types.Panel):
         column.operator("mesh.wirewarp_mark", text="Free").kind = "SUPER_ELASTIC"
         column.operator("mesh.wirewarp_clear", text="Clear Wire")
 
-        _draw_ease(layout, context, "Ease of selected lines", SIDES)
-        _draw_allowances(layout, "Allowance of selected edges")
+
+class MarkSection(OnMesh, SidebarPanel):
+    """Base of sub-panels with marks of selected edges, or of selected sides of flat pieces."""
+
+    bl_parent_id = "VIEW3D_PT_wirewarp_mark"
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        if context.mode != "EDIT_MESH" or not super().poll(context):
+            return False
+        model = model_of(context.active_object)
+        return model is None or not is_deleted(model)
 
 
-def _draw_ease(
-    layout: bpy.types.UILayout, context: bpy.types.Context, title: str, buttons: Sequence[tuple[str, str]]
-) -> None:
-    """Draw the ease. buttons: the side and the text of each button, two in a row."""
-    layout.label(text=title)
-    column = layout.column(align=True)
-    draw_ease(column, context.scene.wirewarp)
-    grid = column.grid_flow(row_major=True, columns=2, even_columns=True, align=True)
-    for sides, text in buttons:
-        grid.operator("mesh.wirewarp_ease", text=text).sides = sides
+class VIEW3D_PT_wirewarp_allowance(MarkSection, bpy.types.Panel):
+    bl_label = "Allowance"
+
+    def draw(self, _context: bpy.types.Context) -> None:
+        column = self.layout.column(align=True)
+        row = column.row(align=True)
+        row.operator("mesh.wirewarp_allowance", text="Allowance").kind = "WIDTH"
+        row.operator("mesh.wirewarp_allowance", text="Hem").kind = "HEM"
+        row = column.row(align=True)
+        row.operator("mesh.wirewarp_allowance", text="Fold").kind = "FOLD"
+        row.operator("mesh.wirewarp_allowance", text="Default").kind = "DEFAULT"
 
 
-def _draw_allowances(layout: bpy.types.UILayout, title: str) -> None:
-    layout.label(text=title)
-    column = layout.column(align=True)
-    row = column.row(align=True)
-    row.operator("mesh.wirewarp_allowance", text="Allowance").kind = "WIDTH"
-    row.operator("mesh.wirewarp_allowance", text="Hem").kind = "HEM"
-    row = column.row(align=True)
-    row.operator("mesh.wirewarp_allowance", text="Fold").kind = "FOLD"
-    row.operator("mesh.wirewarp_allowance", text="Default").kind = "DEFAULT"
+class VIEW3D_PT_wirewarp_ease(MarkSection, bpy.types.Panel):
+    bl_label = "Ease"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw(self, context: bpy.types.Context) -> None:
+        column = self.layout.column(align=True)
+        draw_ease(column, context.scene.wirewarp)
+        grid = column.grid_flow(row_major=True, columns=2, even_columns=True, align=True)
+        for sides, text in OF_PIECES if model_of(context.active_object) else SIDES:
+            grid.operator("mesh.wirewarp_ease", text=text).sides = sides
 
 
-CLASSES = (VIEW3D_PT_wirewarp_mark,)
+CLASSES = (VIEW3D_PT_wirewarp_mark, VIEW3D_PT_wirewarp_allowance, VIEW3D_PT_wirewarp_ease)

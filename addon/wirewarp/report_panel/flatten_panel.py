@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Draws Flatten, its result and the next steps together at the top of the sidebar."""
 
+import math
+
 import bpy
 
 from ..blender.mesh import read_seams
-from ..blender.objects import likely_units, strange_size, unit_of_height, unit_text
+from ..blender.objects import likely_units, meters_per_blender_unit, size_text, strange_size, unit_of_height, unit_text
 from ..core import Cloth, Kind, as_seen
 from ..flatten.auto_update import EDIT_LIMIT, is_left, waits_for_object_mode
 from ..issues import ObjectError
@@ -12,8 +14,8 @@ from ..marks.mark import has_new_seams
 from ..marks.wire_list import shown_wires
 from ..solve.report import ObjectReport
 from ..state.changes import shows_modified
-from ..state.drawings import kept_drawing
-from ..state.memory import is_due, stamp
+from ..state.drawings import Same, kept_drawing
+from ..state.memory import is_due, stamp, state_of
 from ..state.owners import find_flat_object, has_flat_object, model_of, model_or_self
 from ..state.read_model import shaped_by
 from ..state.reports import last_report
@@ -120,14 +122,25 @@ class VIEW3D_PT_wirewarp_flatten(SidebarPanel, bpy.types.Panel):
 
 
 def _draw_size(context: bpy.types.Context, layout: bpy.types.UILayout, source: bpy.types.Object) -> None:
-    """Warn about a model of implausible size, whose unit was usually lost in a file."""
-    sentence = strange_size(source, context.scene)
-    if not sentence:
+    """Warn about a model of implausible size, whose unit was usually lost in a file.
+
+    After the answer, the rows stay until the next run, because otherwise the buttons below would move under the mouse.
+    """
+    question, state, report = strange_size(source, context.scene), state_of(source), Same(last_report(source))
+    if question:
+        state.size_asked = question, report
+    asked, asked_at = state.size_asked or ("", None)
+    if not asked or asked_at != report:
         return
     column = layout.column(align=True)
-    draw_sentence(context, column, sentence, "AMBER")
+    draw_sentence(
+        context, column, question or size_text(source, context.scene), "AMBER" if question else "INFO", as_high_as=asked
+    )
+    now = meters_per_blender_unit(context.scene)
     for unit in likely_units(source):
-        column.operator("scene.wirewarp_set_unit", text=unit_text(source, unit)).meters = unit
+        is_now = math.isclose(unit, now, rel_tol=1e-5)  # stored in single precision
+        row = column.operator("scene.wirewarp_set_unit", text=unit_text(source, unit), depress=is_now)
+        row.meters = unit
     settings = context.scene.wirewarp
     unit = unit_of_height(source, settings.true_height / 100)
     if unit:

@@ -30,6 +30,7 @@ class ObjectState:
     failure: Any = None  # the report of a run that wrote nothing; see state.reports
     failed_after: str = ""  # the report stored before that run; "" if there was none
     suggestions: Any = None  # see state.suggestions
+    size_asked: Any = None  # the question about its size; see report_panel.flatten_panel
     solved: Any = None  # the wirewarp.Cache of its solved pieces; see flatten.read
     solved_by_map: Any = None  # the Cache for the attempt with its UV seams
     tried: dict | None = None  # state of the model when Auto last took it; see flatten.auto_update

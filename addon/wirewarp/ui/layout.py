@@ -84,15 +84,22 @@ def _lines(text: str, width: float, size: float) -> list[str]:
 
 
 def draw_sentence(
-    context: bpy.types.Context, layout: bpy.types.UILayout, text: str, icon: str = "NONE", reserved: int = 0
+    context: bpy.types.Context,
+    layout: bpy.types.UILayout,
+    text: str,
+    icon: str = "NONE",
+    reserved: int = 0,
+    as_high_as: str = "",
 ) -> None:
     """Draw a sentence in lines that fit the region minus the reserved pixels, because Blender cuts long labels off.
 
-    icon: one of Blender's names, or of MARKS.
+    icon: one of Blender's names, or of MARKS. as_high_as: a text with at least as many lines, for which room is left.
     """
     column = layout.column(align=True)
     column.scale_y = 0.8
-    for number, line in enumerate(broken(context, text, reserved)):
+    lines = broken(context, text, reserved)
+    lines += [""] * (len(broken(context, as_high_as, reserved)) - len(lines))
+    for number, line in enumerate(lines):
         if number == 0 and icon in MARKS:
             column.label(text=line, icon_value=mark_icon(icon))
         else:
