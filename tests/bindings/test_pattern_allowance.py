@@ -99,33 +99,6 @@ def test_each_type_of_corner_has_its_area(kind, a, b, area):
     assert signed_area(outer) == pytest.approx(100 * 100 + sides + area, abs=0.3 if kind == "round" else 0.01)
 
 
-@pytest.mark.parametrize("of_next", [False, True])
-@pytest.mark.parametrize("degrees", [60, 75, 90, 105, 120])
-def test_an_allowance_that_folds_back_ends_on_the_cut_line_of_its_neighbor(degrees, of_next):
-    # A nearly triangular piece whose lower edge (y = 0, piece above) meets another edge at an inner angle of `degrees`.
-    inner = math.radians(degrees)
-    far = np.array([200 - 300 * math.cos(inner), 300 * math.sin(inner)])
-    points = np.array([[-400.0, 0], [200, 0], far, [-400, far[1]], [-400, 0]])
-    widths = [10.0, 14.0, 0.0, 0.0]
-    corners = [Corner("fold-back", of_next), Corner(), Corner(), Corner()]
-    (outer,) = cut_lines([[Section(points[i : i + 2], widths[i], corners[i]) for i in range(4)]]).outer
-    cut = shapely.Polygon(outer)
-    start, end = (points[0], points[1]) if not of_next else (points[2], points[1])
-    along = (end - start) / np.linalg.norm(end - start)
-    normal = np.array([along[1], -along[0]]) * (1 if not of_next else -1)
-    far_off, width = 1000 * along, 14 if of_next else 10
-
-    def beside(reach: float) -> shapely.Polygon:
-        """Return the allowance from 60 mm before the corner on, or the area below it if it is folded."""
-        first, last = end - 60 * along, end + far_off
-        return cut.intersection(shapely.Polygon([first, last, last + reach * normal, first + reach * normal]))
-
-    allowance = np.array(beside(1000).exterior.coords)
-    folded = shapely.Polygon(allowance - 2 * ((allowance - end) @ normal)[:, None] * normal)
-    assert folded.difference(cut).area < 0.01  # nothing shows beyond the cut line,
-    assert beside(-width).difference(folded).area < 0.01  # and it reaches the line
-
-
 def test_a_sharp_corner_is_cut_off_at_two_and_a_half_widths():
     points = np.array([[0.0, 0], [300, 0], [0, 30], [0, 0]])
     loop = [Section(points[i : i + 2], 10.0) for i in range(3)]
@@ -141,7 +114,8 @@ def test_a_hole_gets_its_allowance_inside_and_a_hole_too_small_is_not_cut():
     hole = np.array([[50.0, 50], [50, 150], [150, 150], [150, 50], [50, 50]])
     found = cut_lines([[Section(outer, 10.0)], [Section(hole, 10.0)]])
     assert signed_area(found.holes[0]) == pytest.approx(-(80**2), abs=0.01)
-    assert cut_lines([[Section(outer, 10.0)], [Section(hole, 50.0)]]).holes == []
+    for width in (49.99, 50.0):  # the first leaves less than rounding may
+        assert cut_lines([[Section(outer, 10.0)], [Section(hole, width)]]).holes == []
 
 
 def test_a_gap_that_the_allowance_closes_is_a_pocket():
@@ -226,10 +200,10 @@ def test_an_allowance_that_folds_back_lies_on_the_piece_and_leaves_its_neighbor_
         second = loop[(number + 1) % sides]
         turn = 2 * np.pi / sides
         back, other = (second, first) if of_next else (first, second)
-        if back.width + other.width > 2.2 * min(back.width, other.width):
-            continue  # a corner that would extend too far becomes a mitre
         if turn <= np.pi / 2:
             assert cut.buffer(1e-3).contains(half_strip(other, at_end=other is first))
+        if back.width + other.width > 2.2 * min(back.width, other.width):
+            continue  # a corner that would extend too far becomes a mitre
         a, b = back.points
         aside = right_of(a, b)
         whole = shapely.Polygon([a, b, b + 3 * back.width * aside, a + 3 * back.width * aside])
