@@ -169,7 +169,9 @@ def test_a_row_of_the_list_has_name_kind_and_length_with_its_unit(addon, source)
         wire.length(np.eye(3)) for name, wire in addon.state.identities.listed_wires(source) if name == "Middle"
     )
     assert row == ["Middle", f"±5%  {100 * length:.3f} cm"]
-    assert row_of(addon, source, source.data.wirewarp_names[1], width=200) == ["Middle", f"{100 * length:.0f} cm"]
+    assert row_of(addon, source, source.data.wirewarp_names[1], width=200) == ["Middle"]  # has room for nothing else
+    source.data.wirewarp_active_wire = 1
+    assert draw_panels(addon).count(f"±5%  {100 * length:.3f} cm") == 1  # of the narrow sidebar, below the list
     for vertex in source.data.vertices:
         vertex.co *= 2
     source.data.update()

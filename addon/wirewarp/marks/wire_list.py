@@ -177,11 +177,13 @@ class WIREWARP_UL_wires(bpy.types.UIList):
             line.prop(entry, "name", text="", emboss=False, icon="BLANK1")
             return
         icon = "EMPTY_SINGLE_ARROW" if mesh.wirewarp_grain == entry.wire_id else "NONE"
-        columns = line.split(factor=0.5 if is_wide(context) else 0.68)
+        columns = line.split(factor=0.5) if is_wide(context) else line
         columns.prop(entry, "name", text="", emboss=False, icon=icon)
+        if not is_wide(context):  # the length of the chosen wire is below the list, because both would be cut off
+            return
         figures = columns.row()
         figures.alignment = "RIGHT"
-        figures.label(text=_figures(context, wire, is_wide=is_wide(context)))
+        figures.label(text=_figures(context, wire))
 
     def filter_items(
         self, context: bpy.types.Context, mesh: bpy.types.Mesh, entries_name: str
@@ -204,11 +206,10 @@ def _wire_of(target: bpy.types.Object, entry: bpy.types.PropertyGroup) -> WireSu
     return next((wire for _, wire in wires if wire.wire_id == entry.wire_id and not wire.shares_id), None)
 
 
-def _figures(context: bpy.types.Context, wire: WireSummary, *, is_wide: bool = True) -> str:
-    """Return kind and length. In a narrow sidebar the length is shortened, to leave room for the name."""
+def _figures(context: bpy.types.Context, wire: WireSummary) -> str:
+    """Return kind and length."""
     length = wire.length(np.array(context.active_object.matrix_world, dtype=np.float64)[:3, :3])
-    units = length_text(context.scene)
-    return f"{wire_text(wire.tolerance, wire.ease)}  {units(length)}" if is_wide else units.rough(length)
+    return f"{wire_text(wire.tolerance, wire.ease)}  {length_text(context.scene)(length)}"
 
 
 class VIEW3D_PT_wirewarp_wires(OnMesh, SidebarPanel, bpy.types.Panel):
@@ -236,6 +237,8 @@ class VIEW3D_PT_wirewarp_wires(OnMesh, SidebarPanel, bpy.types.Panel):
         if mesh.wirewarp_active_wire < len(mesh.wirewarp_names):
             chosen = _wire_of(target, mesh.wirewarp_names[mesh.wirewarp_active_wire])
             if chosen:
+                if not is_wide(context):
+                    layout.label(text=_figures(context, chosen))
                 _draw_buttons(layout, mesh, chosen)
         _draw_unlisted(context, layout, [(name, wire) for name, wire in wires if not editable_name(mesh, wire)])
 
