@@ -37,7 +37,6 @@ class Judged {
   void say(std::string sentence) {
     if (sentences_.size() < 10) sentences_.push_back(std::move(sentence));
   }
-  std::size_t num_sentences() const { return sentences_.size(); }
   Sentences take_sentences() { return std::move(sentences_); }
 
   int vertex(int face, int corner) const { return input.faces(face, corner % 3); }
