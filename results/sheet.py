@@ -98,11 +98,18 @@ def _exceeds(quantity: Map, scale: plt.Normalize, columns: Sequence[Column]) -> 
 
 
 def _label_wires(axes: Axes, column: Column, uv: np.ndarray) -> None:
-    """Write the variation of each wire beside it, at two thirds of its length, away from crossings."""
+    """Write the variation of each wire on it, where it is farthest from other wires and earlier labels."""
     piece = column.result.pieces[0]
     of_source = {int(v): k for k, v in enumerate(piece.source_vertex)}
-    for wire, report in zip(column.shape.wires, column.result.wires, strict=True):
-        place = uv[of_source[wire.vertices[round(0.72 * (len(wire.vertices) - 1))]]]
+    lines = [uv[[of_source[vertex] for vertex in wire.vertices]] for wire in column.shape.wires]
+    labels = np.empty((0, 2))
+    for index, report in enumerate(column.result.wires):
+        count = len(lines[index])
+        inner = lines[index][round(0.15 * count) : max(round(0.85 * count), 1)]  # the ends are on outlines
+        taken = np.concatenate([labels, *lines[:index], *lines[index + 1 :]])
+        gaps = np.linalg.norm(inner[:, None] - taken, axis=2).min(axis=1, initial=np.inf)
+        place = inner[np.argmax(gaps)] if len(taken) else inner[len(inner) // 2]
+        labels = np.concatenate([labels, [place]])
         text = percent(report.length_2d / report.length_3d - 1)
         box = {"boxstyle": "round,pad=0.2", "facecolor": "white", "edgecolor": FAINT_INK, "linewidth": 0.5}
         axes.text(*place, text, fontsize=8, ha="center", va="center", bbox=box, zorder=5)
