@@ -7,6 +7,7 @@
 #include <set>
 
 #include "base/planar.h"
+#include "cuts/parts/crease_lines.h"
 #include "cuts/parts/level_lines.h"
 #include "cuts/parts/necks.h"
 #include "cuts/parts/part_planes.h"
@@ -123,17 +124,57 @@ TEST(Necks, AreSymmetricIfTheModelIs) {
     EXPECT_EQ(necks[0].distance[v.idx()], necks[1].distance[image[v.idx()].idx()]);
 }
 
+TEST(CreaseLines, FollowAnObliqueCrease) {
+  FlattenInput input = test::closed_sphere(64, 96);
+  // Two cones with a common least section, sheared: the crease is in the plane z = x.
+  for (auto p : input.vertices.rowwise()) {
+    const double width = 0.35 + 0.65 * std::min(2 * std::abs(p[2]), 1.0);
+    p << width * p[0], width * p[1], 1.4 * p[2] + width * p[0];
+  }
+  const Chart chart = chart_of(input);
+  const Eigen::VectorXd height = points_of(chart.mesh).col(2);
+  const auto mean_from_crease = [&](const Eigen::VectorXd& values, double level) {
+    double sum = 0, count = 0;
+    for (const MeshPath& line : level_lines(chart.mesh, values, level)) {
+      for (const PathPoint& point : line) {
+        const HalfEdgeMesh::Point p = position(chart.mesh, point);
+        sum += std::abs(p[2] - p[0]);
+        ++count;
+      }
+    }
+    return sum / count;
+  };
+  const Eigen::VectorXd potential = potential_across(chart.mesh, height, 0, level_length(chart.mesh, height, 0));
+  EXPECT_GE(potential.minCoeff(), 0);
+  EXPECT_LE(potential.maxCoeff(), 1);
+  EXPECT_LT(mean_from_crease(potential, 0.5), mean_from_crease(height, 0) / 3);
+}
+
 TEST(Necks, AreMissingOnABall) { EXPECT_TRUE(find_necks(chart_of(test::closed_sphere(24, 16)).mesh, {}, {}).empty()); }
 
 TEST(PartPlanes, AreMirroredWithTheirPart) {
   const Chart half = chart_of(test::sphere_band(24, 6, 0.8));
   const Plane mirror{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitX()};
-  for (const Plane& plane : planes_through(half, mirror)) {
+  const Eigen::Vector3d strained(0.1, 0.2, 0.7);
+  for (const Plane& plane : planes_through(half, strained, mirror)) {
     const Plane other = plane.mirrored(mirror);
     EXPECT_NEAR(std::abs(other.normal.dot(plane.normal)), 1, 1e-12);
     EXPECT_NEAR((other.point - plane.point).dot(plane.normal), 0, 1e-12);
   }
-  EXPECT_GE(planes_through(half, std::nullopt).size(), 2U);
+  EXPECT_GE(planes_through(half, std::nullopt, std::nullopt).size(), 2U);
+}
+
+TEST(PartPlanes, AlsoPassThroughAStrainedPlace) {
+  const Chart half = chart_of(test::sphere_band(24, 6, 0.8));
+  const Eigen::Vector3d strained(0.1, 0.2, 0.7);
+  const std::vector<Plane> without = planes_through(half, std::nullopt, std::nullopt);
+  const std::vector<Plane> planes = planes_through(half, strained, std::nullopt);
+  ASSERT_EQ(planes.size(), 2 * without.size());
+  for (std::size_t i = 0; i < without.size(); ++i) {
+    const Plane& parallel = planes[without.size() + i];
+    EXPECT_EQ((parallel.point - strained).norm(), 0);
+    EXPECT_EQ((parallel.normal - without[i].normal).norm(), 0);
+  }
 }
 
 std::vector<DartProposal> smooth_sets(const FlattenInput& input, CutOptions cut_options = {}) {
@@ -142,8 +183,10 @@ std::vector<DartProposal> smooth_sets(const FlattenInput& input, CutOptions cut_
 }
 
 TEST(PartSets, DivideAModelAtItsNeckAndClaimTheFiguresOfARun) {
-  const FlattenInput input = dumbbell(24, 24);
-  const std::vector<DartProposal> sets = smooth_sets(input);
+  const FlattenInput input = dumbbell(20, 20);
+  CutOptions cut_options;
+  cut_options.strain = 0.15;
+  const std::vector<DartProposal> sets = smooth_sets(input, cut_options);
   ASSERT_FALSE(sets.empty());
   for (const DartProposal& set : sets) {
     ASSERT_FALSE(set.paths.empty());
@@ -161,17 +204,62 @@ TEST(PartSets, DivideAModelAtItsNeckAndClaimTheFiguresOfARun) {
   }
 }
 
+TEST(PartSets, DivideRoundModelsWithoutNecks) {
+  for (const FlattenInput& input : {test::closed_sphere(16, 12), test::closed_torus(24, 12)}) {
+    const std::vector<DartProposal> sets = smooth_sets(input);
+    ASSERT_FALSE(sets.empty());
+    for (const DartProposal& set : sets) {
+      EXPECT_LE(set.num_pieces, 24);
+      EXPECT_LE(set.strain, 0.2);
+      const FlattenInput cut = test::with_paths(input, set.paths);
+      test::expect_figures(cut, {set.energy, set.strain, set.length, set.num_pieces});
+    }
+  }
+}
+
+TEST(PartSets, LeaveTheSeamsOfAnOctahedronOnItsEdges) {
+  const FlattenInput input =
+      test::mesh_of({{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}},
+                    {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}});
+  const std::vector<DartProposal> sets = smooth_sets(input);
+  ASSERT_FALSE(sets.empty());
+  for (const DartProposal& set : sets) {
+    EXPECT_EQ(cut_mesh(input.vertices, input.faces, set.paths).vertices.rows(), input.vertices.rows());
+  }
+  EXPECT_LT(sets.front().strain, 1e-6);
+}
+
+TEST(PartSets, AreFollowedByOthersIfTheyNeedTooMuchStrain) {
+  const FlattenInput input = dumbbell(10, 10);
+  CutOptions cut_options;
+  cut_options.strain = 0.01;
+  const std::vector<DartProposal> sets = smooth_sets(input, cut_options);
+  ASSERT_GT(sets.size(), 1U);
+  for (std::size_t i = 0; i < sets.size(); ++i) {
+    const FlattenInput cut = test::with_paths(input, sets[i].paths);
+    test::expect_figures(cut, {sets[i].energy, sets[i].strain, sets[i].length, sets[i].num_pieces});
+    EXPECT_LE(sets[i].length, sets[i == 0 ? 0 : i - 1].length);
+  }
+  cut_options.count = 1;
+  EXPECT_EQ(smooth_sets(input, cut_options).size(), 1U);
+}
+
 TEST(PartSets, DoNotDependOnHowTheModelIsGiven) {
   FlattenInput input = dumbbell(20, 20);
   // Without symmetry, no two planes are equally good.
   for (auto p : input.vertices.rowwise()) p << p[0] + 0.1 * p[1], 0.8 * p[1] * (1 + 0.1 * p[2]), p[2] + 0.15 * p[0];
   ASSERT_NE(input.vertices.rows() % 7, 0);
-  const std::vector<DartProposal> sets = smooth_sets(input), others = smooth_sets(test::disguised(input));
+  CutOptions cut_options;
+  cut_options.strain = 0.15;
+  const std::vector<DartProposal> sets = smooth_sets(input, cut_options),
+                                  others = smooth_sets(test::disguised(input), cut_options);
   ASSERT_FALSE(sets.empty());
   ASSERT_EQ(sets.size(), others.size());
   for (std::size_t i = 0; i < sets.size(); ++i) {
     EXPECT_EQ(sets[i].num_pieces, others[i].num_pieces);
-    EXPECT_NEAR(sets[i].strain, others[i].strain, 1e-4);
+    // A point near the limit of snapping may be on either side of it, and 99% of the area may end at another triangle.
+    EXPECT_NEAR(sets[i].length, others[i].length, 1e-3 * sets[i].length);
+    EXPECT_NEAR(sets[i].strain, others[i].strain, 2e-3);
   }
 }
 

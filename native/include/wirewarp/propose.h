@@ -78,10 +78,12 @@ std::vector<DartProposal> propose_darts(const FlattenInput& input, const Options
 /// the result would cover less than 60% of its convex hull, and less of it than each of them covers of its own, because
 /// it would have long arms.
 ///
-/// With is_smooth, a closed piece with necks is divided along them and along planes through its parts, if the input has
-/// no wires, eases and thickness, and no_seam and no_crossing are empty. The parts are joined for strains of 20% and
-/// 10%, or for those that `strain` leads to, of at least 10%. A joined part covers 85% of its convex hull, or as much
-/// as one of its parts. If these sets stay within their strains, no others are searched.
+/// With is_smooth, a closed piece is divided at its necks and along planes through its parts, if the input has no
+/// wires, eases and thickness, if no_seam and no_crossing are empty, and if the piece has necks or no sharp edges. The
+/// parts are joined for 1, 2 and 4 times the accepted strain, without it for 5%, 10% and 20%, but not for less than 2%.
+/// A joined part covers 85% of its convex hull, or as much as one of its parts. Then the lines are smoothed. Sets have
+/// at most 24 pieces. If one of them keeps the accepted strain, without it 20%, no others are searched; otherwise other
+/// sets follow.
 ///
 /// Otherwise, with is_smooth, the lines of a cut set are smoothed until they turn by less than 30 degrees at each
 /// vertex between their ends, and junctions move with them. Smooth lines do not cross wires, or edges of no_seam and

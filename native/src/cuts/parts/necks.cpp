@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "cuts/feasibility/ranks.h"
+#include "cuts/parts/crease_lines.h"
 #include "cuts/parts/level_lines.h"
 #include "surface/mesh/geodesic_distance.h"
 #include "surface/mesh/geometry.h"
@@ -50,6 +51,9 @@ constexpr double kWhole = 0.75;
 /// Distances that differ by less than this share are equal but for rounding errors.
 constexpr double kRounding = 1e-9;
 
+/// The potential in the middle of the change across a crease.
+constexpr double kCrease = 0.5;
+
 using Distances = Eigen::VectorXd;
 
 /// Returns the index of the first of the largest values.
@@ -75,7 +79,9 @@ class NeckSearch {
     }
     std::stable_sort(found.begin(), found.end(),
                      [](const Candidate& a, const Candidate& b) { return a.ratio < b.ratio; });
-    for (const Candidate& candidate : found) accept(candidate);
+    for (const Candidate& candidate : found) {
+      if (!accept(in_crease(candidate))) accept(candidate);
+    }
     std::stable_sort(accepted_.begin(), accepted_.end(), [&](const Candidate& a, const Candidate& b) {
       return area_of(a.is_inside) > area_of(b.is_inside);
     });
@@ -103,7 +109,8 @@ class NeckSearch {
   Distances average_distance() const;
   std::vector<Distances> distances_from_tips() const;
   void add_candidates(const Distances& distance, std::vector<Candidate>& found) const;
-  void accept(const Candidate& candidate);
+  Candidate in_crease(const Candidate& candidate) const;
+  bool accept(const Candidate& candidate);
   bool fits(const Faces& one, const Faces& other) const;
   Faces within(const Distances& distance, double level) const;
 
@@ -230,14 +237,24 @@ bool NeckSearch::fits(const Faces& one, const Faces& other) const {
   return both > kNested * least || both < kDisjoint * least;
 }
 
-/// Accepts a neck, together with its mirror image, if it fits all others.
-void NeckSearch::accept(const Candidate& candidate) {
+/// Returns the neck with its loop in the crease around it, if it is shorter there.
+NeckSearch::Candidate NeckSearch::in_crease(const Candidate& candidate) const {
+  const auto& [distance, level] = candidate.neck;
+  const double length = level_length(mesh_, distance, level);
+  Candidate moved{candidate.ratio, {potential_across(mesh_, distance, level, length), kCrease}, {}};
+  if (level_length(mesh_, moved.neck.distance, kCrease) > length) return candidate;
+  moved.is_inside = within(moved.neck.distance, kCrease);
+  return moved;
+}
+
+/// Accepts a neck, together with its mirror image, if it fits all others. Returns whether it does.
+bool NeckSearch::accept(const Candidate& candidate) {
   std::vector<Candidate> added{candidate};
   if (!image_.empty()) {
     Candidate other{candidate.ratio, {mirrored(candidate.neck.distance), candidate.neck.level}, {}};
     other.is_inside = within(other.neck.distance, other.neck.level);
     const double both = common_area(candidate.is_inside, other.is_inside), own = area_of(candidate.is_inside);
-    if (both >= kDisjoint * own && both <= kNested * own) return;
+    if (both >= kDisjoint * own && both <= kNested * own) return false;
     if (both < kDisjoint * own) {
       added.push_back(std::move(other));
     } else {
@@ -246,10 +263,11 @@ void NeckSearch::accept(const Candidate& candidate) {
   }
   for (const Candidate& known : accepted_) {
     for (const Candidate& each : added) {
-      if (!fits(each.is_inside, known.is_inside)) return;
+      if (!fits(each.is_inside, known.is_inside)) return false;
     }
   }
   std::move(added.begin(), added.end(), std::back_inserter(accepted_));
+  return true;
 }
 
 }  // namespace

@@ -18,10 +18,11 @@
 
 namespace wirewarp {
 
-/// A loop at a distance from a tip. The part at the tip is where the distance is less.
+/// A loop where a function has one value: the distance from a tip, or the potential of crease_lines.h. The part at the
+/// tip is where the function is less.
 struct Neck {
-  Eigen::VectorXd distance;  // per vertex, scene units
-  double level = 0;          // the distance of the loop
+  Eigen::VectorXd distance;  // per vertex
+  double level = 0;          // the value at the loop
 };
 
 /// Returns the necks, those around larger parts first. No two of them cross: their parts are disjoint, or one contains

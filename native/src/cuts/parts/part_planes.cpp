@@ -82,15 +82,19 @@ Eigen::Vector3d centroid_of(const HalfEdgeMesh& mesh) {
   return sum / surface_area(mesh);
 }
 
-std::vector<Plane> planes_through(const Chart& part, const std::optional<Plane>& mirror) {
+std::vector<Plane> planes_through(const Chart& part, const std::optional<Eigen::Vector3d>& strained,
+                                  const std::optional<Plane>& mirror) {
   const HalfEdgeMesh& mesh = part.mesh;
   const Eigen::Vector3d center = centroid_of(mesh);
   const Eigen::Matrix3d spread = spread_around(mesh, center), axes = principal_axes(mesh, spread);
   std::vector<Plane> planes;
+  const auto to_mirror = [&](const Eigen::Vector3d& point) -> Eigen::Vector3d {
+    return mirror ? point - (point - mirror->point).dot(mirror->normal) * mirror->normal : point;
+  };
   const auto add = [&](Plane plane) {
+    plane.point = to_mirror(plane.point);
     if (mirror) {
       const double across = plane.normal.dot(mirror->normal);
-      plane.point -= (plane.point - mirror->point).dot(mirror->normal) * mirror->normal;
       plane.normal -= across * mirror->normal;
       plane.normal = plane.normal.norm() < kInPlane ? mirror->normal : plane.normal.normalized();
     }
@@ -117,6 +121,8 @@ std::vector<Plane> planes_through(const Chart& part, const std::optional<Plane>&
     add({middle, Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(around).eigenvectors().col(0)});
   }
   for (int k = 0; k < 3; ++k) add({center, axes.col(k)});
+  const std::size_t count = strained ? planes.size() : 0;
+  for (std::size_t i = 0; i < count; ++i) planes.push_back({to_mirror(*strained), planes[i].normal});
   return planes;
 }
 

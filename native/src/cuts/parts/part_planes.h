@@ -27,7 +27,9 @@ Eigen::Vector3d centroid_of(const HalfEdgeMesh& mesh);
 
 /// Returns planes through the middle of a part: those along its principal axes; along a limb, those that contain the
 /// middle of its outline; and the plane nearest to the middles of several outlines, for example of a body between its
-/// limbs. mirror: given if it mirrors the part onto itself; then it mirrors each of the planes onto itself, too.
-std::vector<Plane> planes_through(const Chart& part, const std::optional<Plane>& mirror);
+/// limbs. strained: the place with too much strain; parallel planes through it follow. mirror: given if it mirrors the
+/// part onto itself; then it mirrors each of the planes onto itself, too.
+std::vector<Plane> planes_through(const Chart& part, const std::optional<Eigen::Vector3d>& strained,
+                                  const std::optional<Plane>& mirror);
 
 }  // namespace wirewarp

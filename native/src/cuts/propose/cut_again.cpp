@@ -2,6 +2,7 @@
 #include "cuts/propose/cut_again.h"
 
 #include <algorithm>
+#include <map>
 #include <numeric>
 #include <set>
 #include <utility>
@@ -21,13 +22,10 @@ VertexPair ordered(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
 
 CutMesh uncut(const FlattenInput& input) {
   CutMesh mesh{input.vertices, input.faces, {}, {}};
-  const Eigen::Index n = input.vertices.rows();
-  mesh.sources.vertices.resize(n, 3);
-  mesh.sources.vertex_weights = Positions3::Zero(n, 3);
-  for (Eigen::Index v = 0; v < n; ++v) mesh.sources.vertices.row(v).setConstant(static_cast<int>(v));
-  mesh.sources.vertex_weights.col(0).setOnes();
   mesh.sources.faces.resize(static_cast<std::size_t>(input.faces.rows()));
   std::iota(mesh.sources.faces.begin(), mesh.sources.faces.end(), 0);
+  mesh.sources.corner_weights = CornerWeights::Zero(input.faces.rows(), 9);
+  for (const int k : {0, 4, 8}) mesh.sources.corner_weights.col(k).setOnes();
   return mesh;
 }
 
@@ -47,30 +45,15 @@ CutMesh cut_again(const CutMesh& before, std::vector<SurfacePath> paths) {
   }
   after.edges.assign(edges.begin(), edges.end());
   CutSources& sources = after.sources;
-  for (int& face : sources.faces) face = before.sources.faces[static_cast<std::size_t>(face)];
-  for (int v = 0; v < static_cast<int>(after.vertices.rows()); ++v) {
-    std::map<int, double> weights;
-    for (const auto& [w, weight] : weights_of(sources, v)) {
-      for (const auto& [first, share] : weights_of(before.sources, w)) weights[first] += weight * share;
-    }
-    sources.vertices.row(v).setConstant(weights.begin()->first);
-    sources.vertex_weights.row(v).setZero();
-    Eigen::Index k = 0;
-    for (const auto& [first, weight] : weights) {
-      sources.vertices(v, k) = first;
-      sources.vertex_weights(v, k++) = weight;
-    }
+  for (std::size_t f = 0; f < sources.faces.size(); ++f) {
+    using Weights = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+    const auto row = static_cast<Eigen::Index>(f);
+    const Eigen::Map<const Weights> first(before.sources.corner_weights.row(sources.faces[f]).data());
+    Eigen::Map<Weights> weights(sources.corner_weights.row(row).data());
+    weights = (weights * first).eval();
+    sources.faces[f] = before.sources.faces[static_cast<std::size_t>(sources.faces[f])];
   }
   return after;
-}
-
-std::map<int, double> weights_of(const CutSources& sources, int vertex) {
-  std::map<int, double> weights;
-  for (int k = 0; k < 3; ++k) {
-    if (sources.vertex_weights(vertex, k) != 0)
-      weights[sources.vertices(vertex, k)] += sources.vertex_weights(vertex, k);
-  }
-  return weights;
 }
 
 std::vector<SurfacePath> without_collapsed(const Triangles& faces, int num_vertices, std::vector<SurfacePath> paths) {

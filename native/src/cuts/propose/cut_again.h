@@ -2,7 +2,6 @@
 // Cuts a mesh along lines, then the result along more lines, as one cut of the first mesh.
 #pragma once
 
-#include <map>
 #include <vector>
 
 #include "wirewarp/cut_mesh.h"
@@ -13,12 +12,9 @@ namespace wirewarp {
 /// Returns a mesh without cuts.
 CutMesh uncut(const FlattenInput& input);
 
-/// Cuts a cut mesh along more paths on it, without those that collapse. The edges are those of all cuts. The sources,
-/// of vertices and faces only, are in the first mesh.
+/// Cuts a cut mesh along more paths on it, without those that collapse. The edges are those of all cuts. The sources
+/// of faces and corners are in the first mesh; the other sources are in the mesh before.
 CutMesh cut_again(const CutMesh& before, std::vector<SurfacePath> paths);
-
-/// Returns the weights of the vertices of the first mesh in a vertex of the cut mesh. Weights of 0 are left out.
-std::map<int, double> weights_of(const CutSources& sources, int vertex);
 
 /// Returns the paths without those whose points cut_mesh() moves to one point, because it refuses such paths. Other
 /// paths that end there then meet in that point.

@@ -53,10 +53,6 @@ constexpr std::size_t kMergedSets = 3;
 /// the whole strain, because with this share alone a penguin has two pieces more.
 constexpr double kMergeShare = 0.85;
 
-/// The largest strain of plush. Sets are merged up to about this strain, or to twice a larger target. Sets for more
-/// strain, which only stretchy knits allow, are the slowest to find.
-constexpr double kSoftStrain = 0.2;
-
 /// Cuts that remove at least this share of the energy are tried first, even if shorter cuts remove more per length,
 /// because many small darts are slow to sew and to find. With 0 to 0.5, the sets of a ball, a head and a penguin differ
 /// little in strain. With 0.5, the search takes two thirds of the time of 0, but the sets are 10% longer.

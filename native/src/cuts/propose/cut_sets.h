@@ -18,6 +18,10 @@ namespace wirewarp {
 /// The largest strain that woven fabric allows. By default, pieces with at most this strain are not cut again.
 constexpr double kTargetStrain = 0.05;
 
+/// The largest strain of plush. Sets are merged up to about this strain, or to twice a larger target. Sets for more
+/// strain, which only stretchy knits allow, are the slowest to find.
+constexpr double kSoftStrain = 0.2;
+
 /// Returns the allowed strains of up to three merged sets, each twice the strain before. The last strain is the one
 /// whose ratio to the largest useful strain is nearest to 1, if three sets are enough. least: the first strain.
 std::vector<double> allowed_strains(double least, double target);

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -17,24 +16,25 @@
 #include "cuts/parts/part_planes.h"
 #include "cuts/propose/canonical_order.h"
 #include "cuts/propose/cut_again.h"
-#include "cuts/propose/cut_chains.h"
 #include "cuts/propose/cut_sets.h"
 #include "cuts/propose/flat_width.h"
 #include "cuts/propose/line_evaluation.h"
 #include "cuts/propose/merge_sections.h"
 #include "cuts/propose/mirror_image.h"
+#include "cuts/propose/smooth_sets.h"
 #include "surface/mesh/geometry.h"
 
 namespace wirewarp {
 namespace {
 
-/// Largest number of times that a part is divided by planes. A ball needs three for eight equal parts, and a rabbit
-/// five for 20% of strain.
-constexpr int kMostRounds = 5;
+/// Largest number of times that parts are divided by planes. A ball needs three for eight equal parts, and a bear eight
+/// for 20% of strain.
+constexpr int kMostRounds = 8;
 
-/// A model with more parts than this is left to the search along edges, which joins more of them: 24 parts with a front
-/// and a back each are the most that a plush maker would sew.
-constexpr std::size_t kMostParts = 48;
+/// A model with more parts than this is not divided further, and sets with more pieces than the second number are not
+/// proposed: more than a plush maker would sew. A bear has 45 parts, which are joined to 24 pieces.
+constexpr std::size_t kMostParts = 64;
+constexpr int kMostPieces = 24;
 
 /// Strains above count as this strain, so that one bad part does not outweigh all others.
 constexpr double kWorst = 2;
@@ -47,12 +47,18 @@ constexpr double kLengthPrice = 0.02, kPartPrice = 0.01, kNarrowPrice = 0.1;
 /// do not.
 constexpr double kPartSolidity = 0.85;
 
-/// Parts are not divided for less strain: more seams then help less than a fabric that stretches.
-constexpr double kLeastStrain = 0.1;
+/// Parts are not divided for less strain, because the number of parts grows with its inverse.
+constexpr double kLeastStrain = 0.02;
+
+/// A model without necks is left to the search along edges if the edges that bend by more than an angle are longer than
+/// this share of its size: the seams of a box belong on its edges. A cube of 30 cm with round edges has none.
+constexpr double kSharpCosine = 0.7, kSharp = 0.5;
 
 /// Parts are divided and joined for this share of the allowed strain, because the final mesh has other triangles beside
-/// the lines, which changes most strains by up to 2%. If a strain changes more, parts are joined again for less strain.
+/// the lines, which changes most strains by up to 2%. If a strain changes more, parts are joined again for less strain,
+/// at most kRepeats times.
 constexpr double kMargin = 0.97;
+constexpr int kRepeats = 3;
 
 /// Parts are mirror images of each other if their centroids differ by less than this share of the model's size.
 constexpr double kMirrored = 1e-3;
@@ -76,11 +82,37 @@ void add_lines(const FlattenInput& input, const Chart& chart, const Eigen::Vecto
   for (const MeshPath& line : level_lines(chart.mesh, values, level)) paths.push_back(on_input(input, chart, line));
 }
 
+/// Returns the length of the edges with a sharp bend, scene units.
+double sharp_length(const HalfEdgeMesh& mesh) {
+  const auto normal = [&](HalfedgeHandle h) { return mesh.calc_face_normal(mesh.face_handle(h)); };
+  double length = 0;
+  for (const EdgeHandle e : mesh.edges()) {
+    const HalfedgeHandle h = mesh.halfedge_handle(e, 0), other = mesh.halfedge_handle(e, 1);
+    if ((normal(h) | normal(other)) < kSharpCosine) length += edge_length(mesh, h);
+  }
+  return length;
+}
+
+/// Returns the centroid of the strain above a limit; none if there is none.
+std::optional<Eigen::Vector3d> strained_place(const FlatPiece& part, double limit) {
+  if (part.error) return std::nullopt;
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  double total = 0;
+  for (const FaceHandle f : part.chart.mesh.faces()) {
+    const HalfEdgeMesh::Point center = part.chart.mesh.calc_face_centroid(f);
+    const double weight = std::max(0.0, part.face_strain[f.idx()] - limit) * face_area(part.chart.mesh, f);
+    sum += weight * Eigen::Vector3d(center[0], center[1], center[2]);
+    total += weight;
+  }
+  if (total == 0) return std::nullopt;
+  return sum / total;
+}
+
 /// The pieces of a mesh that is cut along its edges, as a model of its own.
 class CutModel {
  public:
-  CutModel(const CutMesh& mesh, const ExactEvaluation& exact)
-      : input_{mesh.vertices, mesh.faces, as_pairs(mesh.edges), {}},
+  CutModel(const CutMesh& mesh, const std::vector<VertexPair>& edges, const ExactEvaluation& exact)
+      : input_{mesh.vertices, mesh.faces, as_pairs(edges), {}},
         surface_(input_, exact.options()),
         exact_(surface_, exact.options(), exact.stop()),
         pieces_(exact_.uncut()) {}
@@ -96,21 +128,6 @@ class CutModel {
   const FlatPieces pieces_;
 };
 
-/// Returns the sets that have fewer pieces, less strain or less length than each other set, the longest first.
-std::vector<DartProposal> without_worse(std::vector<DartProposal> sets) {
-  std::stable_sort(sets.begin(), sets.end(),
-                   [](const DartProposal& a, const DartProposal& b) { return a.length > b.length; });
-  const auto is_worse = [](const DartProposal& set, const DartProposal& other) {
-    return set.num_pieces >= other.num_pieces && set.strain >= other.strain;
-  };
-  std::vector<DartProposal> kept;
-  for (auto set = sets.begin(); set != sets.end(); ++set) {
-    if (std::none_of(set + 1, sets.end(), [&](const DartProposal& shorter) { return is_worse(*set, shorter); }))
-      kept.push_back(*set);
-  }
-  return kept;
-}
-
 class PartSearch {
  public:
   PartSearch(const FlatPieces& pieces, std::size_t piece, const CutOptions& cut_options, const ExactEvaluation& exact,
@@ -121,6 +138,8 @@ class PartSearch {
         exact_(exact),
         progress_(progress),
         chart_(in_canonical_order(pieces[piece]->chart, exact.stop())),
+        alone_(alone(chart_.mesh)),
+        own_(input_of(chart_.mesh)),
         image_(mirror_image(chart_, exact.stop())),
         size_(std::sqrt(surface_area(chart_.mesh))) {
     if (!image_.empty()) mirror_ = mirror_plane(chart_.mesh, image_);
@@ -133,31 +152,26 @@ class PartSearch {
     while (!limits.empty() && limits.back() < kLeastStrain) limits.pop_back();
     if (limits.empty()) return {};
     progress_.enter(0, kNecksFound);
-    const FlattenInput own = input_of(chart_.mesh);
     std::vector<SurfacePath> loops;
     for (const Neck& neck : find_necks(chart_.mesh, image_, exact_.stop()))
-      add_lines(own, alone(chart_.mesh), neck.distance, neck.level, loops);
-    if (loops.empty()) return {};
-    CutMesh mesh = cut_again(uncut(own), std::move(loops));
+      add_lines(own_, alone_, neck.distance, neck.level, loops);
+    if (loops.empty() && sharp_length(chart_.mesh) > kSharp * size_) return {};
+    CutMesh mesh = uncut(own_);
+    if (!loops.empty()) mesh = cut_again(mesh, std::move(loops));
     std::vector<DartProposal> sets;
-    progress_.enter(kNecksFound, kDivided);
     was_stopped([&] {
       for (std::size_t i = 0; i < limits.size(); ++i) {
-        const double limit = kMargin * limits[i], count = static_cast<double>(limits.size());
-        if (!divide(mesh, limit)) break;
-        if (i == 0) add(mesh, limits[i], sets);
-        progress_.enter(kDivided + (1 - kDivided) * static_cast<double>(i) / count,
-                        kDivided + (1 - kDivided) * static_cast<double>(i + 1) / count);
-        const double strain = add(merged(mesh, limit), limits[i], sets);
-        if (strain > limits[i]) add(merged(mesh, limit * limits[i] / strain), limits[i], sets);
+        const auto count = static_cast<double>(limits.size()), first = static_cast<double>(i) / count;
+        progress_.enter(kNecksFound + (1 - kNecksFound) * first, kNecksFound + (1 - kNecksFound) * (first + 1 / count));
+        if (!divide(mesh, kMargin * limits[i])) break;
+        add_joined(mesh, limits[i], sets);
       }
     });
     return without_worse(std::move(sets));
   }
 
  private:
-  /// Progress once the necks are found, and once the model is divided. Only then it is known that there are sets.
-  static constexpr double kNecksFound = 0.1, kDivided = 0.3;
+  static constexpr double kNecksFound = 0.1;  // progress
 
   struct Choice {
     double price = std::numeric_limits<double>::infinity();
@@ -168,17 +182,17 @@ class PartSearch {
   Choice best_plane(const FlatPiece& part, bool is_symmetric, double limit) const;
   double price_of(const FlatPiece& part, const Plane& plane, double limit) const;
   std::size_t partner_of(const FlatPieces& parts, std::size_t part) const;
-  CutMesh merged(const CutMesh& mesh, double limit) const;
-  double add(const CutMesh& mesh, double limit, std::vector<DartProposal>& sets) const;
-  std::vector<SurfacePath> paths_of(const CutMesh& mesh) const;
-  SurfacePath on_given(const SurfacePath& path) const;
+  void add_joined(const CutMesh& mesh, double limit, std::vector<DartProposal>& sets) const;
+  std::optional<DartProposal> smooth_set(const SurfaceLines& lines, double limit) const;
 
   const FlatPieces& pieces_;
   const std::size_t piece_;
   const CutOptions& cut_options_;
   const ExactEvaluation& exact_;
   CutProgress& progress_;
-  const Chart chart_;
+  const Chart chart_;  // in canonical order
+  const Chart alone_;  // the same, as a model of its own
+  const FlattenInput own_;
   const std::vector<VertexHandle> image_;  // mirror image of each vertex, or empty
   const double size_;                      // root of the area
   std::optional<Plane> mirror_;
@@ -188,7 +202,7 @@ class PartSearch {
 /// part has no flat shape then.
 bool PartSearch::divide(CutMesh& mesh, double limit) const {
   for (int round = 0;; ++round) {
-    const CutModel model(mesh, exact_);
+    const CutModel model(mesh, mesh.edges, exact_);
     const FlatPieces& parts = model.pieces();
     if (parts.size() > kMostParts) return false;
     const auto is_bad = [&](const auto& part) { return part->error || part->strain > limit; };
@@ -222,7 +236,8 @@ std::size_t PartSearch::partner_of(const FlatPieces& parts, std::size_t part) co
 }
 
 PartSearch::Choice PartSearch::best_plane(const FlatPiece& part, bool is_symmetric, double limit) const {
-  const std::vector<Plane> planes = planes_through(part.chart, is_symmetric ? mirror_ : std::nullopt);
+  const std::vector<Plane> planes =
+      planes_through(part.chart, strained_place(part, limit), is_symmetric ? mirror_ : std::nullopt);
   std::vector<double> prices(planes.size());
   run_in_threads(
       planes.size(), num_cores(),
@@ -243,7 +258,8 @@ double PartSearch::price_of(const FlatPiece& part, const Plane& plane, double li
   std::vector<SurfacePath> paths;
   add_lines(input, own, distances_from(plane, own.mesh), 0, paths);
   if (paths.empty()) return std::numeric_limits<double>::infinity();
-  const CutModel model(cut_again(uncut(input), std::move(paths)), exact_);
+  const CutMesh mesh = cut_again(uncut(input), std::move(paths));
+  const CutModel model(mesh, mesh.edges, exact_);
   const double length = level_length(own.mesh, distances_from(plane, own.mesh), 0);
   double strained = 0, area = 0, price = kLengthPrice * length / std::sqrt(surface_area(own.mesh));
   for (const std::shared_ptr<const FlatPiece>& each : model.pieces()) {
@@ -257,88 +273,50 @@ double PartSearch::price_of(const FlatPiece& part, const Plane& plane, double li
   return price + strained / area;
 }
 
-/// Returns the mesh with fewer of its cuts.
-CutMesh PartSearch::merged(const CutMesh& mesh, double limit) const {
-  CutMesh whole = mesh;
-  whole.edges.clear();
-  const CutModel model(whole, exact_);
+/// Adds the set along the cuts of a mesh after its parts are joined, unless it has too many pieces, is too long or has
+/// more strain than allowed.
+void PartSearch::add_joined(const CutMesh& mesh, double limit, std::vector<DartProposal>& sets) const {
+  const CutModel model(mesh, {}, exact_);
   const Chart chart = in_canonical_order(model.pieces().front()->chart, exact_.stop());
   const CutMask cut = PartMap(chart).mask_of(mesh.edges);
   const std::vector<VertexHandle> image = mirror_image(chart, exact_.stop());
   const MirroredCuts mirrored(chart, image);
-  SectionMerger merger({cut, model.exact().with_cut(model.pieces(), mesh.edges)}, chart, mirrored, model.exact(),
-                       cut_options_.narrowest, kPartSolidity);
-  merger.run(limit, [](double) {});
-  whole.edges = edges_of(chart, merger.state().cut);
-  return whole;
-}
-
-/// Returns the cuts as lines on the given mesh.
-std::vector<SurfacePath> PartSearch::paths_of(const CutMesh& mesh) const {
-  CutMesh whole = mesh;
-  whole.edges.clear();
-  const CutModel model(whole, exact_);
-  const Chart& chart = model.pieces().front()->chart;
-  std::vector<SurfacePath> paths;
-  for (const HalfEdgeChain& section : sections_of(chart.mesh, PartMap(chart).mask_of(mesh.edges))) {
-    std::vector<VertexHandle> along{chart.mesh.from_vertex_handle(section.front())};
-    for (const HalfedgeHandle h : section) along.push_back(chart.mesh.to_vertex_handle(h));
-    SurfacePath path{{}, Positions3::Zero(static_cast<Eigen::Index>(along.size()), 3)};
-    for (std::size_t i = 0; i < along.size(); ++i) {
-      const FaceHandle face(
-          mesh.sources.faces[static_cast<std::size_t>(chart.source_face[chart.mesh.cvf_begin(along[i])->idx()])]);
-      path.faces.push_back(face.idx());
-      const std::map<int, double> weights = weights_of(mesh.sources, chart.source_vertex[along[i].idx()]);
-      int k = 0;
-      for (const VertexHandle corner : chart_.mesh.fv_range(face)) {
-        const auto found = weights.find(corner.idx());
-        if (found != weights.end()) path.coordinates(static_cast<Eigen::Index>(i), k) = found->second;
-        ++k;
-      }
+  const FlatPieces parts = model.exact().with_cut(model.pieces(), mesh.edges);
+  double joined_for = kMargin * limit;
+  for (int i = 0; i < kRepeats; ++i) {
+    SectionMerger merger({cut, parts}, chart, mirrored, model.exact(), cut_options_.narrowest, kPartSolidity);
+    merger.run(joined_for, [](double) {});
+    const SurfaceLines lines = lines_across(own_, alone_, mesh, chart, image, merger.state().cut);
+    const std::optional<DartProposal> set = smooth_set(lines, limit);
+    if (!set) return;
+    if (set->strain <= limit) {
+      if (set->num_pieces <= kMostPieces && set->length <= cut_options_.longest) sets.push_back(*set);
+      return;
     }
-    paths.push_back(on_given(path));
+    joined_for *= kMargin * limit / set->strain;
   }
-  return paths;
 }
 
-/// Converts a path whose coordinates are in the order of the chart's mesh.
-SurfacePath PartSearch::on_given(const SurfacePath& path) const {
+/// Returns the set along lines, with its exact figures; smoother if it needs no more strain than allowed. Returns none
+/// if it has no flat shape.
+std::optional<DartProposal> PartSearch::smooth_set(const SurfaceLines& lines, double limit) const {
   const FlattenInput& given = exact_.surface().given();
-  SurfacePath result{{}, Positions3::Zero(path.coordinates.rows(), 3)};
-  for (std::size_t i = 0; i < path.faces.size(); ++i) {
-    const auto row = static_cast<Eigen::Index>(i);
-    const int face = chart_.source_face[static_cast<std::size_t>(path.faces[i])];
-    result.faces.push_back(face);
-    int k = 0;
-    for (const VertexHandle corner : chart_.mesh.fv_range(FaceHandle(path.faces[i]))) {
-      for (int j = 0; j < 3; ++j) {
-        if (given.faces(face, j) == chart_.source_vertex[corner.idx()])
-          result.coordinates(row, j) = path.coordinates(row, k);
-      }
-      ++k;
-    }
-  }
-  return result;
-}
-
-/// Adds the set along the cuts of a mesh, with its exact figures, unless it is too long or has more strain than
-/// allowed.
-double PartSearch::add(const CutMesh& mesh, double limit, std::vector<DartProposal>& sets) const {
   DartProposal set;
-  const FlattenInput& given = exact_.surface().given();
-  set.paths = without_collapsed(given.faces, static_cast<int>(given.vertices.rows()), paths_of(mesh));
+  for (const SurfaceLine& line : lines.lines) set.paths.push_back(path_of(given, chart_, line));
+  set.paths = without_collapsed(given.faces, static_cast<int>(given.vertices.rows()), std::move(set.paths));
   const CutMesh cut = cut_mesh(given.vertices, given.faces, set.paths);
   const CutSurface surface(pieces_, piece_, exact_, cut);
   const PieceFigures figures = figures_of(surface.after(), surface.before()[piece_]->chart);
-  const double length = surface.length();
-  if (figures.error || figures.strain > limit || length > cut_options_.longest) return figures.strain;
-  set.length = length;
+  if (figures.error) return std::nullopt;
+  set.length = surface.length();
   set.num_pieces = figures.num_pieces;
   set.energy = figures.energy;
   set.strain = figures.strain;
   set.energy_before = set.strain_before = std::numeric_limits<double>::infinity();
-  sets.push_back(std::move(set));
-  return figures.strain;
+  if (set.strain > limit || set.paths.size() < lines.lines.size()) return set;
+  SmoothLimits limits{limit};
+  limits.num_narrow = count_narrow(surface.after(), surface.before()[piece_]->chart, cut_options_.narrowest);
+  return smooth_lines(set, lines, limits, {pieces_, piece_, chart_, image_}, cut_options_, exact_).value_or(set);
 }
 
 bool can_be_divided(const FlatPiece& piece, const CutOptions& cut_options, const ExactEvaluation& exact) {
@@ -351,6 +329,20 @@ bool can_be_divided(const FlatPiece& piece, const CutOptions& cut_options, const
 }
 
 }  // namespace
+
+std::vector<DartProposal> without_worse(std::vector<DartProposal> sets) {
+  std::stable_sort(sets.begin(), sets.end(),
+                   [](const DartProposal& a, const DartProposal& b) { return a.length > b.length; });
+  const auto is_worse = [](const DartProposal& set, const DartProposal& other) {
+    return set.num_pieces >= other.num_pieces && set.strain >= other.strain;
+  };
+  std::vector<DartProposal> kept;
+  for (auto set = sets.begin(); set != sets.end(); ++set) {
+    if (std::none_of(set + 1, sets.end(), [&](const DartProposal& shorter) { return is_worse(*set, shorter); }))
+      kept.push_back(*set);
+  }
+  return kept;
+}
 
 std::vector<DartProposal> part_sets(const FlatPieces& pieces, std::size_t piece, const CutOptions& cut_options,
                                     const ExactEvaluation& exact, CutProgress& progress) {

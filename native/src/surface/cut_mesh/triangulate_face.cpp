@@ -131,36 +131,37 @@ int corner_before(const Triangle& triangle, int a, int b) {
   return -1;
 }
 
-/// Flips the edge between two triangles if this increases the smaller of their two heights. Returns whether the
-/// edge was flipped.
-bool flip(const FaceToDivide& face, Triangle& first, Triangle& second) {
-  constexpr double kHigher = 1 + 1e-9;  // far above rounding, so that no edge flips back and forth
-  for (int k = 0; k < 3; ++k) {
-    const int a = first[k], b = first[(k + 1) % 3], c = first[(k + 2) % 3];
-    const int there = corner_before(second, b, a);
-    if (there < 0 || face.lines.count({std::min(a, b), std::max(a, b)}) != 0) continue;
-    const int d = second[(there + 2) % 3];
-    const Triangle one{c, a, d}, other{d, b, c};
-    const auto is_turned = [&](const Triangle& t) {
-      return doubled_area(face.points[t[0]], face.points[t[1]], face.points[t[2]]) <= kInLine;
-    };
-    if (is_turned(one) || is_turned(other)) continue;
-    const double before = std::min(least_height(face, first), least_height(face, second));
-    if (std::min(least_height(face, one), least_height(face, other)) <= kHigher * before) continue;
-    first = one;
-    second = other;
-    return true;
-  }
-  return false;
-}
+/// Two triangles in place of two others with the same outline.
+struct Flip {
+  std::size_t first, second;
+  Triangle one, other;
+  double gain = 0;  // of the smaller of the two heights
+};
 
-bool flip_any(const FaceToDivide& face, std::vector<Triangle>& triangles) {
+/// Finds the flip with the largest gain, so that the numbers of points do not decide. Returns whether there is a gain.
+bool find_best_flip(const FaceToDivide& face, const std::vector<Triangle>& triangles, Flip& best) {
+  constexpr double kHigher = 1 + 1e-9;  // far above rounding, so that no edge flips back and forth
+  best.gain = 0;
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     for (std::size_t j = i + 1; j < triangles.size(); ++j) {
-      if (flip(face, triangles[i], triangles[j])) return true;
+      const Triangle &first = triangles[i], &second = triangles[j];
+      for (int k = 0; k < 3; ++k) {
+        const int a = first[k], b = first[(k + 1) % 3], c = first[(k + 2) % 3];
+        const int there = corner_before(second, b, a);
+        if (there < 0 || face.lines.count({std::min(a, b), std::max(a, b)}) != 0) continue;
+        const int d = second[(there + 2) % 3];
+        const Triangle one{c, a, d}, other{d, b, c};
+        const auto is_turned = [&](const Triangle& t) {
+          return doubled_area(face.points[t[0]], face.points[t[1]], face.points[t[2]]) <= kInLine;
+        };
+        if (is_turned(one) || is_turned(other)) continue;
+        const double before = std::min(least_height(face, first), least_height(face, second));
+        const double after = std::min(least_height(face, one), least_height(face, other));
+        if (after > kHigher * before && after - before > best.gain) best = {i, j, one, other, after - before};
+      }
     }
   }
-  return false;
+  return best.gain > 0;
 }
 
 }  // namespace
@@ -175,7 +176,9 @@ bool do_cross(const FacePoint& a, const FacePoint& b, const FacePoint& c, const 
 
 std::vector<std::array<int, 3>> triangulate(const FaceToDivide& face) {
   std::vector<Triangle> triangles = Triangulation(face).triangles();
-  while (flip_any(face, triangles)) {  // the loop ends, because each flip increases the smaller height of two triangles
+  for (Flip flip; find_best_flip(face, triangles, flip);) {  // ends, because flips only increase the smaller height
+    triangles[flip.first] = flip.one;
+    triangles[flip.second] = flip.other;
   }
   return triangles;
 }

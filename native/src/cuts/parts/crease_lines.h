@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Moves a loop around a limb into the crease between the limb and the body, where its two sides are easiest to flatten.
+//
+//   u      potential: 0 at the limb's end of a band, 1 at the body's end
+//   w_ij   conductance of the edge from vertex i to vertex j, low where the surface is concave along the edge
+//
+// Σ_j w_ij (u_i - u_j) = 0 inside the band. Most of u changes at the crease, so lines of equal u follow it. From O.
+// K.-C. Au, Y. Zheng, M. Chen, P. Xu, C.-L. Tai, Mesh segmentation with concavity-aware fields, IEEE Transactions on
+// Visualization and Computer Graphics 18, 2012; the conductances are ours.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "surface/mesh/half_edge_mesh.h"
+
+namespace wirewarp {
+
+/// Returns u for the band around a loop. distance: per vertex, scene units, from the tip of the limb. level: the
+/// distance of the loop. length: of the loop.
+Eigen::VectorXd potential_across(const HalfEdgeMesh& mesh, const Eigen::VectorXd& distance, double level,
+                                 double length);
+
+}  // namespace wirewarp
