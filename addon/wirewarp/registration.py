@@ -20,6 +20,7 @@ SIDEBAR = (  # Blender shows panels in the order in which they are registered
     report_panel.piece_list,
     marks.wire_list,
     report_panel.panel,
+    marks.side_panel,
     overlay.panel,
 )
 OTHERS = tuple(module for room in ROOMS for module in room.MODULES if module not in SIDEBAR)

@@ -258,7 +258,7 @@ def show_pieces_from_above() -> drive.Tour:
 
 def allowance() -> drive.Tour:
     """Mark 30 mm at the hem, and on the sleeves' side of the armholes, on the pieces."""
-    yield from open_sample("flatten", "mark", "export")
+    yield from open_sample("flatten", "mark", "allowance", "export")
     bpy.context.scene.wirewarp.spacing = 70.0
     yield from flatten()
     source = bpy.context.object

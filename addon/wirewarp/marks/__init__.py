@@ -4,6 +4,6 @@
 May import: ui, state, solve, blender, properties, core, issues, names.
 """
 
-from . import ease_operator, mark_operators, panel, wire_list
+from . import ease_operator, mark_operators, panel, side_panel, wire_list
 
-MODULES = (mark_operators, ease_operator, wire_list, panel)
+MODULES = (mark_operators, ease_operator, wire_list, panel, side_panel)
