@@ -276,32 +276,6 @@ def capped_tubes(ring, *seam_rows):
     return wirewarp.flatten(np.concatenate(vertices) / 1000, np.concatenate(faces), seams=seams, options=UP)
 
 
-def notched_vertices(pattern, result, number):
-    """Return the vertices of the model at which a drawn piece has a notch.
-
-    number: number of the piece in the result.
-    """
-    drawn = next(piece for piece in pattern.pieces if piece.name == f"Piece {number}")
-    points = result.pieces[number - 1].vertices * 1000
-    sewn = np.concatenate([line.points for line in drawn.of_role("sew")])
-    points += sewn.min(axis=0) - points[np.unique(result.pieces[number - 1].faces)].min(axis=0)
-    stitched = [point.at + point.direction * 10 for point in drawn.points if point.pair]  # the allowance is 10 mm
-    apart = np.linalg.norm(np.array(stitched)[:, None] - points[None], axis=2)
-    return sorted(result.pieces[number - 1].source_vertex[row] for row in np.flatnonzero(apart.min(axis=0) < 0.5))
-
-
-@pytest.mark.parametrize("row", [0, 5])
-def test_a_cap_has_its_notches_where_the_tube_has_them(row):
-    """Notches every third edge, from the seam along the tube. They are at the same vertices of both pieces."""
-    edge = float(np.linalg.norm(ROUND[1] - ROUND[0]))
-    result = capped_tubes(ROUND, row)
-    pattern = Pattern.from_result(result, notch_spacing=3 * edge)
-    tube = [vertex for vertex in notched_vertices(pattern, result, 1) if vertex < 16]
-    assert notched_vertices(pattern, result, 2) == tube
-    steps = sorted((np.array(tube) - row) % 16)
-    assert steps in ([3, 6, 9, 12, 15], [1, 4, 7, 10, 13])
-
-
 def test_caps_of_mirrored_tubes_are_a_pair():
     """The egg has edges of different lengths, so its notches are between vertices.
 
@@ -316,20 +290,6 @@ def test_caps_of_mirrored_tubes_are_a_pair():
     turned = rings[1].lengths[0] - second[:, ::-1]  # places on the mirror image, measured from the other end
     assert first == pytest.approx(turned) and first[0] == pytest.approx(first[1])
     assert [piece.quantity for piece in whole.pieces] == [(1, 0)] * 4
-
-
-def test_caps_whose_tubes_begin_elsewhere_are_drawn_both():
-    """The tubes are alike.
-
-    Only a turn by 5/16 maps one cap to the other with its notches, and this changes the grain.
-    """
-    result = capped_tubes(ROUND, 0, 5)
-    pieces = [flat_piece(piece, f"Piece {number}", 1000.0) for number, piece in enumerate(result.pieces, start=1)]
-    flat_cap = np.vstack([ROUND, np.zeros((17, 2))])  # both caps at one place, with the ring in the same order
-    for index in (1, 3):
-        pieces[index] = replace(pieces[index], vertices=flat_cap[pieces[index].source_vertex % 33])
-    drawn = Pattern.from_pieces(pieces, [f"Seam {number}" for number in range(1, 5)], pairs=True)
-    assert sorted(piece.quantity for piece in drawn.pieces) == [(1, 0), (1, 0), (2, 0)]
 
 
 def test_a_cushion_of_two_faces_is_a_pair():
