@@ -57,7 +57,7 @@ def test_a_closed_model_gets_cut_sets_of_which_one_is_marked(addon, capfd):
 
 def test_a_canceled_search_keeps_the_sets_found_by_then(addon):
     run = addon.suggest.operators.begin_search(bpy.context, ball(), "SEAMS", None).steps
-    while next(run) < 0.8 * 0.5:  # when the second half of the search begins, a first set exists
+    while next(run) < 0.8 * 0.3:  # when the second set is searched for, a first one exists
         pass
     shares = []
     with pytest.raises(StopIteration) as end:

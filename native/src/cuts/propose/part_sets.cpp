@@ -319,6 +319,8 @@ std::optional<DartProposal> PartSearch::smooth_set(const SurfaceLines& lines, do
   return smooth_lines(set, lines, limits, {pieces_, piece_, chart_, image_}, cut_options_, exact_).value_or(set);
 }
 
+}  // namespace
+
 bool can_be_divided(const FlatPiece& piece, const CutOptions& cut_options, const ExactEvaluation& exact) {
   const FlattenInput& given = exact.surface().given();
   const HalfEdgeMesh& mesh = piece.chart.mesh;
@@ -327,8 +329,6 @@ bool can_be_divided(const FlatPiece& piece, const CutOptions& cut_options, const
          cut_options.no_seam.rows() + cut_options.no_crossing.rows() == 0 && exact.options().thickness == 0 &&
          mesh.n_faces() > 0 && std::none_of(mesh.halfedges_begin(), mesh.halfedges_end(), is_boundary);
 }
-
-}  // namespace
 
 std::vector<DartProposal> without_worse(std::vector<DartProposal> sets) {
   std::stable_sort(sets.begin(), sets.end(),
@@ -346,7 +346,6 @@ std::vector<DartProposal> without_worse(std::vector<DartProposal> sets) {
 
 std::vector<DartProposal> part_sets(const FlatPieces& pieces, std::size_t piece, const CutOptions& cut_options,
                                     const ExactEvaluation& exact, CutProgress& progress) {
-  if (!can_be_divided(*pieces[piece], cut_options, exact)) return {};
   return PartSearch(pieces, piece, cut_options, exact, progress).search();
 }
 

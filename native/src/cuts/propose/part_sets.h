@@ -9,11 +9,14 @@
 
 namespace wirewarp {
 
-/// Returns cut sets of a closed piece along its necks and along planes through its parts, as a sewist divides a toy: an
+/// Returns whether a piece may be divided into parts: it is closed, and no wires, eases, forbidden edges or thickness
+/// restrict its cuts.
+bool can_be_divided(const FlatPiece& piece, const CutOptions& cut_options, const ExactEvaluation& exact);
+
+/// Returns cut sets of such a piece along its necks and along planes through its parts, as a sewist divides a toy: an
 /// ear, a limb, a head and a body, each with a front and a back. The longest set is the first. Returns none if the
-/// piece has sharp edges but no necks, if it cannot be divided into few flat parts this way, if it is not closed, and
-/// if cuts are restricted by wires, eases, forbidden edges or thickness. Throws Stopped; if stopped after the first
-/// set, returns those found.
+/// piece has sharp edges but no necks, or cannot be divided into few flat parts this way. Throws Stopped; if stopped
+/// after the first set, returns those found.
 std::vector<DartProposal> part_sets(const FlatPieces& pieces, std::size_t piece, const CutOptions& cut_options,
                                     const ExactEvaluation& exact, CutProgress& progress);
 
