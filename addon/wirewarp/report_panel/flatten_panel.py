@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Draws Flatten, its result and the next steps together at the top of the sidebar."""
+"""Draws Flatten, its result and the next steps together."""
 
 import math
 
@@ -173,7 +173,8 @@ def _draw_state(
     for line in verdict.lines:
         draw_sentence(context, layout, line.text, "BLANK1" if changed else LEVEL_ICONS[line.kind.level])
     step = next_step(report, left_out)
-    if report.issues and verdict.kind is not Kind.CLOSED:
+    kinds = {line.kind for line in verdict.lines}
+    if report.issues and (verdict.kind is not Kind.CLOSED or Kind.NEEDS_SEAM in kinds):
         draw_sentence(context, layout, failure_text(report, step), "INFO")
     # a step that only shows something is drawn after steps that change the model
     is_looked_at = step is not None and step.operator == SHOW
@@ -182,7 +183,6 @@ def _draw_state(
         # Only one button marks seams. It keeps its place, so that the buttons of the search do not move.
         below.enabled = not (marks_seams(step) and are_shown(context))
         _draw_step(context, below, step)
-    kinds = {line.kind for line in verdict.lines}
     # the panel does not replace a chosen fabric
     if Kind.NEEDS_STRETCH in kinds and context.scene.wirewarp.cloth == "NONE":
         _draw_fabric(layout, report)

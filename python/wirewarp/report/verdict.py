@@ -11,7 +11,7 @@ from .strain import percent_text
 from .words import counted
 
 CLOSED_CODE = "closed_chart"
-SEAM_CODES = {"boundary_too_short", "handles", "infeasible_lengths", CLOSED_CODE}  # faults that a seam can cure
+SEAM_CODES = {"boundary_too_short", "handles", "infeasible_lengths", CLOSED_CODE}  # faults that a seam can fix
 ANY_LIMIT = 1.0  # no fabric stretches to twice its length
 NOT_KNOWN = Ways(across=None, along=None)  # unknown maximum stretch
 SHOWN_NAMES = 4

@@ -4,7 +4,6 @@
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 #include <algorithm>
-#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -22,8 +21,8 @@ constexpr double kTowardsTip = 1, kTowardsBody = 2;
 /// A concave curvature of this over the radius halves the conductance; with more, it falls with the square.
 constexpr double kConcave = 0.5;
 
-/// Number of times that normals are averaged with those of their neighbors. Without, lines in the shallow creases of a
-/// star follow single edges.
+/// Number of times that normals are averaged with those of their neighbors. Without this, lines in the shallow creases
+/// of a star follow single edges.
 constexpr int kSmoothings = 2;
 
 using Point = HalfEdgeMesh::Point;

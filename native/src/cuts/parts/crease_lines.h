@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Moves a loop around a limb into the crease between the limb and the body, where its two sides are easiest to flatten.
+// Finds the crease between a limb and the body, in which the two sides of a loop are easiest to flatten.
 //
 //   u      potential: 0 at the limb's end of a band, 1 at the body's end
 //   w_ij   conductance of the edge from vertex i to vertex j, low where the surface is concave along the edge
@@ -15,8 +15,8 @@
 
 namespace wirewarp {
 
-/// Returns u for the band around a loop. distance: per vertex, scene units, from the tip of the limb. level: the
-/// distance of the loop. length: of the loop.
+/// Returns u for the band around a loop. distance: distance of each vertex from the tip of the limb. level: distance of
+/// the loop. length: length of the loop. All are in scene units.
 Eigen::VectorXd potential_across(const HalfEdgeMesh& mesh, const Eigen::VectorXd& distance, double level,
                                  double length);
 

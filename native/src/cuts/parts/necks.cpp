@@ -80,6 +80,7 @@ class NeckSearch {
     std::stable_sort(found.begin(), found.end(),
                      [](const Candidate& a, const Candidate& b) { return a.ratio < b.ratio; });
     for (const Candidate& candidate : found) {
+      stop_.check();
       if (!accept(in_crease(candidate))) accept(candidate);
     }
     std::stable_sort(accepted_.begin(), accepted_.end(), [&](const Candidate& a, const Candidate& b) {
@@ -242,7 +243,8 @@ NeckSearch::Candidate NeckSearch::in_crease(const Candidate& candidate) const {
   const auto& [distance, level] = candidate.neck;
   const double length = level_length(mesh_, distance, level);
   Candidate moved{candidate.ratio, {potential_across(mesh_, distance, level, length), kCrease}, {}};
-  if (level_length(mesh_, moved.neck.distance, kCrease) > length) return candidate;
+  const double moved_length = level_length(mesh_, moved.neck.distance, kCrease);
+  if (!(moved_length > 0 && moved_length <= length)) return candidate;
   moved.is_inside = within(moved.neck.distance, kCrease);
   return moved;
 }

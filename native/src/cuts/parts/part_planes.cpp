@@ -19,6 +19,9 @@ constexpr double kCentroid = 0.1;
 /// The cosine between normals above which two planes are the same.
 constexpr double kSameNormal = 0.98;
 
+/// Parallel planes are the same if they are apart by less than this share of the root of the area.
+constexpr double kSamePlace = 1e-9;
+
 /// A normal with less than this length in the mirror plane is turned into the mirror's own.
 constexpr double kInPlane = 0.3;
 
@@ -122,7 +125,11 @@ std::vector<Plane> planes_through(const Chart& part, const std::optional<Eigen::
   }
   for (int k = 0; k < 3; ++k) add({center, axes.col(k)});
   const std::size_t count = strained ? planes.size() : 0;
-  for (std::size_t i = 0; i < count; ++i) planes.push_back({to_mirror(*strained), planes[i].normal});
+  for (std::size_t i = 0; i < count; ++i) {
+    const Plane parallel{to_mirror(*strained), planes[i].normal};
+    const double apart = std::abs((parallel.point - planes[i].point).dot(parallel.normal));
+    if (apart > kSamePlace * std::sqrt(surface_area(mesh))) planes.push_back(parallel);
+  }
   return planes;
 }
 

@@ -30,8 +30,8 @@ constexpr double kClearlyLarger = 1 + 1e-9;
 /// Progress once the sets are found, before they are smoothed.
 constexpr double kSearched = 0.7;
 
-/// Progress of a search for smooth cut sets once the piece was divided into parts, which most models need and no more.
-/// Otherwise, it takes a quarter of the time.
+/// Progress once the piece is divided into parts. For most models, the search then ends. If it continues along edges,
+/// the division has taken a quarter of the time.
 constexpr double kDivided = 0.5;
 
 /// The decrease of the largest strain of all pieces by a cut, then the decrease of the strain of its own piece.
@@ -187,9 +187,15 @@ std::vector<DartProposal> cut_sets(const FlatPieces& pieces, std::size_t piece, 
   if (!cut_options.is_smooth || !can_be_divided(*pieces[piece], cut_options, exact))
     return sets_along_edges(pieces, piece, cut_options, exact, progress, 0);
   progress.begin_part(0, kDivided);
-  std::vector<DartProposal> sets = part_sets(pieces, piece, cut_options, exact, progress);
+  std::vector<DartProposal> sets;
+  try {
+    sets = part_sets(pieces, piece, cut_options, exact, progress);
+  } catch (const FactorizationFailed&) {
+    sets.clear();  // the search along edges does not need the matrices of the necks
+  }
   if (sets.empty()) return sets_along_edges(pieces, piece, cut_options, exact, progress, kDivided);
-  if (sets.front().strain > cut_options.strain.value_or(kSoftStrain)) {
+  const double accepted = cut_options.strain.value_or(kSoftStrain);
+  if (std::none_of(sets.begin(), sets.end(), [&](const DartProposal& set) { return set.strain <= accepted; })) {
     was_stopped([&] {
       refusal_of([&] {
         for (DartProposal& set : sets_along_edges(pieces, piece, cut_options, exact, progress, kDivided))

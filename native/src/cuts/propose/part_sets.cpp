@@ -21,6 +21,7 @@
 #include "cuts/propose/line_evaluation.h"
 #include "cuts/propose/merge_sections.h"
 #include "cuts/propose/mirror_image.h"
+#include "cuts/propose/needed_stretch.h"
 #include "cuts/propose/smooth_sets.h"
 #include "surface/mesh/geometry.h"
 
@@ -32,7 +33,7 @@ namespace {
 constexpr int kMostRounds = 8;
 
 /// A model with more parts than this is not divided further, and sets with more pieces than the second number are not
-/// proposed: more than a plush maker would sew. A bear has 45 parts, which are joined to 24 pieces.
+/// proposed: more than a plush maker would sew. A bear has 62 parts, which are joined to 22 pieces.
 constexpr std::size_t kMostParts = 64;
 constexpr int kMostPieces = 24;
 
@@ -55,8 +56,8 @@ constexpr double kLeastStrain = 0.02;
 constexpr double kSharpCosine = 0.7, kSharp = 0.5;
 
 /// Parts are divided and joined for this share of the allowed strain, because the final mesh has other triangles beside
-/// the lines, which changes most strains by up to 2%. If a strain changes more, parts are joined again for less strain,
-/// at most kRepeats times.
+/// the lines, which changes most strains by up to 2%. If a strain changes more, parts are joined again for less strain.
+/// They are joined at most kRepeats times.
 constexpr double kMargin = 0.97;
 constexpr int kRepeats = 3;
 
@@ -159,7 +160,7 @@ class PartSearch {
     CutMesh mesh = uncut(own_);
     if (!loops.empty()) mesh = cut_again(mesh, std::move(loops));
     std::vector<DartProposal> sets;
-    was_stopped([&] {
+    const bool stopped = was_stopped([&] {
       for (std::size_t i = 0; i < limits.size(); ++i) {
         const auto count = static_cast<double>(limits.size()), first = static_cast<double>(i) / count;
         progress_.enter(kNecksFound + (1 - kNecksFound) * first, kNecksFound + (1 - kNecksFound) * (first + 1 / count));
@@ -167,6 +168,7 @@ class PartSearch {
         add_joined(mesh, limits[i], sets);
       }
     });
+    if (stopped && sets.empty()) throw Stopped();
     return without_worse(std::move(sets));
   }
 
@@ -211,7 +213,8 @@ bool PartSearch::divide(CutMesh& mesh, double limit) const {
     std::vector<SurfacePath> paths;
     for (std::size_t i = 0; i < parts.size(); ++i) {
       const std::size_t partner = partner_of(parts, i);
-      if (!is_bad(parts[i]) || partner < i) continue;
+      const bool has_bad_partner = partner < parts.size() && is_bad(parts[partner]);
+      if (partner < i || !(is_bad(parts[i]) || has_bad_partner)) continue;
       const Choice best = best_plane(*parts[i], partner == i && mirror_, limit);
       if (std::isinf(best.price)) return false;
       const auto add = [&](const Chart& part, const Plane& plane) {
@@ -229,10 +232,15 @@ std::size_t PartSearch::partner_of(const FlatPieces& parts, std::size_t part) co
   if (!mirror_) return part;
   const Plane at{centroid_of(parts[part]->chart.mesh), Eigen::Vector3d::Zero()};
   const Eigen::Vector3d there = at.mirrored(*mirror_).point;
+  std::size_t nearest = parts.size();
+  double least = kMirrored * size_;
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    if ((centroid_of(parts[i]->chart.mesh) - there).norm() < kMirrored * size_) return i;
+    const double apart = (centroid_of(parts[i]->chart.mesh) - there).norm();
+    if (apart >= least) continue;
+    least = apart;
+    nearest = i;
   }
-  return parts.size();
+  return nearest;
 }
 
 PartSearch::Choice PartSearch::best_plane(const FlatPiece& part, bool is_symmetric, double limit) const {
@@ -290,7 +298,8 @@ void PartSearch::add_joined(const CutMesh& mesh, double limit, std::vector<DartP
     const std::optional<DartProposal> set = smooth_set(lines, limit);
     if (!set) return;
     if (set->strain <= limit) {
-      if (set->num_pieces <= kMostPieces && set->length <= cut_options_.longest) sets.push_back(*set);
+      const bool is_useful = set->num_pieces <= kMostPieces && set->strain < kMostStrain;
+      if (is_useful && set->length <= cut_options_.longest) sets.push_back(*set);
       return;
     }
     joined_for *= kMargin * limit / set->strain;

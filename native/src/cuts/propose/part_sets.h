@@ -15,8 +15,8 @@ bool can_be_divided(const FlatPiece& piece, const CutOptions& cut_options, const
 
 /// Returns cut sets of such a piece along its necks and along planes through its parts, as a sewist divides a toy: an
 /// ear, a limb, a head and a body, each with a front and a back. The longest set is the first. Returns none if the
-/// piece has sharp edges but no necks, or cannot be divided into few flat parts this way. Throws Stopped; if stopped
-/// after the first set, returns those found.
+/// piece has long sharp edges but no necks, or cannot be divided into few flat parts this way. Throws Stopped; if
+/// stopped after the first set, returns those found.
 std::vector<DartProposal> part_sets(const FlatPieces& pieces, std::size_t piece, const CutOptions& cut_options,
                                     const ExactEvaluation& exact, CutProgress& progress);
 

@@ -135,7 +135,7 @@ int corner_before(const Triangle& triangle, int a, int b) {
 struct Flip {
   std::size_t first, second;
   Triangle one, other;
-  double gain = 0;  // of the smaller of the two heights
+  double gain = 0;  // increase of the smaller of the two heights
 };
 
 /// Finds the flip with the largest gain, so that the numbers of points do not decide. Returns whether there is a gain.
