@@ -195,7 +195,7 @@ def test_errors_of_spyrrow_are_reported_and_pieces_are_packed_without_it(monkeyp
         "wirewarp.pattern.nest.spyrrow_nesting._described",
         lambda item, grain: described(item, grain) | {"outline": bow_tie},
     )
-    marker = sample("Hat").nested(1400, seconds=0.1)
+    marker = sample("Hat").nested(1400, seconds=3)
     assert marker.by == "slides"
     (warning,) = marker.warnings
     assert warning.startswith("spyrrow failed, so pieces were packed without it: ")

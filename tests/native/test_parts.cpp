@@ -224,6 +224,10 @@ TEST(PartSets, DivideRoundModelsWithoutNecks) {
       EXPECT_LE(set.strain, 0.2);
       const FlattenInput cut = test::with_paths(input, set.paths);
       test::expect_figures(cut, {set.energy, set.strain, set.length, set.num_pieces});
+      const CutMesh mesh = cut_mesh(input.vertices, input.faces, set.paths);
+      for (const VertexPair& edge : mesh.edges) {  // Blender cannot divide a face at a point inside it
+        for (const int v : edge) EXPECT_EQ((mesh.sources.vertex_weights.row(v).array() == 0).any(), true);
+      }
     }
   }
 }

@@ -294,7 +294,8 @@ void PartSearch::add_joined(const CutMesh& mesh, double limit, std::vector<DartP
   for (int i = 0; i < kRepeats; ++i) {
     SectionMerger merger({cut, parts}, chart, mirrored, model.exact(), cut_options_.narrowest, kPartSolidity);
     merger.run(joined_for, [](double) {});
-    const SurfaceLines lines = lines_across(own_, alone_, mesh, chart, image, merger.state().cut);
+    SurfaceLines lines = lines_across(own_, alone_, mesh, chart, image, merger.state().cut);
+    move_to_edges(chart_.mesh, lines);
     const std::optional<DartProposal> set = smooth_set(lines, limit);
     if (!set) return;
     if (set->strain <= limit) {

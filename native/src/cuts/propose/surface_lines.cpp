@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "cuts/propose/cut_chains.h"
@@ -112,6 +113,26 @@ SurfaceLines lines_across(const FlattenInput& input, const Chart& chart, const C
       section.edge = chart.mesh.edge_handle(chart.mesh.find_halfedge(section.vertex_from, section.vertex_to));
     return section;
   });
+}
+
+void move_to_edges(const HalfEdgeMesh& mesh, SurfaceLines& lines) {
+  for (SurfaceLine& line : lines.lines) {
+    for (LineSection& section : line.sections) {
+      const auto corners = corners_of(mesh, section.face);
+      for (Planar* place : {&section.from, &section.to}) {
+        const double third = place->imag() / corners[2].second.imag();
+        const double second = (place->real() - third * corners[2].second.real()) / corners[1].second.real();
+        const double weights[] = {1 - second - third, second, third};
+        const auto least = std::min_element(std::begin(weights), std::end(weights));
+        if (*least < kRoundedWeight) continue;
+        Planar moved = 0;
+        for (int k = 0; k < 3; ++k) {
+          if (weights + k != least) moved += weights[k] / (1 - *least) * corners[k].second;
+        }
+        *place = moved;
+      }
+    }
+  }
 }
 
 WeightedPoint on_input(const FlattenInput& input, const Chart& chart, FaceHandle face, Planar place) {
