@@ -27,7 +27,7 @@ def begin_held_update() -> Generator[object, None, Event]:
 
 def let_it_solve(goes_on: Event) -> drive.Tour:
     goes_on.set()
-    yield lambda: window_run._current.is_done
+    yield lambda: window_run._current is None or window_run._current.is_done
 
 
 def flat_vertices() -> int:
