@@ -294,10 +294,19 @@ void PartSearch::add_joined(const CutMesh& mesh, double limit, std::vector<DartP
   for (int i = 0; i < kRepeats; ++i) {
     SectionMerger merger({cut, parts}, chart, mirrored, model.exact(), cut_options_.narrowest, kPartSolidity);
     merger.run(joined_for, [](double) {});
-    SurfaceLines lines = lines_across(own_, alone_, mesh, chart, image, merger.state().cut);
-    move_to_edges(chart_.mesh, lines);
-    const std::optional<DartProposal> set = smooth_set(lines, limit);
-    if (!set) return;
+    const SurfaceLines lines = lines_across(own_, alone_, mesh, chart, image, merger.state().cut);
+    std::optional<DartProposal> set;
+    for (const MoveTo where : {MoveTo::edge, MoveTo::corner}) {
+      SurfaceLines moved = lines;
+      move_out_of_faces(chart_.mesh, where, moved);
+      set = smooth_set(moved, limit);
+      if (set && set->num_pieces == static_cast<int>(merger.state().pieces.size())) break;
+      set.reset();  // moved lines have cut off a sliver
+    }
+    if (!set) {
+      joined_for *= kMargin;
+      continue;
+    }
     if (set->strain <= limit) {
       const bool is_useful = set->num_pieces <= kMostPieces && set->strain < kMostStrain;
       if (is_useful && set->length <= cut_options_.longest) sets.push_back(*set);

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <tuple>
 #include <utility>
 
 #include "cuts/propose/cut_chains.h"
@@ -115,22 +116,27 @@ SurfaceLines lines_across(const FlattenInput& input, const Chart& chart, const C
   });
 }
 
-void move_to_edges(const HalfEdgeMesh& mesh, SurfaceLines& lines) {
+void move_out_of_faces(const HalfEdgeMesh& mesh, MoveTo where, SurfaceLines& lines) {
   for (SurfaceLine& line : lines.lines) {
     for (LineSection& section : line.sections) {
       const auto corners = corners_of(mesh, section.face);
-      for (Planar* place : {&section.from, &section.to}) {
-        const double third = place->imag() / corners[2].second.imag();
-        const double second = (place->real() - third * corners[2].second.real()) / corners[1].second.real();
+      const auto move = [&](Planar& place, VertexHandle& vertex) {
+        const double third = place.imag() / corners[2].second.imag();
+        const double second = (place.real() - third * corners[2].second.real()) / corners[1].second.real();
         const double weights[] = {1 - second - third, second, third};
-        const auto least = std::min_element(std::begin(weights), std::end(weights));
-        if (*least < kRoundedWeight) continue;
-        Planar moved = 0;
-        for (int k = 0; k < 3; ++k) {
-          if (weights + k != least) moved += weights[k] / (1 - *least) * corners[k].second;
+        const auto [least, most] = std::minmax_element(std::begin(weights), std::end(weights));
+        if (*least < kRoundedWeight) return;
+        if (where == MoveTo::corner) {
+          std::tie(vertex, place) = corners[most - weights];
+          return;
         }
-        *place = moved;
-      }
+        place = 0;
+        for (int k = 0; k < 3; ++k) {
+          if (weights + k != least) place += weights[k] / (1 - *least) * corners[k].second;
+        }
+      };
+      move(section.from, section.vertex_from);
+      move(section.to, section.vertex_to);
     }
   }
 }
