@@ -33,7 +33,7 @@ namespace {
 constexpr int kMostRounds = 8;
 
 /// A model with more parts than this is not divided further, and sets with more pieces than the second number are not
-/// proposed: more than a plush maker would sew. A bear has 62 parts, which are joined to 22 pieces.
+/// proposed: more than a plush maker would sew. A rabbit has 32 parts, which are joined to 12 pieces.
 constexpr std::size_t kMostParts = 64;
 constexpr int kMostPieces = 24;
 
