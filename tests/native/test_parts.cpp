@@ -183,6 +183,11 @@ std::vector<DartProposal> smooth_sets(const FlattenInput& input, CutOptions cut_
   return propose_seams(input, {}, cut_options, {});
 }
 
+/// Compares the figures of a set with those of a run.
+void expect_figures_of_a_run(const FlattenInput& input, const DartProposal& set) {
+  test::expect_figures(test::with_paths(input, set.paths), {set.energy, set.strain, set.length, set.num_pieces});
+}
+
 /// Returns the sets of the search by parts alone.
 std::vector<DartProposal> sets_of_parts(const FlattenInput& input, const CutOptions& cut_options) {
   const InternalOptions options{Options()};
@@ -201,8 +206,7 @@ TEST(PartSets, DivideAModelAtItsNeckAndClaimTheFiguresOfARun) {
   ASSERT_FALSE(sets.empty());
   for (const DartProposal& set : sets) {
     ASSERT_FALSE(set.paths.empty());
-    const FlattenInput cut = test::with_paths(input, set.paths);
-    test::expect_figures(cut, {set.energy, set.strain, set.length, set.num_pieces});
+    expect_figures_of_a_run(input, set);
   }
   const FlattenInput cut = test::with_paths(input, sets.front().paths);
   for (const Piece& piece : flatten(cut).pieces) {
@@ -222,8 +226,7 @@ TEST(PartSets, DivideRoundModelsWithoutNecks) {
     for (const DartProposal& set : sets) {
       EXPECT_LE(set.num_pieces, 24);
       EXPECT_LE(set.strain, 0.2);
-      const FlattenInput cut = test::with_paths(input, set.paths);
-      test::expect_figures(cut, {set.energy, set.strain, set.length, set.num_pieces});
+      expect_figures_of_a_run(input, set);
       const CutMesh mesh = cut_mesh(input.vertices, input.faces, set.paths);
       for (const VertexPair& edge : mesh.edges) {  // Blender cannot divide a face at a point inside it
         for (const int v : edge) EXPECT_EQ((mesh.sources.vertex_weights.row(v).array() == 0).any(), true);
@@ -252,7 +255,7 @@ TEST(PartSets, AreFollowedByOthersIfTheyNeedTooMuchStrain) {
   ASSERT_FALSE(parts.empty());
   bool has_other = false;
   for (const DartProposal& set : smooth_sets(input, cut_options)) {
-    test::expect_figures(test::with_paths(input, set.paths), {set.energy, set.strain, set.length, set.num_pieces});
+    expect_figures_of_a_run(input, set);
     has_other = has_other || std::none_of(parts.begin(), parts.end(),
                                           [&](const DartProposal& part) { return part.length == set.length; });
   }

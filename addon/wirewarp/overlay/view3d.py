@@ -49,7 +49,7 @@ def draw_space() -> None:
 
 @contextmanager
 def _hidden_by_what_is_in_front() -> Iterator[None]:
-    """Let closer surfaces hide what is drawn, and restore the state afterwards."""
+    """Hide what is drawn behind closer surfaces, and restore the state afterwards."""
     before = gpu.state.depth_test_get()
     gpu.state.depth_test_set("LESS_EQUAL")
     try:

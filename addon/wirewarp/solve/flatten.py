@@ -272,7 +272,7 @@ def seams_on_edges(proposed: Iterable[tuple[int, int]], arrays: MeshArrays) -> l
 
 
 def polygons_across(diagonals: np.ndarray, arrays: MeshArrays) -> np.ndarray:
-    """Return, for each pair of vertices (k, 2), the polygon of which it is a diagonal."""
+    """Return the polygon (k,) that contains each diagonal. The diagonals (k, 2) are pairs of vertices."""
     count = len(arrays.vertices)
     sides = edge_keys(arrays.triangles[:, [0, 1, 1, 2, 2, 0]], count)
     order = np.argsort(sides)

@@ -137,6 +137,13 @@ std::vector<SurfacePath> paths_along(const Triangles& faces, const std::vector<V
   return paths;
 }
 
+void set_figures(const CutSurface& surface, const PieceFigures& figures, DartProposal& set) {
+  set.length = surface.length();
+  set.num_pieces = figures.num_pieces;
+  set.energy = figures.energy;
+  set.strain = figures.strain;
+}
+
 LineEvaluation::LineEvaluation(const FlatPieces& pieces, std::size_t piece, const ExactEvaluation& exact)
     : pieces_(pieces), piece_(piece), exact_(exact) {}
 

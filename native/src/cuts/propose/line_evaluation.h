@@ -48,6 +48,9 @@ class CutSurface {
   FlatPieces before_, after_;  // without and with the cut
 };
 
+/// Sets the figures of a cut set that belong to its lines. figures: of the piece that it cuts.
+void set_figures(const CutSurface& surface, const PieceFigures& figures, DartProposal& set);
+
 class LineEvaluation {
  public:
   /// piece: index of the piece that lines cut. All references are kept.

@@ -56,10 +56,7 @@ DartProposal SmoothMerger::evaluate(std::vector<SurfacePath> paths) const {
   set.edges.clear();
   if (cut.vertices.rows() == given.vertices.rows()) set.edges = cut.edges;
   set.paths = std::move(paths);
-  set.length = surface.length();
-  set.num_pieces = figures.num_pieces;
-  set.energy = figures.energy;
-  set.strain = figures.strain;
+  set_figures(surface, figures, set);
   return set;
 }
 

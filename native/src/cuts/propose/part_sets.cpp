@@ -28,7 +28,7 @@
 namespace wirewarp {
 namespace {
 
-/// Largest number of times that parts are divided by planes. A ball needs three for eight equal parts, and a bear eight
+/// Largest number of times that parts are divided by planes. A ball needs three for eight equal parts, and a bear seven
 /// for 20% of strain.
 constexpr int kMostRounds = 8;
 
@@ -327,10 +327,7 @@ std::optional<DartProposal> PartSearch::smooth_set(const SurfaceLines& lines, do
   const CutSurface surface(pieces_, piece_, exact_, cut);
   const PieceFigures figures = figures_of(surface.after(), surface.before()[piece_]->chart);
   if (figures.error) return std::nullopt;
-  set.length = surface.length();
-  set.num_pieces = figures.num_pieces;
-  set.energy = figures.energy;
-  set.strain = figures.strain;
+  set_figures(surface, figures, set);
   set.energy_before = set.strain_before = std::numeric_limits<double>::infinity();
   if (set.strain > limit || set.paths.size() < lines.lines.size()) return set;
   SmoothLimits limits{limit};

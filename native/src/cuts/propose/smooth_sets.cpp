@@ -349,9 +349,7 @@ std::optional<DartProposal> SmoothSet::evaluate(const std::vector<SurfacePath>& 
   smooth.paths = paths;
   smooth.edges.clear();
   if (cut.vertices.rows() == given_.vertices.rows()) smooth.edges = cut.edges;
-  smooth.length = surface.length();
-  smooth.energy = figures.energy;
-  smooth.strain = figures.strain;
+  set_figures(surface, figures, smooth);
   return smooth;
 }
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <tuple>
 #include <utility>
 
@@ -24,6 +23,13 @@ std::array<std::pair<VertexHandle, Planar>, 3> corners_of(const HalfEdgeMesh& me
   return {{{mesh.from_vertex_handle(first), Planar(0)},
            {mesh.to_vertex_handle(first), Planar(edge_length(mesh, first))},
            {mesh.to_vertex_handle(mesh.next_halfedge_handle(first)), apex_over(mesh, first)}}};
+}
+
+/// Returns the barycentric coordinates of a place in a face.
+std::array<double, 3> weights_at(const std::array<std::pair<VertexHandle, Planar>, 3>& corners, Planar place) {
+  const double third = place.imag() / corners[2].second.imag();
+  const double second = (place.real() - third * corners[2].second.real()) / corners[1].second.real();
+  return {1 - second - third, second, third};
 }
 
 /// Sets the images of lines along these chains.
@@ -121,18 +127,16 @@ void move_out_of_faces(const HalfEdgeMesh& mesh, MoveTo where, SurfaceLines& lin
     for (LineSection& section : line.sections) {
       const auto corners = corners_of(mesh, section.face);
       const auto move = [&](Planar& place, VertexHandle& vertex) {
-        const double third = place.imag() / corners[2].second.imag();
-        const double second = (place.real() - third * corners[2].second.real()) / corners[1].second.real();
-        const double weights[] = {1 - second - third, second, third};
-        const auto [least, most] = std::minmax_element(std::begin(weights), std::end(weights));
+        const std::array<double, 3> weights = weights_at(corners, place);
+        const auto [least, most] = std::minmax_element(weights.begin(), weights.end());
         if (*least < kRoundedWeight) return;
         if (where == MoveTo::corner) {
-          std::tie(vertex, place) = corners[most - weights];
+          std::tie(vertex, place) = corners[static_cast<std::size_t>(most - weights.begin())];
           return;
         }
         place = 0;
-        for (int k = 0; k < 3; ++k) {
-          if (weights + k != least) place += weights[k] / (1 - *least) * corners[k].second;
+        for (std::size_t k = 0; k < 3; ++k) {
+          if (&weights[k] != &*least) place += weights[k] / (1 - *least) * corners[k].second;
         }
       };
       move(section.from, section.vertex_from);
@@ -143,11 +147,9 @@ void move_out_of_faces(const HalfEdgeMesh& mesh, MoveTo where, SurfaceLines& lin
 
 WeightedPoint on_input(const FlattenInput& input, const Chart& chart, FaceHandle face, Planar place) {
   const auto corners = corners_of(chart.mesh, face);
-  const double third = place.imag() / corners[2].second.imag();
-  const double second = (place.real() - third * corners[2].second.real()) / corners[1].second.real();
+  const std::array<double, 3> weights = weights_at(corners, place);
   WeightedPoint point{chart.source_face[face.idx()], Eigen::RowVector3d::Zero()};
-  const double weights[] = {1 - second - third, second, third};
-  for (int i = 0; i < 3; ++i) {
+  for (std::size_t i = 0; i < 3; ++i) {
     for (int k = 0; k < 3; ++k) {
       if (input.faces(point.face, k) == chart.source_vertex[corners[i].first.idx()])
         point.weights[k] = weights[i] < kRoundedWeight ? 0 : weights[i];
