@@ -7,6 +7,7 @@ Usage: python write_reference.py FOLDER. Without the stub, pdoc would show pybin
 """
 
 import inspect
+import re
 import sys
 from pathlib import Path
 from typing import Any
@@ -59,7 +60,7 @@ def describe_class(kind: pdoc.doc.Class, stub: Any) -> None:  # noqa: ANN401
             member.docstring = bound.__doc__ or ""
             is_getter = isinstance(typed, property)
             of_what = typed.fget.__annotations__["return"] if is_getter else stub.__annotations__[name]
-            member.annotation_str = f": {of_what}"
+            member.annotation_str = ": " + re.sub(r"^Final\[(.*)\]$", r"\1", of_what)
         elif isinstance(member, pdoc.doc.Function) and inspect.isfunction(typed):
             describe_function(member, typed)
 
