@@ -92,16 +92,57 @@ def test_sets_with_pieces_narrower_than_two_allowances_have_a_warning(addon):
     assert not any(cut.is_narrow for cut in found(addon, source).cuts)
 
 
-def test_a_set_beyond_one_direction_of_the_fabric_has_a_warning(addon):
+def flattened_for(addon, source, index):
+    """Mark a suggested set, flatten for the chosen fabric, and return the set and the verdict."""
+    bpy.ops.object.wirewarp_choose_suggestion(index=index)
+    suggestions, shown = found(addon, source), draw_panels(addon)
+    bpy.ops.object.wirewarp_mend(what="SUGGESTION")
+    bpy.ops.object.wirewarp_flatten(cloth=bpy.context.scene.wirewarp.cloth)
+    return suggestions.cuts[index], shown, addon.state.reports.last_report(source).tables.verdict
+
+
+def test_a_set_that_needs_more_than_the_tighter_direction_is_chosen_if_the_verdict_allows_it(addon):
+    bpy.ops.mesh.primitive_torus_add(major_radius=0.1, minor_radius=0.05)
+    source = bpy.context.object
+    bpy.context.scene.wirewarp.cloth = "MINKY"  # 20% and 5%
+    SUGGEST["SEAMS"]()
+    cut, shown, verdict = flattened_for(addon, source, found(addon, source).chosen)
+    assert cut.strain > 0.05 and "more than this minky can" not in shown
+    assert verdict.kind is addon.core.Kind.READY
+
+
+def test_a_set_beyond_the_fabric_says_so_before_it_is_marked(addon):
+    bpy.ops.mesh.primitive_uv_sphere_add(segments=24, ring_count=12, radius=0.1)
+    source = bpy.context.object
+    bpy.context.scene.wirewarp.cloth = "MINKY"
+    SUGGEST["SEAMS"]()
+    assert found(addon, source).cuts[found(addon, source).chosen].strain <= 0.05
+    cut, shown, verdict = flattened_for(addon, source, 0)
+    across, along = (addon.core.percent_text(each) for each in (cut.threads.across, cut.threads.along))
+    assert f"A piece must stretch {across} across and {along} along, more than this minky can." in shown
+    assert verdict.kind is addon.core.Kind.BEYOND_FABRIC and along in verdict.lines[0].text
+
+
+def test_the_search_is_for_the_fabric(addon):
+    """Woven cotton stretches 3%, and the sets for unknown fabrics need 5% or more."""
     source = ball()
     settings = bpy.context.scene.wirewarp
-    settings.cloth, settings.gives_across, settings.gives_along = "MINKY", 90, 80
+    settings.dart_lines = "EDGES"
     SUGGEST["SEAMS"]()
-    assert "in one direction" not in draw_panels(addon)
-    least = min(cut.strain for cut in found(addon, source).cuts)
-    settings.gives_along = 100 * least / 2  # the other direction stretches far enough for every set
+    assert min(cut.strain for cut in found(addon, source).cuts) > 0.03
+    settings.cloth = "WOVEN"
     SUGGEST["SEAMS"]()
-    assert "in its tighter direction, so the pieces may need another fabric." in draw_panels(addon)
+    suggestions = found(addon, source)
+    assert suggestions.cuts[suggestions.chosen].strain <= 0.03
+
+
+def test_flat_pieces_get_seams_even_if_their_fabric_suffices(addon):
+    source = grid("Bump", bump, size=6)
+    settings = bpy.context.scene.wirewarp
+    settings.cloth, settings.gives_across, settings.gives_along = "MINKY", 90, 19
+    bpy.ops.object.wirewarp_flatten(cloth="MINKY", gives_across=0.9, gives_along=0.19)
+    assert addon.state.reports.last_report(source).pieces[0].needed < 0.19
+    assert SUGGEST["SEAMS"]() == {"FINISHED"}
 
 
 @pytest.mark.parametrize("lines", ["SMOOTH", "EDGES"])

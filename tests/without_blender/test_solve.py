@@ -43,20 +43,19 @@ def test_the_chosen_set_has_the_fewest_pieces_for_the_fabric(addon):
     figures = (9, 0.04), (3, 0.3), (5, 0.1), (6, 0.2), (8, 0.097)
     sets = [suggest.Cut([], [], [], None, 0, [1.0], strain, math.inf, pieces) for pieces, strain in figures]
     narrow = [replace(each, is_narrow=True) if each.num_pieces == 5 else each for each in sets]
-    assert [each.num_pieces for each in suggest.from_few_pieces(narrow, 0.5, 1.0)] == [3, 5, 6, 8, 9]
+    assert [each.num_pieces for each in suggest.from_few_pieces(narrow, [0.5, 1.0])] == [3, 5, 6, 8, 9]
     # the set of 8 pieces reaches the limit
-    assert [each.num_pieces for each in suggest.from_few_pieces(sets, 0.098, 1.0)] == [3, 5, 8, 9]
+    assert [each.num_pieces for each in suggest.from_few_pieces(sets, [0.098, 1.0])] == [3, 5, 8, 9]
     beside = replace(sets[0], num_pieces=8, strain=0.03, is_narrow=True)
-    rows = [(each.num_pieces, each.strain) for each in suggest.from_few_pieces([*sets, beside], 0.098, 1.0)]
+    rows = [(each.num_pieces, each.strain) for each in suggest.from_few_pieces([*sets, beside], [0.098, 1.0])]
     assert rows[2:4] == [(8, 0.097), (8, 0.03)]
     # nobody sews the set of 30% if the softer direction stretches 20% and another set needs no more
-    assert [each.num_pieces for each in suggest.from_few_pieces(sets, 0.098, 0.2)] == [5, 8, 9]
-    assert [each.num_pieces for each in suggest.from_few_pieces(sets, 0.01, 0.02)] == [3, 5, 9]
-    sets = suggest.from_few_pieces(sets, 0.5, 1.0)
+    assert [each.num_pieces for each in suggest.from_few_pieces(sets, [0.098, 0.2])] == [5, 8, 9]
+    assert [each.num_pieces for each in suggest.from_few_pieces(sets, [0.01, 0.02])] == [3, 5, 9]
+    sets = suggest.from_few_pieces(sets, [0.5, 1.0])
     assert [each.num_pieces for each in sets] == [3, 5, 9]
     assert [suggest.set_for(sets, [limit]) for limit in (0.5, 0.2, 0.05, 0.01)] == [0, 1, 2, 2]
     assert suggest.set_for(sets, [0.05, 0.5]) == 2  # this set is within the limits of both directions of the fabric
-    assert suggest.set_for(sets, [0.01, 0.2]) == 1  # no set is within the first limit
     sets[1] = replace(sets[1], is_narrow=True)
     assert [suggest.set_for(sets, [limit]) for limit in (0.5, 0.2, 0.01)] == [0, 2, 2]
     narrow = [replace(each, is_narrow=True) for each in sets]
@@ -64,6 +63,24 @@ def test_the_chosen_set_has_the_fewest_pieces_for_the_fabric(addon):
     koala = [replace(sets[0], strain=0.77), replace(sets[0], num_pieces=4, strain=0.17, is_narrow=True)]
     assert suggest.set_for(koala, [0.2]) == 1  # the stretch comes before the width
     assert suggest.set_for(koala, [0.1]) == 1
+
+
+def test_each_direction_of_the_fabric_decides_about_a_measured_set(addon):
+    suggest, limits = addon.solve.suggest, [0.05, 0.2]
+
+    def measured(pieces, across, along):
+        ways = addon.core.report.model.Ways(across=0.2, along=0.05)
+        threads = addon.core.Threads(cloth="minky", across=across, along=along, shear=0, gives=ways, worn=ways)
+        cut = suggest.Cut([], [], [], None, 0, [1.0], max(across, along), math.inf, pieces)
+        return replace(cut, threads=threads)
+
+    upright, turned, many = measured(4, 0.15, 0.04), measured(3, 0.04, 0.15), measured(9, 0.03, 0.03)
+    assert suggest.set_for([turned, upright, many], limits) == 1
+    assert suggest.set_for([turned, many], limits) == 1
+    assert suggest.set_for([turned, measured(4, 0.04, 0.12)], limits) == 1  # nearest to the fabric
+    close = replace(measured(4, 0.149, 0.03), lengths=[2.0])  # its gain is small, but only this set suits the fabric
+    assert suggest.from_few_pieces([turned, close, many], limits) == [turned, close, many]
+    assert suggest.from_few_pieces([measured(3, 0.15, 0.03), close, many], limits)[1:] == [many]
 
 
 def test_mirror_images_without_common_figures_are_one_row(addon):

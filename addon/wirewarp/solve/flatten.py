@@ -152,6 +152,13 @@ def known_stretch(cloth: ClothChoice | None) -> list[float]:
     return sorted(limit for limit in maximum_stretch(cloth) if limit is not None) if cloth else []
 
 
+def limits_of(cloth: ClothChoice | None) -> dict[str, Any]:
+    """Return the arguments for make_report: the fabric and its maximum stretch."""
+    if cloth is None:
+        return {}
+    return {"cloth": library_cloth(cloth), "limits": maximum_stretch(cloth), "fabric": cloth.name}
+
+
 def _without_stretch(cloth: ClothChoice) -> Cloth:
     return Cloth(cloth.weft, cloth.warp, cloth.shear) if cloth.name == "custom" else Cloth.preset(cloth.name)
 

@@ -32,7 +32,7 @@ from ..core import (
 )
 from .arrays import MeshArrays, triangle_areas
 from .chains import edge_keys
-from .flatten import ClothChoice, issue_of_piece, known_stretch, library_cloth, library_marks, maximum_stretch
+from .flatten import ClothChoice, issue_of_piece, known_stretch, library_marks, limits_of
 from .identity import PieceIdentity, SeamIdentity
 
 SHOWN_SENTENCES = 4
@@ -165,9 +165,7 @@ def _library_report(result: FlattenResult, arrays: MeshArrays, meters: float, cl
         arrays.vertices,
         arrays.triangles,
         **library_marks(library(), arrays),
-        cloth=library_cloth(cloth) if cloth else None,
-        limits=maximum_stretch(cloth) if cloth else None,
-        fabric=cloth.name if cloth else "",
+        **limits_of(cloth),
         meters=meters,
         polygons=arrays.triangle_polygons,
         issues=with_mirror_images(issues, result, arrays),

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Sets of seams: which seams a model can do without, and how narrow the pieces of a set are. Does not use Blender."""
+"""Sets of seams: which seams a model can do without, and whether the pieces of a set suit the fabric and have room.
+
+Does not use Blender.
+"""
 
 import math
 from collections.abc import Sequence
@@ -9,14 +12,22 @@ from types import ModuleType
 
 import numpy as np
 
-from ..core import Cache, pattern, percent_text
+from ..core import Cache, Threads, make_report, pattern, percent_text
 from ..issues import ObjectError, object_error
 from .arrays import MeshArrays
 from .chains import edge_keys, next_corners
 from .cut_faces import segments_along
-from .flatten import FlattenChoices, issue_of_error, library_arguments, result_of
+from .flatten import (
+    FlattenChoices,
+    issue_of_error,
+    known_stretch,
+    library_arguments,
+    library_marks,
+    limits_of,
+    result_of,
+)
 from .steps import CanceledError, Steps, of_all, reported_as
-from .suggest import Cut, from_few_pieces
+from .suggest import Cut, excess_of, from_few_pieces
 
 LIMITS = (0.05, 0.1, 0.2)  # accepted stretches: woven fabric stretches by the first, plush and knits by the last
 
@@ -81,21 +92,19 @@ def _row(arrays: MeshArrays, cleared: np.ndarray, length: float, strain: float, 
     )
 
 
-SEARCH = 0.8  # share of the progress that the search gets; measuring widths gets the rest
+SEARCH = 0.8  # share of the progress that the search gets; measuring the sets gets the rest
 
 
-def with_widths(
+def with_measures(
     search: Steps[list[Cut]],
     library: ModuleType,
     arrays: MeshArrays,
     choices: FlattenChoices,
-    limit: float,
-    most: float,
+    limits: Sequence[float],
 ) -> Steps[list[Cut]]:
-    """Search, and return cut sets with their widths. If the measurement is canceled, the sets have no widths.
+    """Search, and return cut sets with their widths and threads. If the measurement is canceled, they have none.
 
-    limit, most: the maximum stretch of the fabric in the tighter and in the softer direction, which decide between cut
-    sets. Other cuts stay as they are.
+    limits: maximum stretches of the fabric, the smaller direction first. Other cuts stay as they are.
     """
     cuts = yield from reported_as(search, lambda share: SEARCH * share)
     if not cuts[0].is_set:
@@ -104,7 +113,7 @@ def with_widths(
         sets = yield from reported_as(_measured(cuts, library, arrays, choices), _after_search)
     except CanceledError:
         sets = cuts
-    return from_few_pieces(sets, limit, most) if cuts[0].is_first else sets
+    return from_few_pieces(sets, limits) if cuts[0].is_first else sets
 
 
 def _after_search(share: float) -> float:
@@ -116,18 +125,18 @@ def _measured(
 ) -> Steps[list[Cut]]:
     found, solved = [], library.Cache()
     for index, cut in enumerate(cuts):
-        steps = _narrowest(library, arrays, choices, cut, solved)
-        width, is_narrow = yield from reported_as(steps, partial(of_all, index, len(cuts)))
-        found.append(replace(cut, width=width, is_narrow=is_narrow))
+        steps = _measured_set(library, arrays, choices, cut, solved)
+        found.append((yield from reported_as(steps, partial(of_all, index, len(cuts)))))
     return found
 
 
-def _narrowest(
+def _measured_set(
     library: ModuleType, arrays: MeshArrays, choices: FlattenChoices, cut: Cut, solved: Cache
-) -> Steps[tuple[float | None, bool]]:
-    """Return the narrowest width of the pieces that the set changes, and whether one has no room for its allowances.
+) -> Steps[Cut]:
+    """Return the set with the narrowest width of the pieces that it changes, and whether one has no room.
 
-    If there are such pieces, the width is theirs. It is in Blender units; None if no piece is flat.
+    If there are pieces without room for their allowances, the width is theirs. It is in Blender units; None if no piece
+    is flat. If the fabric's maximum stretch is known, the set also gets the threads of its worst piece.
     """
     arguments, count = library_arguments(library, arrays, choices), len(arrays.vertices)
     sides, allowances = _own_allowances(arrays)
@@ -139,13 +148,26 @@ def _narrowest(
         vertices, faces, changed, _ = library.cut_mesh(arrays.vertices, arrays.triangles, cut.paths)
         arguments["seams"] = np.concatenate([arrays.seams, changed])
     result = yield from result_of(library.start(vertices, faces, **arguments, cache=solved))
+    pieces = result.pieces
+    own = pattern.pieces_along(pieces, changed)
     widths, without_room = [], []
-    for piece in pattern.pieces_along(result.pieces, changed):
+    for piece in own:
         widths.append(pattern.piece_width(piece))
         if not pattern.has_room(piece, arrays.default_allowance, sides, allowances):
             without_room.append(widths[-1])
         yield 1.0
-    return min(without_room or widths, default=None), bool(without_room)
+    threads: list[Threads] = []
+    if known_stretch(choices.cloth):
+        marks = library_marks(library, arrays)
+        report = make_report(result, vertices, faces, **marks, **limits_of(choices.cloth))
+        reports = zip(pieces, report.pieces, strict=True)
+        threads = [each.threads for piece, each in reports if each.threads and any(piece is other for other in own)]
+    return replace(
+        cut,
+        width=min(without_room or widths, default=None),
+        is_narrow=bool(without_room),
+        threads=max(threads, key=excess_of, default=None),
+    )
 
 
 def _own_allowances(arrays: MeshArrays) -> tuple[np.ndarray, np.ndarray]:

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from ..core import DartProposal, Job, LengthText, SurfacePath, counted, percent_text, quoted
+from ..core import DartProposal, Job, LengthText, SurfacePath, Threads, counted, percent_text, quoted
 from ..issues import ObjectError
 from ..names import NO_SEAM
 from .arrays import MeshArrays
@@ -63,6 +63,7 @@ class Cut:
     cleared: Pairs = field(default_factory=list)  # seams to clear; then nothing is cut
     width: float | None = None  # narrowest width of the pieces of a set, Blender units; None until it is measured
     is_narrow: bool = False  # whether two allowances of a piece have no room beside each other
+    threads: Threads | None = None  # of the piece of a set that is furthest beyond the fabric; None until measured
 
     @property
     def is_first(self) -> bool:
@@ -74,6 +75,19 @@ class Cut:
         """Return whether the cut is a complete set of seams for a piece or model, so that the rows are alternatives."""
         return bool(self.cleared) or (self.is_first and len(self.lengths) == 1)
 
+    def excess(self, limits: Sequence[float]) -> float:
+        """Return by how much a piece of the set is beyond the fabric, as the verdict compares them; at most 0 if none.
+
+        Before the set is measured, its strain counts in the tighter direction. limits: maximum stretches, the smaller
+        direction first.
+        """
+        return excess_of(self.threads) if self.threads else self.strain - limits[0]
+
+
+def excess_of(threads: Threads) -> float:
+    """Return by how much a piece must stretch more than the fabric can; at most 0 if the fabric suffices."""
+    return max(threads.across - threads.limit("across"), threads.along - threads.limit("along"))
+
 
 @dataclass(frozen=True)
 class SearchOptions:
@@ -82,6 +96,7 @@ class SearchOptions:
     kind: str  # DARTS or SEAMS; FEWER for seams to clear
     piece: int | None = None  # None for any
     target: Target | None = None
+    strain: float | None = None  # accepted strain of cut sets; None for the library's; ignored if there is a target
     is_smooth: bool = False  # whether darts and cut sets may cross faces; ignored if there is a target
     names: dict[int, str] = field(default_factory=dict)  # names of pieces by their ids
 
@@ -149,7 +164,7 @@ def _start(
         return library.start_plan(**arguments, **limits, kind="dart" if is_dart else "seam", twins=True)
     lines = {"smooth": options.is_smooth, "no_crossing": around_painted}
     if not is_dart:
-        return library.start_seams(**arguments, **lines, narrowest=ROOM * allowance)
+        return library.start_seams(**arguments, **lines, strain=options.strain, narrowest=ROOM * allowance)
     return library.start_darts(**arguments, **lines)
 
 
@@ -196,32 +211,32 @@ def _with_mirror_images(proposals: list[DartProposal], arrays: MeshArrays) -> li
     return cuts
 
 
-def from_few_pieces(sets: Sequence[Cut], limit: float, most: float) -> list[Cut]:
+def from_few_pieces(sets: Sequence[Cut], limits: Sequence[float]) -> list[Cut]:
     """Return cut sets by their number of pieces, without those that have more pieces but about the same stretch.
 
-    A small gain counts if it reaches the limit, which is the maximum stretch. Sets with narrow pieces never replace
-    others. Sets beyond `most`, the maximum stretch in the softer direction, are left out if another set is within it.
+    The first set that the fabric allows is kept even if it gains little. Sets with narrow pieces never replace others.
+    Sets beyond both directions of the fabric are left out if another set is not. limits: see Cut.excess.
     """
     kept: list[Cut] = []
-    within = [each for each in sets if each.strain <= most]
+    within = [each for each in sets if each.strain <= limits[-1]]
     for each in sorted(within or sets, key=lambda cut: (cut.num_pieces, cut.strain, cut.lengths[0])):
-        least = min((other.strain for other in kept if other.is_narrow == each.is_narrow), default=math.inf)
-        if each.strain < WORTH_PIECES * least or each.strain <= limit < least:
+        others = [other for other in kept if other.is_narrow == each.is_narrow]
+        is_first = each.excess(limits) <= 0 < min((other.excess(limits) for other in others), default=math.inf)
+        if is_first or each.strain < WORTH_PIECES * min((other.strain for other in others), default=math.inf):
             kept.append(each)
     return sorted(kept, key=lambda cut: (cut.num_pieces, -cut.strain))  # less stretch below, also beside narrow sets
 
 
 def set_for(sets: Sequence[Cut], limits: Sequence[float]) -> int:
-    """Return the set to show, among those within the first limit that a set keeps: one with room, of fewest pieces.
+    """Return the set to show, among those that the fabric allows: one with room, of fewest pieces.
 
-    If no set keeps a limit, it is the set of least stretch. limits: maximum stretches of the fabric, the smaller
-    direction first.
+    If the fabric allows none, it is the set that is least beyond it. limits: see Cut.excess.
     """
-    for limit in limits:
-        within = [index for index, each in enumerate(sets) if each.strain <= limit]
-        if within:
-            return min(within, key=lambda index: (sets[index].is_narrow, index))
-    return min(range(len(sets)), key=lambda index: sets[index].strain)
+    excesses = [each.excess(limits) for each in sets]
+    within = [index for index, excess in enumerate(excesses) if excess <= 0]
+    if within:
+        return min(within, key=lambda index: (sets[index].is_narrow, index))
+    return excesses.index(min(excesses))
 
 
 def _steps_of(plan: list[DartProposal], arrays: MeshArrays, piece: int | None) -> list[Cut]:

@@ -17,7 +17,8 @@ from ..flatten.read import active_target, check_sources, find_source, is_current
 from ..issues import ObjectError, changed_error, object_error
 from ..properties import reset_unknown
 from ..solve.flatten import FlattenChoices, known_stretch, used_choices
-from ..solve.seam_sets import fewer_seams, limits_up_to, with_widths
+from ..solve.report import ObjectReport
+from ..solve.seam_sets import fewer_seams, limits_up_to, with_measures
 from ..solve.steps import CanceledError, Steps
 from ..solve.suggest import (
     Cut,
@@ -43,8 +44,9 @@ from ..ui.window_run import WindowSteps, fault_sentence
 
 CHOOSE_FABRIC = "Choose a fabric that stretches more."
 SET_TARGET = "Set a larger target."
-SOFT = 0.2  # maximum stretch of plush and knits, of which most closed models are sewn
-SOFTEST = 0.5  # maximum stretch of jersey, the softest fabric that is not made for swimming
+# Maximum stretches of the fabric if they are unknown: of plush and knits, of which most closed models are sewn, and of
+# jersey, the softest fabric that is not made for swimming.
+SOFT = 0.2, 0.5
 
 
 @dataclass(frozen=True)
@@ -97,23 +99,27 @@ def begin_search(context: bpy.types.Context, source: bpy.types.Object, kind: str
     target, used = target_of(settings), used_choices(choices, model.arrays)
     is_smooth = settings.dart_lines == "SMOOTH" and target is None
     names = {each.piece_id: each.name for each in pieces if each.piece_id}
-    options = SearchOptions(kind, piece, target, is_smooth, names)
+    limits = known_stretch(used.cloth)
+    is_for_sets = not is_known or _lacks_seams(known, piece)
+    # softer fabrics need no less than the library's sets; for swim knit, a ball would become two pieces that need 71%
+    strain = limits[0] if limits and limits[0] < SOFT[0] and is_for_sets else None
+    options = SearchOptions(kind, piece, target, strain, is_smooth, names)
     if kind == "FEWER":
-        up_to = limits_up_to(next(iter(known_stretch(used.cloth)), None))
-        limits, remedy = ([target.strain], SET_TARGET) if target else (up_to, CHOOSE_FABRIC)
-        steps = fewer_seams(core.library(), model.arrays, choices, limits, remedy)
+        up_to = limits_up_to(next(iter(limits), None))
+        accepted, remedy = ([target.strain], SET_TARGET) if target else (up_to, CHOOSE_FABRIC)
+        steps = fewer_seams(core.library(), model.arrays, choices, accepted, remedy)
         options = replace(options, target=None)  # the sets are alternatives, not steps
     else:
         steps = suggest_cuts(core.library(), model.arrays, choices, options, no_seam)
     if options.target is None:
-        most = (known_stretch(used.cloth) or [SOFTEST])[-1]
-        steps = with_widths(steps, core.library(), model.arrays, choices, _accepted(used)[0], most)
+        steps = with_measures(steps, core.library(), model.arrays, choices, limits or SOFT)
     return Search(options, model, used, own, is_shaped or is_split, steps, {each.index: each.name for each in pieces})
 
 
-def _accepted(choices: FlattenChoices) -> list[float]:
-    """Return the known maximum stretches of the fabric; if none is known, the stretches of soft fabrics."""
-    return known_stretch(choices.cloth) or [SOFT]
+def _lacks_seams(report: ObjectReport, piece: int | None) -> bool:
+    """Return whether the search is for cut sets. A piece that is flat gets cuts even if its fabric suffices."""
+    pieces = report.pieces if piece is None else report.pieces[piece : piece + 1]
+    return not pieces or any(not each.ok or each.needed > core.ANY_LIMIT for each in pieces)
 
 
 def _names_of(search: Search, cuts: list[Cut]) -> list[str]:
@@ -129,7 +135,7 @@ def _shown_first(search: Search, cuts: list[Cut]) -> int:
         return len(cuts) - 1
     if not cuts[0].is_set:
         return 0
-    return set_for(cuts, _accepted(search.choices))
+    return set_for(cuts, known_stretch(search.choices.cloth) or SOFT)
 
 
 def keep_found(search: Search, cuts: list[Cut], place: Place = "FLATTEN") -> Suggestions:

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 import bpy
 
 from ..blender.objects import length_text
-from ..core import counted, percent_text
+from ..core import counted, percent_text, set_beyond_fabric
 from ..solve.flatten import known_stretch
 from ..solve.suggest import Cut, row_text, shortfall
 from ..state.drawings import Same, kept_drawing
@@ -14,7 +14,7 @@ from ..state.memory import stamp
 from ..state.settings import TargetSettings
 from ..state.suggestions import Place, Suggestions, current_suggestions, suggestions_of
 from ..ui.layout import draw_progress, draw_sentence
-from ..ui.settings import figures_sentence, known_choices, shown_source
+from ..ui.settings import figures_sentence, shown_source
 from ..ui.window_run import SUGGEST
 
 KINDS = ("darts", "seams")
@@ -97,10 +97,10 @@ def draw_suggestions(context: bpy.types.Context, layout: bpy.types.UILayout, pla
         draw_sentence(context, layout, NARROW.format(lengths.rough(cut.width)), "ERROR")
     elif cut.width is not None:
         draw_sentence(context, layout, WIDTH.format(lengths.rough(cut.width)), "INFO")
-    choices = known_choices(context.scene.wirewarp)
-    limit = next(iter(known_stretch(choices.cloth)), None) if choices else None
-    if cut.is_set and limit is not None and cut.strain > limit:
-        draw_sentence(context, layout, BEYOND.format(percent_text(limit)), "AMBER")
+    limits = known_stretch(found.choices.cloth)
+    if cut.is_set and limits and cut.excess(limits) > 0:
+        beyond = set_beyond_fabric(cut.threads) if cut.threads else BEYOND.format(percent_text(limits[0]))
+        draw_sentence(context, layout, beyond, "AMBER")
     take = layout.column(align=True)
     take.scale_y = 1.2
     text = "Clear and Flatten" if cut.cleared else "Mark and Flatten"

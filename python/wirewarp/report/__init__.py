@@ -15,7 +15,7 @@ from .names import hint_text, issue_text, joined_pieces, note_text, open_edges, 
 from .rows import PieceRow, ReportRow, ReportTables, Side, largest_difference, merged, tables_of
 from .strain import percent_text
 from .verdict import ANY_LIMIT, CLOSED_CODE, SHOWN_NAMES, Kind, Level, Line, Verdict, as_seen, place_name, verdict
-from .wording import needs_text
+from .wording import needs_text, set_beyond_fabric
 from .words import LengthText, counted, ease_text, paragraph, quoted, tolerance_text, wire_text
 
 __all__ = [
@@ -74,6 +74,7 @@ __all__ = [
     "place_name",
     "verdict",
     "needs_text",
+    "set_beyond_fabric",
     "LengthText",
     "counted",
     "ease_text",

@@ -49,6 +49,11 @@ def beyond_fabric(names: str, threads: Threads) -> str:
     return f"{names} must stretch {needed}, but this {threads.cloth} stretches only {stretches}"
 
 
+def set_beyond_fabric(threads: Threads) -> str:
+    """Return the sentence about a set of seams. threads: of its piece that is furthest beyond the fabric."""
+    return f"A piece must stretch {by_way(threads.across, threads.along)}, more than this {threads.cloth} can."
+
+
 def needs_stretch(names: str, is_exact: bool, stretch: str) -> str:
     """Return the sentence.
 
