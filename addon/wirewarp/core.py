@@ -78,10 +78,8 @@ else:
 
 
 def loading_problem(error: Exception, folder: Path | None) -> str:
-    """Return a sentence about an import that failed with this error.
-
-    folder: the library's files; None if there are none.
-    """
+    """Return a sentence about an import that failed with this error. folder: the library's files; None if there are
+    none."""
     if isinstance(error, ModuleNotFoundError) and error.name == "numpy":
         return (
             "Blender's Python has no numpy, which WireWarp needs: install it (on Debian and Ubuntu the package "

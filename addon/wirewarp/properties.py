@@ -153,10 +153,8 @@ class PatternSettings:
 
 
 def take_settings(operator: bpy.types.Operator, settings: "WIREWARP_PG_settings", kind: type = FlattenSettings) -> None:
-    """Copy the settings that the caller has not set from the scene. kind: FlattenSettings or PatternSettings.
-
-    Skips values that are unknown in this version: see reset_unknown.
-    """
+    """Copy the settings that the caller has not set from the scene. kind: FlattenSettings or PatternSettings. Skips
+    values that are unknown in this version: see reset_unknown."""
     reset_unknown(settings, kind)
     for name in kind.__annotations__:
         if not operator.properties.is_property_set(name):

@@ -43,10 +43,8 @@ FORGET = (
 
 
 def register() -> Callable[[], None]:
-    """Register everything. Return a function that removes it all, even if removing some items fails.
-
-    If the registration fails, items that were already registered are removed, too.
-    """
+    """Register everything. Return a function that removes it all, even if removing some items fails. If the
+    registration fails, items that were already registered are removed, too."""
     with ExitStack() as undo:
         for cls in CLASSES:
             bpy.utils.register_class(cls)

@@ -181,9 +181,7 @@ def place():
 
 def call(command, settings, before):
     """Call a command. If it is refused or does nothing, neither stored data nor object, mode and selection may change.
-
-    A run of Flatten may fail in part; its results are not checked here.
-    """
+    A run of Flatten may fail in part; its results are not checked here."""
     where = place()
     said = answer(command, **settings)
     if said == "{'FINISHED'}" or "flatten" in command or "mend" in command:
@@ -194,10 +192,8 @@ def call(command, settings, before):
 
 
 def use_everything(addon, name, mode, folder, commands):
-    """Draw everything with this object active, and call these commands in this mode.
-
-    folder: folder for the pattern, and for the file, which is saved.
-    """
+    """Draw everything with this object active, and call these commands in this mode. folder: folder for the pattern,
+    and for the file, which is saved."""
     shown_map = "STRETCH_COLOR" if mode == "OBJECT" else "WEFT_STRAIN_COLOR"
     for command, settings in [(None, {}), *commands]:
         to_object_mode()

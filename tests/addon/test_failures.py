@@ -113,10 +113,8 @@ def test_flipped_and_overlapping_faces_are_counted_and_selected_as_faces(addon):
 
 @pytest.fixture
 def half_failed():
-    """One piece can be flattened.
-
-    The other is a spike, so steep that a cross of rigid wires makes WireWarping flip faces.
-    """
+    """One piece can be flattened. The other is a spike, so steep that a cross of rigid wires makes WireWarping flip
+    faces."""
     target, other = grid("Both", bump), grid("Spike", lambda x, y: (x + 3, y, 2 * (1 - x * x) * (1 - y * y)))
     mark(other, on_line(0, 3.0), on_line(1, 0.0))
     select_only(target, other)

@@ -62,10 +62,8 @@ def module_in(folder):
 
 
 def check_sentence(addon, sentence):
-    """Register the add-on again: the sentence (a regular expression) is in the panel and the answer of Flatten.
-
-    Nothing else is there.
-    """
+    """Register the add-on again: the sentence (a regular expression) is in the panel and the answer of Flatten. Nothing
+    else is there."""
     addon.unregister()
     addon.register()
     assert re.search(sentence, panel_text())

@@ -201,10 +201,8 @@ def test_the_report_names_the_upright_direction(source, tmp_path):
 
 
 def test_the_report_follows_the_names_of_wires(addon):
-    """Tables, advice and flat pieces have the new names, even if names were swapped.
-
-    Wires with equal names stay separate.
-    """
+    """Tables, advice and flat pieces have the new names, even if names were swapped. Wires with equal names stay
+    separate."""
     source = grid("Bump", bump)
     for line, tolerance in ((0.0, 0.001), (0.5, 0.002)):
         mark(source, on_line(1, line), kind="ELASTIC", tolerance=tolerance)

@@ -46,10 +46,8 @@ def test_an_abandoned_run_is_canceled_in_the_core_too(addon, started):
 
 @pytest.fixture
 def started(addon, monkeypatch):
-    """Collect weak references to the core's jobs that start from now on.
-
-    When these are dead, the threads of the jobs have ended.
-    """
+    """Collect weak references to the core's jobs that start from now on. When these are dead, the threads of the jobs
+    have ended."""
     jobs, library = [], addon.core.library()
     start = library.start
 
@@ -243,10 +241,8 @@ def test_a_second_run_is_refused(addon, source, monkeypatch):
 
 
 def test_an_update_takes_the_undo_group_of_the_last_operator(addon):
-    """An update does not unregister operators, because that would remove Adjust Last Operation.
-
-    The add-on does so when it is disabled.
-    """
+    """An update does not unregister operators, because that would remove Adjust Last Operation. The add-on does so when
+    it is disabled."""
     updating = addon.flatten.auto_update.updating_in
     idnames = [updating(group).idname_py() for group in ("Move", "Mark Seam", "Move", "Update Flat Pieces")]
     assert len(set(idnames)) == 3 and idnames[0] == idnames[2] and idnames[3] == "object.wirewarp_update"

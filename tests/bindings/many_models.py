@@ -26,10 +26,8 @@ SMALL_PIPE = 4096  # bytes, about ten lines; the run waits for a reader, so it c
 
 
 def write_models(folder, count):
-    """Write OBJ files of 50 to 200 triangles in folders of a hundred: bumpy sheets, some of them divided.
-
-    Every 20th is closed and cannot be flat; every 50th is not a model.
-    """
+    """Write OBJ files of 50 to 200 triangles in folders of a hundred: bumpy sheets, some of them divided. Every 20th is
+    closed and cannot be flat; every 50th is not a model."""
     for number in range(count):
         path = folder / f"{number // 100:03d}" / f"model {number:05d}.obj"
         path.parent.mkdir(parents=True, exist_ok=True)
@@ -87,10 +85,8 @@ def run(models, out, jobs):
 
 
 def run_with_kills(models, out, jobs, seed=0):
-    """Kill workers and drivers, and rerun until all is done.
-
-    Return the lines of the last run, and the list of kills.
-    """
+    """Kill workers and drivers, and rerun until all is done. Return the lines of the last run, and the list of
+    kills."""
     count = sum(1 for _ in models.rglob("*.obj"))
     # Kill the runs during the first half of the models, each time a little later, because a killed run is repeated.
     places = sorted(random.Random(seed).sample(range(1, count // 2), len(KILLS)))
@@ -136,8 +132,7 @@ def comparable(lines):
 
 def check_kills(folder, count, jobs):
     """Assert that nothing is lost or duplicated, and that the files are those of one run. Return the seconds of
-    both.
-    """
+    both."""
     models = folder / "models"
     write_models(models, count)
     begin = time.monotonic()

@@ -36,8 +36,7 @@ def grid(xs, ys, **options) -> wirewarp.FlattenResult:
 
 def rectangle(width: float, height: float) -> wirewarp.FlattenResult:
     """Return a rectangle in millimeters without a seam. Its vertices 0 to 3 run counterclockwise from the lower
-    left.
-    """
+    left."""
     return quads([(0, 0), (width, 0), (width, height), (0, height)], [(0, 1, 2, 3)])
 
 

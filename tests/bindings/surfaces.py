@@ -10,10 +10,8 @@ Mesh = tuple[np.ndarray, np.ndarray]
 
 
 def grid(columns: int, rows: int, point: Callable[[float, float], tuple[float, float, float]]) -> Mesh:
-    """Return a grid with vertex (i, j) at index j * (columns + 1) + i and at point(i / columns, j / rows).
-
-    The faces point along the cross product of the derivatives with respect to the first and the second parameter.
-    """
+    """Return a grid with vertex (i, j) at index j * (columns + 1) + i and at point(i / columns, j / rows). The faces
+    point along the cross product of the derivatives with respect to the first and the second parameter."""
     vertices = [point(i / columns, j / rows) for j in range(rows + 1) for i in range(columns + 1)]
     faces = []
     for j in range(rows):

@@ -24,10 +24,8 @@ def test_metrics_have_the_strain_of_threads_with_and_without_a_fabric():
 
 
 def test_seams_are_proposed_for_a_piece_that_only_the_stretch_makes_infeasible():
-    """The stretch shortens the legs of a slim triangle to a fifth, but its seam only to three fifths.
-
-    The seam joins the triangle to a square. It runs across the grain of one piece and along the grain of the other.
-    """
+    """The stretch shortens the legs of a slim triangle to a fifth, but its seam only to three fifths. The seam joins
+    the triangle to a square. It runs across the grain of one piece and along the grain of the other."""
     around = [(i / 4, 0, 0) for i in range(5)] + [(0.5, 0.08, 0)]
     vertices = [*around, *((i / 4, 0, -1) for i in range(5))]
     faces = [(i, i + 1, 5) for i in range(4)]

@@ -154,10 +154,8 @@ def test_a_hem_is_wider_and_side_allowances_differ_by_side():
 
 
 def dart(mouth: float, depth: float) -> wirewarp.FlattenResult:
-    """Return a rectangle of 300 x 200 with a dart from the middle of its lower edge.
-
-    The mouth of the dart is folded away.
-    """
+    """Return a rectangle of 300 x 200 with a dart from the middle of its lower edge. The mouth of the dart is folded
+    away."""
     # The dart's legs are sewn, so the model is a cone and the flat piece opens by itself.
     half = mouth / 2
     leg = math.hypot(half, depth)

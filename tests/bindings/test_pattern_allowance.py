@@ -74,8 +74,7 @@ def test_any_widths_around_any_outline_make_one_loop(seed):
 
 def square(widths, corner: Corner) -> list[Section]:
     """Return the sections of a square of 100 mm from the lower left corner on. corner: type of the lower right
-    corner.
-    """
+    corner."""
     points = np.array([[0.0, 0], [100, 0], [100, 100], [0, 100], [0, 0]])
     corners = [corner, Corner(), Corner(), Corner()]
     return [Section(points[i : i + 2], widths[i], corners[i]) for i in range(4)]

@@ -21,8 +21,7 @@ SEAM = [(x, x + 1) for x in range(COUNT)]
 
 def two_strips(eased, **options) -> wirewarp.FlattenResult:
     """Return two strips of 150 mm, below and above a seam in steps of 20 mm; eased: (start, end, ratio) on the lower
-    one.
-    """
+    one."""
     row = COUNT + 1
     points = [(x * LENGTH / COUNT, y) for y in (0, 150, -150) for x in range(row)]
     above = [(x, x + 1, row + x + 1, row + x) for x in range(COUNT)]

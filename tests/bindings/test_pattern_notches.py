@@ -18,8 +18,7 @@ CORNERS, RADIUS = 24, 100.0  # millimeters
 
 def disc_in_ring(*more_seams):
     """Return a disc in a ring, separated along the circle between them. Vertex 0 is the center, then come the
-    circles.
-    """
+    circles."""
     angles = 2 * math.pi * np.arange(CORNERS) / CORNERS
     circle = RADIUS * np.column_stack([np.cos(angles), np.sin(angles)])
     points = np.concatenate([[(0, 0)], circle, 2 * circle])

@@ -258,10 +258,8 @@ UP = wirewarp.Options(orientation="up")
 
 
 def capped_tubes(ring, *seam_rows):
-    """Return tubes beside each other, each with a cap below; every second one is a mirror image.
-
-    ring: (n,2) points around a tube. seam_rows: for each tube, the point at which a seam along it opens it.
-    """
+    """Return tubes beside each other, each with a cap below; every second one is a mirror image. ring: (n,2) points
+    around a tube. seam_rows: for each tube, the point at which a seam along it opens it."""
     count, vertices, faces, seams = len(ring), [], [], []
     for number, row in enumerate(seam_rows):
         below = np.column_stack([ring, np.zeros(count)])
@@ -277,10 +275,8 @@ def capped_tubes(ring, *seam_rows):
 
 
 def test_caps_of_mirrored_tubes_are_a_pair():
-    """The egg has edges of different lengths, so its notches are between vertices.
-
-    The places in the walks are compared.
-    """
+    """The egg has edges of different lengths, so its notches are between vertices. The places in the walks are
+    compared."""
     result = capped_tubes(EGG, 5, 5)
     drawn, whole = Pattern.from_result(result, pairs=True), Pattern.from_result(result)
     assert [piece.quantity for piece in drawn.pieces] == [(1, 1), (1, 1)]

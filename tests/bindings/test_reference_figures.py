@@ -39,9 +39,7 @@ def entries(method: str) -> list:
 
 def quarter_sphere(n: int) -> tuple[np.ndarray, np.ndarray, list[list[int]]]:
     """Return longitude 0 to 90, latitude -75 to 75 degrees of a sphere, in n by 2 n quads with alternating diagonals.
-
-    The wires are on the middle meridian and the equator.
-    """
+    The wires are on the middle meridian and the equator."""
     longitude, latitude = np.meshgrid(np.linspace(0, math.pi / 2, n + 1), np.radians(np.linspace(-75, 75, 2 * n + 1)))
     vertices = np.stack(
         [np.cos(latitude) * np.cos(longitude), np.cos(latitude) * np.sin(longitude), np.sin(latitude)], axis=-1

@@ -33,8 +33,7 @@ from wirewarp.report.wording import strain_text
 
 def report_of_pieces(*stretches, name="Bump", limits=None):
     """Return a report of pieces that must stretch this far, with a fabric of this maximum stretch; None: a failed
-    piece.
-    """
+    piece."""
     (sample,) = report_of("Half cylinder").pieces
     pieces = [
         replace(sample, index=index, name=f"Piece {index + 1}", ok=stretch is not None, stretch=stretch)
@@ -220,8 +219,7 @@ def test_intended_stretch_gives_no_hint():
 
 def test_a_piece_that_is_ready_for_any_fabric_is_ready_for_each():
     """A piece that is ready for any fabric is ready for each fabric of the table. The sentence has the words and
-    figures of each fabric.
-    """
+    figures of each fabric."""
     for name in Cloth.presets():
         assert min(Cloth.preset(name).limits) >= ANY_FABRIC
         about = Cloth.about(name)

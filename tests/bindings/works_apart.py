@@ -18,10 +18,8 @@ def square_or_crash(number):
 
 
 def hang_or_wait(task):
-    """Hang or wait, as the task requires.
-
-    ("hang", path) starts a process, writes its id to the path, and hangs. ("wait", path) waits for that file.
-    """
+    """Hang or wait, as the task requires. ("hang", path) starts a process, writes its id to the path, and hangs.
+    ("wait", path) waits for that file."""
     kind, path = task
     if kind == "hang":
         other = subprocess.Popen([sys.executable, "-c", "import time; time.sleep(3600)"])

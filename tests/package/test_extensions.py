@@ -171,8 +171,7 @@ def test_no_network_no_threads_no_installers(path):
 @extensions
 def test_paths_and_names_are_not_changed(path):
     """sys.path and sys.modules do not change, and nothing is written beside the add-on. It finds itself by __package__,
-    whatever the name of its repository.
-    """
+    whatever the name of its repository."""
     for name, tree in sources_of(path).items():
         if name in (PROGRAM, STARTER):
             continue

@@ -12,10 +12,8 @@ SAYS_SO = "Does not use Blender"
 
 
 def says_so(file: Path) -> bool:
-    """Return whether the file states that it does not use Blender.
-
-    The __init__ of a package states it for all its modules.
-    """
+    """Return whether the file states that it does not use Blender. The __init__ of a package states it for all its
+    modules."""
     files = [file, file.parent / "__init__.py"]
     return any(SAYS_SO in (ast.get_docstring(ast.parse(each.read_text())) or "") for each in files)
 

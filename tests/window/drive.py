@@ -125,10 +125,8 @@ def command_at(place: tuple[int, int]) -> Generator[Callable[[], bool], None, st
 
 
 def click_button(command: str, share: float = 0.4) -> Generator[Callable[[], bool], None, tuple[int, int]]:
-    """Click the button of the sidebar that runs this operator: the one for which Blender copies this command.
-
-    Return its place. share: where to look for it, as a share of the sidebar's width from the left.
-    """
+    """Click the button of the sidebar that runs this operator: the one for which Blender copies this command. Return
+    its place. share: where to look for it, as a share of the sidebar's width from the left."""
     sidebar = region("UI")
     for y in range(sidebar.y + sidebar.height - 20, sidebar.y, -12):
         place = (sidebar.x + int(share * sidebar.width), y)

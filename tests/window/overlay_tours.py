@@ -112,8 +112,7 @@ def lines_are_in_the_uv_editor() -> drive.Tour:
 
 def marks_are_undone() -> drive.Tour:
     """Marking, clearing, changing a wire, setting eases and allowances, choosing the grain wire and marking islands are
-    one undo step each.
-    """
+    one undo step each."""
     source = marked()
     bpy.ops.object.wirewarp_flatten()
     source.data.edges.foreach_set("use_seam", [False] * len(source.data.edges))

@@ -81,10 +81,8 @@ def auto_update() -> drive.Tour:
 
 
 def auto_update_waits_for_a_tool() -> drive.Tour:
-    """While vertices are being moved, nothing is updated.
-
-    Once they are dropped, the move and the update are one undo step.
-    """
+    """While vertices are being moved, nothing is updated. Once they are dropped, the move and the update are one undo
+    step."""
     source = marked_bump()
     yield from flatten()
     bpy.context.scene.wirewarp.auto_update = True
@@ -125,8 +123,7 @@ def settings_can_be_adjusted_after_a_run() -> drive.Tour:
 
 def report_shows_the_place() -> drive.Tour:
     """A button of the report selects elements in Edit Mode and moves the view there, on the model and on flat
-    pieces.
-    """
+    pieces."""
     source = grid("Bump", bump)
     mark_seam(source, on_line(0, 0.0))
     remember()

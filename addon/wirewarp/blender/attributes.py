@@ -49,9 +49,7 @@ _PLURALS = {"POINT": "vertices", "EDGE": "edges", "FACE": "faces", "CORNER": "fa
 
 def find_values(mesh: bpy.types.Mesh, attribute: Attribute) -> np.ndarray | None:
     """Returns the unchecked values (k,), int32 or float32; None if no attribute has this name, type and domain.
-
-    Functions that return values need a mesh that is not in Edit Mode.
-    """
+    Functions that return values need a mesh that is not in Edit Mode."""
     return read_attribute(mesh, attribute.name, attribute.data_type, attribute.domain)
 
 

@@ -19,10 +19,8 @@ NOT_IN_NAMES = re.compile(r'[/\\:*?"<>|\x00-\x1f]')  # characters that a system 
 
 
 def given_file(path: str) -> Path:
-    """Return the path, with "//" replaced by the folder of the Blender file.
-
-    Raise OSError if the folder does not exist.
-    """
+    """Return the path, with "//" replaced by the folder of the Blender file. Raise OSError if the folder does not
+    exist."""
     if path.startswith("//") and not bpy.data.filepath:
         raise OSError('"//" is the folder of the Blender file; save that first')
     return Path(bpy.path.abspath(path))

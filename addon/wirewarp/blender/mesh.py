@@ -33,10 +33,8 @@ _VALUES = {
 
 
 def read_attribute(mesh: bpy.types.Mesh, name: str, data_type: str, domain: str) -> np.ndarray | None:
-    """Return the values (k,), (k,3) or (k,4) of an attribute; None if the mesh has none of this type and domain.
-
-    The mesh is not in Edit Mode.
-    """
+    """Return the values (k,), (k,3) or (k,4) of an attribute; None if the mesh has none of this type and domain. The
+    mesh is not in Edit Mode."""
     attribute = mesh.attributes.get(name)
     if attribute is None or (attribute.data_type, attribute.domain) != (data_type, domain):
         return None
@@ -113,10 +111,8 @@ def selected_edges(mesh: bpy.types.Mesh) -> np.ndarray:
 
 
 def _edge_flags(mesh: bpy.types.Mesh, attribute: str, name: str) -> np.ndarray:
-    """Read the attribute if there is one; it is absent if no edge has the flag.
-
-    Otherwise read the slower property of each edge.
-    """
+    """Read the attribute if there is one; it is absent if no edge has the flag. Otherwise read the slower property of
+    each edge."""
     if not HAS_ATTRIBUTES:
         return read(mesh.edges, name, bool)
     flags = read_attribute(mesh, attribute, "BOOLEAN", "EDGE")
@@ -253,10 +249,8 @@ def current_mesh(target: bpy.types.Object) -> Iterator[bpy.types.Mesh]:
 
 @contextmanager
 def evaluated_mesh(source: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> Iterator[bpy.types.Mesh]:
-    """Yield the mesh with its modifiers applied.
-
-    Do not nest this for one object, because the inner end frees the mesh of both.
-    """
+    """Yield the mesh with its modifiers applied. Do not nest this for one object, because the inner end frees the mesh
+    of both."""
     evaluated = source.evaluated_get(depsgraph)
     try:
         yield evaluated.to_mesh(preserve_all_data_layers=True, depsgraph=depsgraph)

@@ -22,10 +22,8 @@ def remove_object(target: bpy.types.Object) -> None:
 
 
 def name_with(name: str, ending: str) -> str:
-    """Return the name with the ending, shortened so that the ending fits.
-
-    Users and scripts recognize the object by the ending.
-    """
+    """Return the name with the ending, shortened so that the ending fits. Users and scripts recognize the object by the
+    ending."""
     room = LONGEST - len(ending.encode())
     return name.encode()[:room].decode(errors="ignore") + ending
 

@@ -66,11 +66,8 @@ class Projection:
 
 
 def fit(points: np.ndarray, view: Projection) -> tuple[np.ndarray, float]:
-    """Return the point to look at (3,), and the distance to it; for orthographic views, the zoom factor.
-
-    From there all points (n,3) are visible in the part of the view that nothing covers, as large and as central as
-    possible.
-    """
+    """Return the point to look at (3,), and the distance to it; for orthographic views, the zoom factor. From there all
+    points (n,3) are visible in the part of the view that nothing covers, as large and as central as possible."""
     x, y, z = (points @ view.axes).T
     middle = (z.min() + z.max()) / 2
     nearer = z - middle if view.is_perspective else np.zeros_like(z)
@@ -110,10 +107,8 @@ def show_objects(context: bpy.types.Context, area: bpy.types.Area, objects: Sequ
 def show_place(
     context: bpy.types.Context, area: bpy.types.Area, points: np.ndarray, normals: np.ndarray, least: float
 ) -> None:
-    """Move this 3D view so that the points (n,3) of a surface are visible, from the front.
-
-    normals (n,3): normals of the surface; least: smallest visible extent, so that the surroundings are visible.
-    """
+    """Move this 3D view so that the points (n,3) of a surface are visible, from the front. normals (n,3): normals of
+    the surface; least: smallest visible extent, so that the surroundings are visible."""
     view = _free_view(area)
     normal = Vector(normals.mean(axis=0))
     toward = view.view_rotation.to_matrix().col[2]

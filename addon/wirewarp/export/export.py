@@ -132,11 +132,8 @@ def made_pattern(parts: PatternParts, choices: ExportChoices) -> pattern.Pattern
 
 
 def export(parts: PatternParts, choices: ExportChoices, path: Path) -> Steps[Exported]:
-    """Writes the file completely or not at all.
-
-    Raises ObjectError, FlattenError, OSError and RuntimeError like the library. After an error, or if the steps are
-    closed early, the file is unchanged.
-    """
+    """Writes the file completely or not at all. Raises ObjectError, FlattenError, OSError and RuntimeError like the
+    library. After an error, or if the steps are closed early, the file is unchanged."""
     has_search = choices.cloth is not None
     return in_slices(reported_as(_exporting(parts, choices, path), lambda step: _share(*step, has_search)))
 

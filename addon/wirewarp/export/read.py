@@ -44,10 +44,7 @@ EDITED = "The flat pieces were edited by hand, and a seam of the model is missin
 
 
 def read_pattern(scene: bpy.types.Scene, source: bpy.types.Object) -> PatternParts:
-    """Return the pattern data of a model in Object Mode.
-
-    Raises ObjectError if pieces are missing or outdated.
-    """
+    """Return the pattern data of a model in Object Mode. Raises ObjectError if pieces are missing or outdated."""
     report, flat = current_pieces(source)
     return _parts(scene, source, report, flat, bpy.context.evaluated_depsgraph_get())
 
@@ -55,10 +52,8 @@ def read_pattern(scene: bpy.types.Scene, source: bpy.types.Object) -> PatternPar
 def read_outlines(
     scene: bpy.types.Scene, source: bpy.types.Object, flat: bpy.types.Object, depsgraph: bpy.types.Depsgraph
 ) -> PatternParts | None:
-    """Return the data like read_pattern, even if something has changed since. The model may be in Edit Mode.
-
-    Returns None if these pieces have no report. Raises ObjectError.
-    """
+    """Return the data like read_pattern, even if something has changed since. The model may be in Edit Mode. Returns
+    None if these pieces have no report. Raises ObjectError."""
     report = pieces_report(source)
     if report is None or not has_attributes(flat.data, PIECE_INDEX, SOURCE_VERTEX):
         return None
@@ -117,10 +112,8 @@ def _pieces(
 
 
 def _closed_slits(chains: Sequence[pattern.Chain], outline: set[tuple[int, int]]) -> set[tuple[int, ...]]:
-    """Return both sides of each seam that is a single edge inside a piece.
-
-    Such a seam splits no vertex, so it opens nothing.
-    """
+    """Return both sides of each seam that is a single edge inside a piece. Such a seam splits no vertex, so it opens
+    nothing."""
     single = {tuple(chain.sources.tolist()) for chain in chains if len(chain.sources) == 2}
     return {side for side in single if side[::-1] in single and not {side, side[::-1]} & outline}
 

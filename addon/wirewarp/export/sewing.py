@@ -22,10 +22,8 @@ OURS = (*MARKS, *OF_ELEMENTS, SEAM, FLAT_LENGTH)
 
 
 def add_sewing_object(source: bpy.types.Object) -> bpy.types.Object:
-    """Add an object at the place of the flat pieces, for a model in Object Mode.
-
-    Raises ObjectError like current_pieces.
-    """
+    """Add an object at the place of the flat pieces, for a model in Object Mode. Raises ObjectError like
+    current_pieces."""
     report, flat = current_pieces(source)
     pieces = read_flat_pieces(flat.data)
     is_flat = [piece.has_layout for piece in report.pieces]  # other pieces have nothing to sew
@@ -51,10 +49,8 @@ def add_sewing_object(source: bpy.types.Object) -> bpy.types.Object:
 
 
 def sewing_edges(pieces: FlatPieces, seams: Iterable[list]) -> np.ndarray:
-    """Return pairs (k,2) of piece vertices that are the same vertex of the model. seams: vertex pairs of the model.
-
-    If several sides meet, each is joined to the next. Raises ObjectError if a seam is not found on the pieces.
-    """
+    """Return pairs (k,2) of piece vertices that are the same vertex of the model. seams: vertex pairs of the model. If
+    several sides meet, each is joined to the next. Raises ObjectError if a seam is not found on the pieces."""
     outline = outline_of(pieces)
     sides: dict[tuple[int, int], list[tuple[int, int]]] = {}
     for ends in outline.edges.tolist():

@@ -64,10 +64,8 @@ def copies_sentences(made: pattern.Pattern) -> list[str]:
 
 
 def copies_of_piece(made: pattern.Pattern, name: str) -> str:
-    """Return the other pieces that equal this one, and whether it is symmetric; "" if neither.
-
-    made: the pattern with pairs and halves drawn once.
-    """
+    """Return the other pieces that equal this one, and whether it is symmetric; "" if neither. made: the pattern with
+    pairs and halves drawn once."""
     for piece in made.pieces:
         names = [piece.name, *piece.copied_names]
         if name not in names:
@@ -181,10 +179,8 @@ class PatternExport(OnMesh, WindowSteps, ExportHelper):
                 column.label(text=f"That is {getattr(self, name) / INCH:.2f} in")
 
     def execute(self, context: bpy.types.Context) -> set[str]:
-        """Read the model again, because it may have changed while the dialog was open.
-
-        A script waits for the end of the run.
-        """
+        """Read the model again, because it may have changed while the dialog was open. A script waits for the end of
+        the run."""
         if window_run.is_running():
             self.report({"ERROR"}, window_run.busy_sentence())
             return {"CANCELLED"}

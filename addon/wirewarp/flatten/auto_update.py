@@ -38,10 +38,8 @@ def forget_change(scene: bpy.types.Scene) -> None:
 
 
 def take_changed(context: bpy.types.Context) -> list[bpy.types.Object]:
-    """Return the models that differ from their flat pieces, each state of a model only once.
-
-    After an undo, return no models, because an update would restore what was undone.
-    """
+    """Return the models that differ from their flat pieces, each state of a model only once. After an undo, return no
+    models, because an update would restore what was undone."""
     undone = state_of(context.scene).is_undone
     forget_change(context.scene)
     changed = [source for source in _flattened(context) if _has_changed(source)]
@@ -127,10 +125,8 @@ MOST = 32  # more than the kinds of operators used in a session; further updates
 
 
 class UpdateSteps(FlattenSteps):
-    """Mixin of the operators that update.
-
-    There is one operator for each kind of undo step that an update has joined, see updating_in.
-    """
+    """Mixin of the operators that update. There is one operator for each kind of undo step that an update has joined,
+    see updating_in."""
 
     bl_label = LABEL
     bl_options = {"INTERNAL", "UNDO_GROUPED"}

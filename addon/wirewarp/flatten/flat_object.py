@@ -56,10 +56,8 @@ def check_uv_room(target: bpy.types.Object) -> None:
 
 
 def write_uv(mesh: bpy.types.Mesh, flat: FlatMesh, corner_count: int) -> float:
-    """Writes the packed pieces into the unit square. Faces without a layout get (0,0).
-
-    Returns the scale in Blender units per UV unit, which is also stored on the mesh.
-    """
+    """Writes the packed pieces into the unit square. Faces without a layout get (0,0). Returns the scale in Blender
+    units per UV unit, which is also stored on the mesh."""
     places, scale = _in_unit_square(flat.vertices)
     of_corners = np.zeros((corner_count, 2), dtype=np.float32)
     _pairs(of_corners)[flat.source_corner] = _pairs(places)[flat.loop_vertices]
@@ -109,11 +107,8 @@ def write_flat_object(
     record: FlatRecord,
     models: Sequence[bpy.types.Object],
 ) -> bpy.types.Object:
-    """Makes the flat object of `source`, or replaces its data. It has actual size, in its own z = 0 plane.
-
-    models: all models of the run; a new flat object does not overlap them.
-    If it raises, the earlier pieces are restored.
-    """
+    """Makes the flat object of `source`, or replaces its data. It has actual size, in its own z = 0 plane. models: all
+    models of the run; a new flat object does not overlap them. If it raises, the earlier pieces are restored."""
     earlier, name = find_flat_object(source), flat_name(source.name)
     target = earlier or bpy.data.objects.new(name, bpy.data.meshes.new(name))
     if earlier and _is_shared(target):
@@ -155,10 +150,8 @@ def _is_shared(flat: bpy.types.Object) -> bool:
 
 
 def show_flat_object(view_layer: bpy.types.ViewLayer, target: bpy.types.Object) -> list[Note]:
-    """Make the object visible in the Outliner.
-
-    Return notes on why the object is still hidden, or not in actual size.
-    """
+    """Make the object visible in the Outliner. Return notes on why the object is still hidden, or not in actual
+    size."""
     notes = []
     if target in view_layer.objects.values():
         target.hide_set(False)
@@ -234,10 +227,8 @@ def our_collection(scene: bpy.types.Scene) -> bpy.types.Collection:
 
 
 def _write_materials(mesh: bpy.types.Mesh, source: bpy.types.Object, flat: FlatMesh, arrays: MeshArrays) -> None:
-    """Assign the model's materials to its faces, and the add-on's to failed ones.
-
-    If there are neither, keep the user's.
-    """
+    """Assign the model's materials to its faces, and the add-on's to failed ones. If there are neither, keep the
+    user's."""
     kept = [material for material in mesh.materials if not (material and material.name == FAILED_MATERIAL)]
     own = [slot.material for slot in source.material_slots]
     shown = own or kept

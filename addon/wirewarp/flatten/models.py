@@ -61,12 +61,8 @@ class Outcome:
 def solve_models(
     library: ModuleType, models: list[Model], choices: FlattenChoices, meters: float, *, tries_uv_seams: bool = True
 ) -> Steps[list[Outcome]]:
-    """Flattens every model.
-
-    meters: meters in a Blender unit; tries_uv_seams: whether to try UV seams if the marked ones fail.
-
-    Canceling the attempt with UV seams keeps the pieces.
-    """
+    """Flattens every model. meters: meters in a Blender unit; tries_uv_seams: whether to try UV seams if the marked
+    ones fail. Canceling the attempt with UV seams keeps the pieces."""
     outcomes: list[Outcome] = []
     # Edges created by modifiers cannot be marked.
     readable = [model for model in models if tries_uv_seams and model.arrays and not model.facts.with_modifiers]
@@ -121,10 +117,8 @@ def _solve(library: ModuleType, model: Model, choices: FlattenChoices, meters: f
 def _try_uv_seams(
     library: ModuleType, model: Model, choices: FlattenChoices, meters: float, report: ObjectReport
 ) -> Steps[UvSeams | None]:
-    """Return the result with the seams of the model's own UV map; None if it is not better.
-
-    Tried if pieces failed, or if the model has no seams and cannot be cut from every fabric.
-    """
+    """Return the result with the seams of the model's own UV map; None if it is not better. Tried if pieces failed, or
+    if the model has no seams and cannot be cut from every fabric."""
     arrays = model.arrays
     is_strained = not len(arrays.seams) and any(piece.is_strained for piece in report.pieces)
     if not (report.issues or is_strained):

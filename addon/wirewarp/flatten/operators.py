@@ -153,10 +153,8 @@ class FlattenSteps(WindowSteps, FlattenSettings):
 
 
 def _place(context: bpy.types.Context) -> tuple[str, str]:
-    """Return the names of the scene and the view layer for the results.
-
-    They are kept by name, because undo may replace the scene.
-    """
+    """Return the names of the scene and the view layer for the results. They are kept by name, because undo may replace
+    the scene."""
     return context.scene.name_full, context.view_layer.name
 
 

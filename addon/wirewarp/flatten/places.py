@@ -34,11 +34,8 @@ TURNED_TEXT = (
 def free_place(
     scene: bpy.types.Scene, source: bpy.types.Object, size: np.ndarray, models: Sequence[bpy.types.Object]
 ) -> Vector:
-    """Return the lower left corner for pieces of this size (2,) in Blender units.
-
-    It is right of the source and of all flat pieces, at the height of the lowest point of this run's models, and not
-    below a model.
-    """
+    """Return the lower left corner for pieces of this size (2,) in Blender units. It is right of the source and of all
+    flat pieces, at the height of the lowest point of this run's models, and not below a model."""
     own, largest = world_box(source), max(source.dimensions)
     together = [world_box(each) for each in models]
     others = [each for each in scene.objects if each.type in SOLID and each.visible_get() and each not in models]
@@ -64,10 +61,8 @@ def _clear_of(obstacles: Sequence[Box], place: np.ndarray, size: np.ndarray, gap
 
 
 def pieces_in_place(flat: FlatMesh, earlier: bpy.types.Object | None, spacing: float) -> tuple[FlatMesh, list[int]]:
-    """Return the pieces in their places in the flat object `earlier`, if there is one.
-
-    Also return the ids of pieces that had to move because they would overlap others. spacing: see find_places.
-    """
+    """Return the pieces in their places in the flat object `earlier`, if there is one. Also return the ids of pieces
+    that had to move because they would overlap others. spacing: see find_places."""
     known = _read(earlier.data) if earlier else None
     if known is None:
         return flat, []

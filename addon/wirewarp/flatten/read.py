@@ -32,10 +32,8 @@ CONVERTIBLE = {"CURVE", "SURFACE", "META", "FONT"}
 
 
 def mesh_targets(context: bpy.types.Context) -> list[bpy.types.Object]:
-    """Return all meshes that are selected or in Edit Mode, or the active mesh.
-
-    Flat pieces are replaced by their model.
-    """
+    """Return all meshes that are selected or in Edit Mode, or the active mesh. Flat pieces are replaced by their
+    model."""
     edited = list(context.objects_in_mode) if context.mode == "EDIT_MESH" else []
     models = (_model(context, each) for each in [*edited, *context.selected_objects])
     chosen = list(dict.fromkeys(filter(None, models)))
@@ -96,10 +94,8 @@ class RunSettings(Protocol):
 def in_suitable_mode(
     context: bpy.types.Context, sources: list[bpy.types.Object], settings: RunSettings
 ) -> Iterator[None]:
-    """Leaves Edit Mode if these models cannot be read or written there, and returns to it at the end.
-
-    Blender's log shows each change of the mode, so Auto avoids it: plain models are read and written in Edit Mode.
-    """
+    """Leaves Edit Mode if these models cannot be read or written there, and returns to it at the end. Blender's log
+    shows each change of the mode, so Auto avoids it: plain models are read and written in Edit Mode."""
     edited = edited_meshes(context)
     if any(_needs_object_mode(source, settings, edited) for source in sources):
         with in_object_mode(context):
@@ -120,10 +116,8 @@ def _needs_object_mode(source: bpy.types.Object, settings: RunSettings, edited: 
 
 
 def check_target(target: bpy.types.Object, writes_model: bool, edited: Collection[bpy.types.Mesh]) -> None:
-    """Raises ObjectError if the results cannot be written. writes_model: whether also to the base mesh.
-
-    All conditions are checked here before the first result is written. edited: the meshes in Edit Mode here.
-    """
+    """Raises ObjectError if the results cannot be written. writes_model: whether also to the base mesh. All conditions
+    are checked here before the first result is written. edited: the meshes in Edit Mode here."""
     linear_part(target)
     check_not_edited(target, edited)
     with current_mesh(target) as mesh:

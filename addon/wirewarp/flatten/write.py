@@ -53,10 +53,8 @@ def _write_pieces(
     settings: RunSettings,
     models: list[bpy.types.Object],
 ) -> None:
-    """Write the flat object first, because it is the most likely to fail, and nothing else has changed then.
-
-    models: all models of this run.
-    """
+    """Write the flat object first, because it is the most likely to fail, and nothing else has changed then. models:
+    all models of this run."""
     arrays = outcome.arrays
     is_new, failed = not has_flat_object(source), [issue.piece for issue in outcome.report.issues]
     earlier = find_flat_object(source)

@@ -46,10 +46,8 @@ def wire_at(target: bpy.types.Object, edge: int) -> WireSummary:
 
 
 def change_wire(target: bpy.types.Object, edge: int, name: str, tolerance: float, ease: float | None) -> None:
-    """Change the wire of this edge. An empty name and an ease of None leave those of the wire unchanged.
-
-    Raises ObjectError like wire_at.
-    """
+    """Change the wire of this edge. An empty name and an ease of None leave those of the wire unchanged. Raises
+    ObjectError like wire_at."""
     mesh = target.data
     rows = np.array(wire_at(target, edge).edges)
     marks = read_marks(mesh)
@@ -106,10 +104,8 @@ def edges_with_marks(mesh: bpy.types.Mesh) -> np.ndarray:
 
 
 def loosen_wires(mesh: bpy.types.Mesh, wires: list[LooserWire]) -> int:
-    """Set the tolerance of each proposed wire on its edges, unless they have a larger one.
-
-    Return the number of edges that changed.
-    """
+    """Set the tolerance of each proposed wire on its edges, unless they have a larger one. Return the number of edges
+    that changed."""
     marks = read_marks(mesh)
     before, tolerances = marks.tolerances.copy(), marks.tolerances
     for wire in wires:
@@ -152,10 +148,8 @@ def check_ease_attributes(mesh: bpy.types.Mesh) -> None:
 
 
 def plan_lines(target: bpy.types.Object, rows: np.ndarray, amount: Amount) -> Planned:
-    """Plan to ease the lines of these edges equally on all sides. Edges without a wire become rigid wires.
-
-    Raises ObjectError if a line would have no length left.
-    """
+    """Plan to ease the lines of these edges equally on all sides. Edges without a wire become rigid wires. Raises
+    ObjectError if a line would have no length left."""
     mesh = target.data
     used = rows[faces_at_edges(mesh)[rows] > 0]
     lengths = _lengths(target)
@@ -198,10 +192,8 @@ def plan_sides(target: bpy.types.Object, rows: np.ndarray, amount: Amount, side:
 
 
 def plan_corners(target: bpy.types.Object, corners: Collection[int], amount: Amount) -> Planned:
-    """Plan to lengthen the edges that begin at these corners, on the side of their faces only.
-
-    Raises ObjectError like plan_sides, and if the corners include both sides of an edge.
-    """
+    """Plan to lengthen the edges that begin at these corners, on the side of their faces only. Raises ObjectError like
+    plan_sides, and if the corners include both sides of an edge."""
     mesh, chosen = target.data, set(corners)
     rows = np.unique(corner_edges(mesh)[list(chosen)])
     if len(rows) < len(chosen):
@@ -215,10 +207,8 @@ def plan_corners(target: bpy.types.Object, corners: Collection[int], amount: Amo
 
 
 def clear_eases(target: bpy.types.Object, edges: np.ndarray) -> Eased:
-    """Clear the eases of these edges on all sides. An edge may occur twice.
-
-    Return a change for each line that had one.
-    """
+    """Clear the eases of these edges on all sides. An edge may occur twice. Return a change for each line that had
+    one."""
     mesh, rows = target.data, np.unique(edges)
     marks = read_marks(mesh)
     had = (marks.eases[rows] != 0) | SIDE_EASES.clear(mesh, rows)
@@ -268,10 +258,8 @@ def _sides_of_lines(mesh: bpy.types.Mesh, rows: np.ndarray, places: np.ndarray) 
 
 
 def _is_larger(areas: np.ndarray, one: list[int], other: list[int]) -> bool:
-    """Return whether the piece on the first side of a line is larger; False for equal ones and outlines.
-
-    areas: areas from _piece_areas(); one, other: corners on the two sides.
-    """
+    """Return whether the piece on the first side of a line is larger; False for equal ones and outlines. areas: areas
+    from _piece_areas(); one, other: corners on the two sides."""
     return bool(one and other) and areas[one[0]] > (1 + SAME_AREA) * areas[other[0]]
 
 

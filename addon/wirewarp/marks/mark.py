@@ -105,11 +105,8 @@ def plan_clear(target: bpy.types.Object) -> Callable[[], int]:
 
 
 def seams_from_uv(targets: Sequence[bpy.types.Object]) -> tuple[int, list[str]]:
-    """Mark the island borders of each object's map as seams; existing seams stay.
-
-    Return the number of new seams, and the names of the maps. Raises ObjectError, with nothing marked, if an object has
-    no UV map.
-    """
+    """Mark the island borders of each object's map as seams; existing seams stay. Return the number of new seams, and
+    the names of the maps. Raises ObjectError, with nothing marked, if an object has no UV map."""
     maps = [_find_map(target) for target in targets]
     count = sum(_mark_borders(target.data, layer) for target, layer in zip(targets, maps, strict=True))
     return count, list(dict.fromkeys(layer.name for layer in maps))
@@ -165,10 +162,8 @@ class SelectedSides:
 
 
 def selected_sides(flat: bpy.types.Object) -> SelectedSides:
-    """Return the sides of the selected outline edges of flat pieces in Object Mode.
-
-    Raises ObjectError for outdated pieces.
-    """
+    """Return the sides of the selected outline edges of flat pieces in Object Mode. Raises ObjectError for outdated
+    pieces."""
     source = model_of(flat)
     if is_earlier(flat):
         raise object_error("earlier_pieces", earlier_sentence(flat))

@@ -172,10 +172,8 @@ class MESH_OT_wirewarp_allowance(bpy.types.Operator):
 
 
 def _plan_allowance(target: bpy.types.Object, width: float) -> Callable[[], tuple[int, int]]:
-    """Plan allowances, on all sides for a model and on one side for flat pieces.
-
-    The plan returns the numbers of marked and ignored edges.
-    """
+    """Plan allowances, on all sides for a model and on one side for flat pieces. The plan returns the numbers of marked
+    and ignored edges."""
     sides = selected_sides(target) if model_of(target) else None
     mesh = sides.model.data if sides else target.data
     check_allowances(mesh)
@@ -313,10 +311,8 @@ class SCENE_OT_wirewarp_set_unit(bpy.types.Operator):
 
 
 def _keep_lengths(scene: bpy.types.Scene, factor: float) -> None:
-    """Scale the marked lengths by this factor, because they are in Blender units and must not change.
-
-    Raises ObjectError before any change.
-    """
+    """Scale the marked lengths by this factor, because they are in Blender units and must not change. Raises
+    ObjectError before any change."""
     models = [each for each in scene.objects if each.type == "MESH" and each.data.library is None]
     for model in models:
         check_not_edited(model)

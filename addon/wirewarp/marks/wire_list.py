@@ -257,10 +257,8 @@ def _draw_buttons(layout: bpy.types.UILayout, mesh: bpy.types.Mesh, wire: WireSu
 def _draw_unlisted(
     context: bpy.types.Context, layout: bpy.types.UILayout, wires: list[tuple[str, WireSummary]]
 ) -> None:
-    """Draw wires without an entry, for example after copying, cutting or joining meshes.
-
-    A click on a wire adds its entry.
-    """
+    """Draw wires without an entry, for example after copying, cutting or joining meshes. A click on a wire adds its
+    entry."""
     column = layout.column(align=True)
     for name, wire in wires[:SHOWN_UNLISTED]:
         button = column.operator("mesh.wirewarp_change_wire", text=f"{name}  {_figures(context, wire)}")

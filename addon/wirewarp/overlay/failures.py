@@ -85,10 +85,8 @@ def _failed_faces(mesh: bpy.types.Mesh, issues: list[Issue]) -> np.ndarray:
 
 
 def _failed_edges(mesh: bpy.types.Mesh, pairs: np.ndarray, issues: list[Issue], faces: np.ndarray) -> np.ndarray:
-    """Return a mask of the listed edges, the edges at listed vertices, and the edges around listed faces.
-
-    Edges between listed faces are left out, so that wires and proposed seams stay visible on the tinted faces.
-    """
+    """Return a mask of the listed edges, the edges at listed vertices, and the edges around listed faces. Edges between
+    listed faces are left out, so that wires and proposed seams stay visible on the tinted faces."""
     failed = _named(pairs, [edge for issue in issues for edge in issue.edges])
     failed |= np.isin(pairs, [vertex for issue in issues for vertex in issue.vertices]).any(axis=1)
     face_of_corner = faces_of_corners(mesh)

@@ -85,10 +85,8 @@ def shown_mesh(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> Abst
 
 
 def _lines(mesh: bpy.types.Mesh, is_edited: bool) -> LineEdges:
-    """Return the lines.
-
-    is_edited: whether the object is in Edit Mode, which shows the selection and hides hidden elements.
-    """
+    """Return the lines. is_edited: whether the object is in Edit Mode, which shows the selection and hides hidden
+    elements."""
     marks, seams = read_marks(mesh), read_seams(mesh)
     outlines = faces_at_edges(mesh) == 1
     is_shown = ~read_hidden_edges(mesh) if is_edited else True
@@ -151,10 +149,8 @@ def shows_our_map(mesh: bpy.types.Mesh) -> bool:
 
 
 def gather_uv_lines(target: bpy.types.Object) -> LineEdges:
-    """Return marked edges at the places of each of their faces in the map.
-
-    Raises ObjectError for foreign attributes.
-    """
+    """Return marked edges at the places of each of their faces in the map. Raises ObjectError for foreign
+    attributes."""
     with current_mesh(target) as mesh:
         return _uv_lines(mesh, target.data.is_editmode)
 

@@ -200,9 +200,7 @@ def seam_line_names(
     lines: LineEdges, numbers: np.ndarray, texts: Callable[[int, int], tuple[str, ...]], rooms: Rooms
 ) -> list[Name]:
     """Return the names of each seam, one in each of its pieces. numbers (k,): seam of each edge, 0 if it has no name.
-
-    texts: returns the texts of the seam with this number in a piece, see Name.
-    """
+    texts: returns the texts of the seam with this number in a piece, see Name."""
     rows: dict[tuple[int, int], list[int]] = {}
     for row in np.flatnonzero(numbers).tolist():
         rows.setdefault((int(numbers[row]), int(lines.pieces[row])), []).append(row)
@@ -221,9 +219,7 @@ def piece_rooms(lines: LineEdges) -> Rooms:
 
 def arrow(lines: LineEdges, piece: int, middle: np.ndarray, direction: np.ndarray, length: float) -> np.ndarray | None:
     """Return the ends (6,3) of an arrow of at most this length, beside the name at the middle (2,) of a flat piece.
-
-    direction: a unit vector (2,). Returns None if there is no room.
-    """
+    direction: a unit vector (2,). Returns None if there is no room."""
     a, b = (
         lines.ends[(lines.pieces == piece) & (lines.seams | lines.outlines)][:, :, :2].astype(np.float64).swapaxes(0, 1)
     )

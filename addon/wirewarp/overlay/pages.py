@@ -45,10 +45,8 @@ def outlines(
 
 
 def cut_lines(parts: PatternParts | None, allowance: float, **options: object) -> CutLines:
-    """Return the cutting lines. parts: see outlines; options: see PatternOptions.
-
-    allowance: the allowance at edges without a marked one, in millimeters.
-    """
+    """Return the cutting lines. parts: see outlines; options: see PatternOptions. allowance: the allowance at edges
+    without a marked one, in millimeters."""
     if parts is None:
         return CutLines(None, False)
     try:
@@ -59,9 +57,7 @@ def cut_lines(parts: PatternParts | None, allowance: float, **options: object) -
 
 def cut_places(cut: CutLines, millimeters: float) -> np.ndarray:
     """Return the ends (2k,3) float32 of the lines in Blender units; empty if nothing is added to the pieces.
-
-    millimeters: number of millimeters in a Blender unit.
-    """
+    millimeters: number of millimeters in a Blender unit."""
     return _in_space(_outlines(cut.made) if cut.made and cut.has_allowance else [], np.zeros(2), millimeters)
 
 

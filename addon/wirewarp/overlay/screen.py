@@ -55,10 +55,8 @@ def lay_out(
     unit: float,
     text_width: Callable[[str], float],
 ) -> Legend:
-    """Lay out the legend with its lower right corner at `corner`. unit: pixels for a pixel at interface scale 1.
-
-    From top to bottom: a sample of each line, the notes, the scale of colors.
-    """
+    """Lay out the legend with its lower right corner at `corner`. unit: pixels for a pixel at interface scale 1. From
+    top to bottom: a sample of each line, the notes, the scale of colors."""
     right, bottom = corner
     labels = [style.label for style in styles]
     widths = [(SAMPLE + 8) * unit + text_width(label) for label in labels] + [text_width(note) for note in notes]
@@ -179,9 +177,7 @@ def write_names(names: Iterable[PlacedName], unit: float, span: Span = EVERYWHER
 
 def arrange(names: Iterable[PlacedName], size_of: Callable[[str], Size], span: Span = EVERYWHERE) -> list[Text]:
     """Place the names that fit. A name must not be much longer than its line, touch another name or hide its piece.
-
-    span: the columns of pixels that no sidebar covers. A name whose point is in the span stays in the span.
-    """
+    span: the columns of pixels that no sidebar covers. A name whose point is in the span stays in the span."""
     wanted = list(names)
     boxes = [_box(name.around).ravel() for name in wanted if name.around is not None]
     placed: list[Text] = []
@@ -295,10 +291,8 @@ class Taken:
         self._pieces, self._texts, self._span = pieces, np.empty((0, 4)), span
 
     def place(self, points: np.ndarray, size: Size) -> Corner | None:
-        """Return the lower left corner of a text and reserve its place; None if there is no room.
-
-        points (c,2): the text goes above or below one of these, the best first.
-        """
+        """Return the lower left corner of a text and reserve its place; None if there is no room. points (c,2): the
+        text goes above or below one of these, the best first."""
         width, height = size
         left, bottom = (
             self._within(points[:, 0], size).repeat(2),
@@ -307,10 +301,8 @@ class Taken:
         return self._take(np.column_stack([left, bottom]), size, self._texts)
 
     def _within(self, middles: np.ndarray, size: Size) -> np.ndarray:
-        """Return the left ends of texts centered on these middles.
-
-        Texts whose middle is in the span are moved into it.
-        """
+        """Return the left ends of texts centered on these middles. Texts whose middle is in the span are moved into
+        it."""
         (width, height), (low, high) = size, self._span
         aside = LABEL_MARGIN * height
         pushed = np.clip(middles - width / 2, low + aside, max(low, high - width) - aside)

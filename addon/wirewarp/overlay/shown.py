@@ -187,10 +187,8 @@ def _cut_lines(
     pairs: bool = False,
     on_fold: bool = False,
 ) -> CutLines:
-    """Return the cutting lines, which are made again only if outlines or allowances differ.
-
-    pairs and on_fold: see PatternOptions.
-    """
+    """Return the cutting lines, which are made again only if outlines or allowances differ. pairs and on_fold: see
+    PatternOptions."""
     settings, parts = context.scene.wirewarp, _outlines(context, source, flat)
     options = {
         "allowance": settings.allowance,
@@ -203,10 +201,8 @@ def _cut_lines(
 
 
 def shown_copies(context: bpy.types.Context, source: bpy.types.Object, flat: bpy.types.Object) -> list[str]:
-    """Return sentences about pieces that are drawn once for all their copies.
-
-    The flat object must not be in Edit Mode.
-    """
+    """Return sentences about pieces that are drawn once for all their copies. The flat object must not be in Edit
+    Mode."""
     settings = context.scene.wirewarp
     made = _cut_lines(context, source, flat, settings.pairs, settings.on_fold).made
     return copies_sentences(made) if made else []

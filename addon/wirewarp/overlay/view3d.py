@@ -60,9 +60,7 @@ def _hidden_by_what_is_in_front() -> Iterator[None]:
 
 def _apart(context: bpy.types.Context) -> float:
     """Return the factor by which layers are drawn farther apart than usual, so that a distant view distinguishes them.
-
-    Models in centimeters or millimeters need this.
-    """
+    Models in centimeters or millimeters need this."""
     if not context.region_data.is_perspective:
         return 1.0
     step = DEPTH_STEP * context.region_data.view_distance / context.space_data.clip_start
@@ -155,10 +153,8 @@ def _may_hide_itself(context: bpy.types.Context, target: bpy.types.Object) -> bo
 def _are_behind(
     context: bpy.types.Context, target: bpy.types.Object, places: np.ndarray, toward_eye: np.ndarray
 ) -> np.ndarray:
-    """Return a mask (n,) of the places (n,3) of the surface that other parts of the model hide.
-
-    toward_eye: directions from the places to the eye.
-    """
+    """Return a mask (n,) of the places (n,3) of the surface that other parts of the model hide. toward_eye: directions
+    from the places to the eye."""
     is_met, inverse = _rays(context, target), target.matrix_world.inverted_safe()
     if context.region_data.is_perspective:
         eyes = np.tile(context.region_data.view_matrix.inverted_safe().translation, (len(places), 1))

@@ -38,10 +38,7 @@ class NamedWire:
 
 @dataclass(frozen=True)
 class MeshArrays:
-    """Indices are Blender's.
-
-    Triangles are counterclockwise seen from outside, even for mirrored objects.
-    """
+    """Indices are Blender's. Triangles are counterclockwise seen from outside, even for mirrored objects."""
 
     vertices: np.ndarray  # (n,3) float64, Blender units, with the object's rotation, scale and shear applied
     triangles: np.ndarray  # (m,3) int32, as Blender shows the faces
@@ -75,10 +72,8 @@ class MeshArrays:
 
 
 def area_vectors(vertices: np.ndarray, triangles: np.ndarray) -> np.ndarray:
-    """Return the area vectors (3,m): each along its triangle's normal, with the area as its length.
-
-    vertices (n,3), triangles (m,3).
-    """
+    """Return the area vectors (3,m): each along its triangle's normal, with the area as its length. vertices (n,3),
+    triangles (m,3)."""
     x, y, z = (np.ascontiguousarray(column)[triangles] for column in vertices.T)  # (m,3), one per corner
     ux, uy, uz = (each[:, 1] - each[:, 0] for each in (x, y, z))
     vx, vy, vz = (each[:, 2] - each[:, 0] for each in (x, y, z))
@@ -92,10 +87,8 @@ def triangle_areas(vertices: np.ndarray, triangles: np.ndarray) -> np.ndarray:
 
 
 def edge_lengths(points: np.ndarray, edges: np.ndarray) -> np.ndarray:
-    """Return the lengths (k,) between points (n,2) or (n,3).
-
-    Works by coordinate, because gathering short rows is slow.
-    """
+    """Return the lengths (k,) between points (n,2) or (n,3). Works by coordinate, because gathering short rows is
+    slow."""
     a, b = edges.T
     columns = (np.ascontiguousarray(column) for column in points.T)
     return np.sqrt(sum((column[a] - column[b]) ** 2 for column in columns))
@@ -127,10 +120,8 @@ def new_seams(arrays: MeshArrays) -> np.ndarray:
 def island_borders(
     loop_edges: np.ndarray, loop_vertices: np.ndarray, next_loops: np.ndarray, uv: np.ndarray, edge_count: int
 ) -> np.ndarray:
-    """Return a mask (e,) of the edges whose two faces are not side by side in the map.
-
-    For each corner (loop): its edge, vertex, the next corner of its face, and its place uv (l,2) in the map.
-    """
+    """Return a mask (e,) of the edges whose two faces are not side by side in the map. For each corner (loop): its
+    edge, vertex, the next corner of its face, and its place uv (l,2) in the map."""
     turned = loop_vertices > loop_vertices[next_loops]
     ends = np.column_stack([uv, uv[next_loops]])  # (l,4): both ends of the edge in the map, on the side of this face
     ends[turned] = ends[turned][:, [2, 3, 0, 1]]  # from the lower vertex to the higher one

@@ -134,10 +134,8 @@ def _pair_sides(edges: np.ndarray, positions: np.ndarray) -> np.ndarray:
 
 
 def _straightest_pairs(sides: np.ndarray, edges: np.ndarray, positions: np.ndarray) -> list[tuple[int, int]]:
-    """Return pairs of edge sides at one vertex, the straightest first.
-
-    If their number is odd, one side stays single.
-    """
+    """Return pairs of edge sides at one vertex, the straightest first. If their number is odd, one side stays
+    single."""
     here, there = edges.ravel()[sides], edges.ravel()[sides ^ 1]
     directions = positions[there] - positions[here]
     directions = directions / np.maximum(np.linalg.norm(directions, axis=1), np.finfo(float).tiny)[:, None]

@@ -231,10 +231,8 @@ def _join_pieces(result: FlattenResult, arrays: MeshArrays) -> tuple[np.ndarray,
 
 
 def _model_areas(result: FlattenResult, arrays: MeshArrays) -> np.ndarray:
-    """Return the areas (m,) of the flattened triangles on the model; for thick materials, in their middle.
-
-    The map from flat to model multiplies areas by p q cos γ. Flat triangles without area have the model's area.
-    """
+    """Return the areas (m,) of the flattened triangles on the model; for thick materials, in their middle. The map from
+    flat to model multiplies areas by p q cos γ. Flat triangles without area have the model's area."""
     areas = triangle_areas(arrays.vertices, arrays.triangles)
     for piece in result.pieces:
         metrics = piece.metrics
@@ -254,20 +252,16 @@ def _loops_of(arrays: MeshArrays, kept: np.ndarray) -> np.ndarray:
 
 
 def _edge_corners(source_corner: np.ndarray, sizes: np.ndarray, arrays: MeshArrays) -> np.ndarray:
-    """Return for each corner (l,) the source's corner at which its side begins.
-
-    In reversed faces, a side begins at its end on the source.
-    """
+    """Return for each corner (l,) the source's corner at which its side begins. In reversed faces, a side begins at its
+    end on the source."""
     return source_corner[next_corners(sizes)] if arrays.mirrored else source_corner
 
 
 def _edges(
     loop_vertices: np.ndarray, source_corner: np.ndarray, sizes: np.ndarray, arrays: MeshArrays
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return edges (e,2), the edge at each corner (l,), and the source's edge of each edge (e,), all int32.
-
-    Two sides of faces share an edge if they have the same ends and come from the same edge of the source.
-    """
+    """Return edges (e,2), the edge at each corner (l,), and the source's edge of each edge (e,), all int32. Two sides
+    of faces share an edge if they have the same ends and come from the same edge of the source."""
     following = next_corners(sizes)
     source_edge = arrays.loop_edges[_edge_corners(source_corner, sizes, arrays)]
     ends = loop_vertices, loop_vertices[following]

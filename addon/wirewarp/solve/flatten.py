@@ -76,12 +76,8 @@ LAYOUT_OPTIONS = (*(each.name for each in fields(FlattenChoices) if each.metadat
 def flatten_arrays(
     library: ModuleType, arrays: MeshArrays, choices: FlattenChoices, solved: Cache | None = None
 ) -> Steps[FlattenResult]:
-    """Return the library's FlattenResult.
-
-    solved: a Cache of earlier pieces, which are not solved again if they are unchanged.
-
-    Raises ObjectError if the mesh as a whole is refused. The library continues to work between steps.
-    """
+    """Return the library's FlattenResult. solved: a Cache of earlier pieces, which are not solved again if they are
+    unchanged. Raises ObjectError if the mesh as a whole is refused. The library continues to work between steps."""
     try:
         arguments = library_arguments(library, arrays, choices)
         return (yield from result_of(library.start(arrays.vertices, arrays.triangles, **arguments, cache=solved)))
@@ -174,10 +170,8 @@ def _side(arrays: MeshArrays) -> float:
 
 
 def used_choices(choices: FlattenChoices, arrays: MeshArrays) -> FlattenChoices:
-    """Return the choices.
-
-    Without a grain wire, pieces are upright as on the model, because the first wires are often waist and hip.
-    """
+    """Return the choices. Without a grain wire, pieces are upright as on the model, because the first wires are often
+    waist and hip."""
     if choices.orientation == "wire" and _grain_index(arrays) == -1:
         return replace(choices, orientation="up")
     return choices
@@ -265,10 +259,8 @@ def has_cloth(result: FlattenResult) -> bool:
 
 
 def seams_on_edges(proposed: Iterable[tuple[int, int]], arrays: MeshArrays) -> list[tuple[int, int]]:
-    """Return the proposed vertex pairs as edges of the mesh, each once.
-
-    The library sees triangles, so a pair may be the diagonal of a face. The shorter way around the face replaces it.
-    """
+    """Return the proposed vertex pairs as edges of the mesh, each once. The library sees triangles, so a pair may be
+    the diagonal of a face. The shorter way around the face replaces it."""
     pairs = np.asarray(list(proposed), dtype=np.int64).reshape(-1, 2)
     count = len(arrays.vertices)
     is_edge = np.isin(edge_keys(pairs, count), edge_keys(arrays.edges, count))

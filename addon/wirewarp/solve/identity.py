@@ -68,9 +68,7 @@ def _side(normal: np.ndarray, offset: np.ndarray) -> str:
 
 def _halves(side: str, offsets: np.ndarray) -> list[str]:
     """Return words that distinguish pieces on one side: two by their relative place, more by left and right; or "".
-
-    Names of a mirrored pair therefore differ only in the side.
-    """
+    Names of a mirrored pair therefore differ only in the side."""
     if len(offsets) != 2:
         if len(offsets) == 1 or side in SIDES[0]:
             return [""] * len(offsets)
@@ -120,10 +118,8 @@ def region_names(piece_of_face: np.ndarray, piece_count: int, regions: FaceRegio
 def _names_by(
     regions: Sequence[Region], piece_of_face: np.ndarray, faces_in_piece: np.ndarray
 ) -> list[tuple[int, str]]:
-    """Return pairs (piece, name).
-
-    If a piece has several regions, it is named after the one with the fewest other pieces.
-    """
+    """Return pairs (piece, name). If a piece has several regions, it is named after the one with the fewest other
+    pieces."""
     if not regions:
         return []
     counts = np.array([np.bincount(piece_of_face[each.faces], minlength=len(faces_in_piece)) for each in regions])

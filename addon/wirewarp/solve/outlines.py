@@ -49,11 +49,8 @@ def outline_edges(
     face_sizes: np.ndarray,
     face_piece: np.ndarray,
 ) -> OutlineEdges:
-    """Return the outline edges of vertices (n,2).
-
-    For each corner (l,), face by face, the vertex and the edge to the next corner are given; for each face, its size
-    and its piece.
-    """
+    """Return the outline edges of vertices (n,2). For each corner (l,), face by face, the vertex and the edge to the
+    next corner are given; for each face, its size and its piece."""
     a, b = _face_sides(loop_vertices, face_sizes)
     lonely = np.flatnonzero(np.bincount(loop_edges)[loop_edges] == 1)
     edges, piece = np.column_stack([a[lonely], b[lonely]]).astype(np.int64), np.repeat(face_piece, face_sizes)[lonely]
@@ -81,10 +78,8 @@ def _face_sides(loop_vertices: np.ndarray, face_sizes: np.ndarray) -> tuple[np.n
 
 
 def _areas(vertices: np.ndarray, a: np.ndarray, b: np.ndarray, piece: np.ndarray) -> np.ndarray:
-    """Return the signed areas (p,) of the pieces 0, 1, ...
-
-    a, b (k,): ends of outline edges; pieces (k,): the piece of each.
-    """
+    """Return the signed areas (p,) of the pieces 0, 1, ... a, b (k,): ends of outline edges; pieces (k,): the piece of
+    each."""
     origin = np.zeros(piece.max(initial=-1) + 1, dtype=np.int64)
     origin[piece] = a
     # The shoelace formula is used relative to a point of each piece, because pieces may be far from the origin.

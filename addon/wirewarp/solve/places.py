@@ -120,10 +120,8 @@ def points_of(earlier: FlatPieces, away: np.ndarray, piece_ids: Sequence[int]) -
 
 
 def find_places(pieces: FlatMesh, earlier: FlatPieces, away: np.ndarray, spacing: float) -> Places:
-    """Return the places of pieces: earlier pieces keep theirs, and new pieces are placed to the right of them.
-
-    away: see NONE_AWAY; spacing: space between the new pieces.
-    """
+    """Return the places of pieces: earlier pieces keep theirs, and new pieces are placed to the right of them. away:
+    see NONE_AWAY; spacing: space between the new pieces."""
     now, then = _Pieces(pieces), _Pieces(earlier, away)
     fits = {piece_id: _fit(now, then, piece_id) for piece_id in now if piece_id in then}
     kept = {piece_id: motion for piece_id, motion in fits.items() if motion}

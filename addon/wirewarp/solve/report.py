@@ -52,10 +52,8 @@ class Facts:
 
 @dataclass(frozen=True, kw_only=True)
 class UvSeams:
-    """The result of flattening with the seams of the model's own UV map, which are tried if the marked seams fail.
-
-    It is not kept: if the user wants it, the seams are marked and the model is flattened again.
-    """
+    """The result of flattening with the seams of the model's own UV map, which are tried if the marked seams fail. It
+    is not kept: if the user wants it, the seams are marked and the model is flattened again."""
 
     pieces: int
     failed: int
@@ -76,10 +74,8 @@ class UvSeams:
 
 @dataclass(kw_only=True)
 class ObjectReport(Report):
-    """The library's report with the add-on's fields.
-
-    The defaults are needed for stored reports that a user has changed.
-    """
+    """The library's report with the add-on's fields. The defaults are needed for stored reports that a user has
+    changed."""
 
     mesh: str = ""
     with_modifiers: bool = False
@@ -99,10 +95,8 @@ class ObjectReport(Report):
 
     @property
     def offered_seams(self) -> list[tuple[int, int]]:
-        """Return the proposed seams that the next step marks, as vertex pairs.
-
-        There are none if the UV map has good seams, or if all proposed seams only slit closed pieces open.
-        """
+        """Return the proposed seams that the next step marks, as vertex pairs. There are none if the UV map has good
+        seams, or if all proposed seams only slit closed pieces open."""
         issues = [issue for issue in self.issues if issue.proposed_seams]
         is_good = self.uv_seams is not None and self.uv_seams.is_good
         if is_good or all(issue.code == CLOSED_CODE for issue in issues):
@@ -111,9 +105,8 @@ class ObjectReport(Report):
 
     @property
     def tables(self) -> ReportTables:
-        """Return the tables, which are kept until pieces, wires or seams are renamed, because panels read them at
-        every redraw.
-        """
+        """Return the tables, which are kept until pieces, wires or seams are renamed, because panels read them at every
+        redraw."""
         names = [*(piece.name for piece in self.pieces), *(wire.name for wire in self.wires)]
         names += [seam.name for seam in self.seams]
         known, tables = vars(self).get("_tables", (None, None))
@@ -261,10 +254,8 @@ def _mirrored(issue: Issue, piece: Piece, other: Piece, arrays: MeshArrays) -> I
 
 
 def _images(points: np.ndarray, own: np.ndarray, others: np.ndarray, axis: int) -> np.ndarray | None:
-    """Return the vertices (k,) of the other piece that mirror the points (k,3); None if one has no mirror image.
-
-    own (n,3), others (m,3): all vertices of both pieces, which are aligned by their middles.
-    """
+    """Return the vertices (k,) of the other piece that mirror the points (k,3); None if one has no mirror image. own
+    (n,3), others (m,3): all vertices of both pieces, which are aligned by their middles."""
     mirror = np.where(np.arange(3) == axis, -1.0, 1.0)
     low, high = own.min(axis=0), own.max(axis=0)
     middle = (others.min(axis=0) + others.max(axis=0)) / 2

@@ -25,10 +25,8 @@ class CanceledError(Exception):
 
 
 def reported_as(steps: Generator[S, None, T], share: Callable[[S], float]) -> Steps[T]:
-    """Return the same steps with converted shares.
-
-    share: converts a yielded value to the completed share of the whole.
-    """
+    """Return the same steps with converted shares. share: converts a yielded value to the completed share of the
+    whole."""
     with closing(steps):
         go_on = partial(next, steps)
         while True:

@@ -81,9 +81,7 @@ class SidedMark:
 
     def read(self, mesh: bpy.types.Mesh) -> np.ndarray:
         """Returns (l,) float32: the value of the edge that begins at each corner, on the side of its face; 0 for none.
-
-        Attributes of another type or domain count as none. If a side has two values, it returns the corner's.
-        """
+        Attributes of another type or domain count as none. If a side has two values, it returns the corner's."""
         if not {self.value.name, self.corner.name} & set(mesh.attributes.keys()):
             return np.zeros(len(mesh.loops), dtype=np.float32)
         corners, marked = read_values(mesh, self.corner), self._on_edges(mesh)
@@ -126,9 +124,7 @@ def is_set(values: np.ndarray) -> np.ndarray:
 
 def number_faces(mesh: bpy.types.Mesh, faces: np.ndarray) -> np.ndarray:
     """Numbers these faces, and renumbers faces that share a number. Returns the numbers of all faces (f,), 0 for none.
-
-    Known sides stay known. The mesh is in Object Mode.
-    """
+    Known sides stay known. The mesh is in Object Mode."""
     numbers = read_values(mesh, FACE)
     _, first, counts = np.unique(numbers, return_inverse=True, return_counts=True)
     renumbered = (numbers != 0) & (counts[first] > 1)
@@ -149,9 +145,7 @@ def number_faces(mesh: bpy.types.Mesh, faces: np.ndarray) -> np.ndarray:
 
 def marked_corners(mesh: bpy.types.Mesh, side: Mark) -> tuple[np.ndarray, np.ndarray]:
     """Return a mask (l,) of corners whose face has the number of their edge, and the count of these at each edge (e,).
-
-    side: the attribute with the number.
-    """
+    side: the attribute with the number."""
     loop_edges = corner_edges(mesh)
     of_loops = read_values(mesh, side)[loop_edges]
     numbers = np.repeat(read_values(mesh, FACE), face_sizes(mesh))
@@ -183,10 +177,8 @@ def check_allowances(mesh: bpy.types.Mesh) -> None:
 
 
 def mark_edges(mesh: bpy.types.Mesh, rows: np.ndarray, width: float) -> int:
-    """Set this width on the edges that are on seams and outlines: NONE for no allowance, 0 for the default.
-
-    Return the number of changed edges.
-    """
+    """Set this width on the edges that are on seams and outlines: NONE for no allowance, 0 for the default. Return the
+    number of changed edges."""
     marked = rows[_on_outlines(mesh)[rows]]
     widths = read_values(mesh, ALLOWANCE)
     widths[marked] = width
@@ -196,10 +188,8 @@ def mark_edges(mesh: bpy.types.Mesh, rows: np.ndarray, width: float) -> int:
 
 
 def mark_sides(mesh: bpy.types.Mesh, corners: np.ndarray, width: float) -> int:
-    """Set this width, as in mark_edges, on the sides of edges that begin at these corners.
-
-    Return the number of changed sides. Edges of more than two faces do not change, because their sides have one width.
-    """
+    """Set this width, as in mark_edges, on the sides of edges that begin at these corners. Return the number of changed
+    sides. Edges of more than two faces do not change, because their sides have one width."""
     loop_edges = corner_edges(mesh)
     marked = corners[faces_at_edges(mesh)[loop_edges[corners]] <= 2]
     both, widths = _where_set(read_values(mesh, ALLOWANCE)), corner_widths(mesh)
@@ -227,10 +217,8 @@ def scale_lengths(mesh: bpy.types.Mesh, factor: float) -> None:
 
 
 def read_allowances(mesh: bpy.types.Mesh) -> MarkedAllowances:
-    """Return the allowances.
-
-    Raises ObjectError for a foreign attribute, or a side that is unknown or has two widths.
-    """
+    """Return the allowances. Raises ObjectError for a foreign attribute, or a side that is unknown or has two
+    widths."""
     check_attribute(mesh, ALLOWANCE)
     SIDE_ALLOWANCES.check(mesh)
     edges, starts = edge_vertices(mesh), corner_vertices(mesh)
@@ -240,10 +228,8 @@ def read_allowances(mesh: bpy.types.Mesh) -> MarkedAllowances:
 
 
 def corner_widths(mesh: bpy.types.Mesh) -> np.ndarray:
-    """Return the width (l,) of the edge that begins at each corner, on the side of its face: 0 for the default.
-
-    NONE marks an edge without an allowance. Edges inside pieces may have widths, too.
-    """
+    """Return the width (l,) of the edge that begins at each corner, on the side of its face: 0 for the default. NONE
+    marks an edge without an allowance. Edges inside pieces may have widths, too."""
     both, alone = _where_set(read_values(mesh, ALLOWANCE)), _where_set(SIDE_ALLOWANCES.read(mesh))
     return np.where(alone != 0, alone, both[corner_edges(mesh)])
 

@@ -39,18 +39,14 @@ def _state(source: bpy.types.Object, digests: dict, with_modifiers: bool, take: 
 
 
 def has_changed(source: bpy.types.Object, state: dict | None, take: Take = kept) -> bool:
-    """Return whether geometry, seams, wires or scale differ from a report's model_state. take: kept, or read_anew.
-
-    For a report with modifiers, their result must not differ either, if Blender evaluates them: see shows_modified.
-    """
+    """Return whether geometry, seams, wires or scale differ from a report's model_state. take: kept, or read_anew. For
+    a report with modifiers, their result must not differ either, if Blender evaluates them: see shows_modified."""
     return state is not None and bool(_changes(source, state, take))
 
 
 def has_moved(source: bpy.types.Object, state: dict | None) -> bool:
-    """Return whether geometry or scale differ from the report. Changes of seams and wires do not count.
-
-    A report without a state counts as a report on another model.
-    """
+    """Return whether geometry or scale differ from the report. Changes of seams and wires do not count. A report
+    without a state counts as a report on another model."""
     return state is None or bool(_changes(source, state, read_anew) & {SHAPE, SCALE})
 
 
@@ -79,10 +75,8 @@ def _changes(source: bpy.types.Object, then: dict, take: Take) -> set[str]:
 
 
 def _is_applied(source: bpy.types.Object, then: dict, now: dict, take: Take) -> bool:
-    """Return whether vertices and matrix both changed, but no length, as if Blender applied a transformation.
-
-    Without a new matrix, any change of a vertex counts, even one below the rounding of applied transformations.
-    """
+    """Return whether vertices and matrix both changed, but no length, as if Blender applied a transformation. Without a
+    new matrix, any change of a vertex counts, even one below the rounding of applied transformations."""
     if LENGTHS not in then or then[MATRIX] == now[MATRIX] or then[FACES] != now[FACES]:
         return False
     if (then[SCALE][-1] < 0) != (now[SCALE][-1] < 0):  # mirrored
@@ -106,10 +100,8 @@ def _digests(mesh: MarkedMesh) -> dict[str, str]:
 
 
 def _length_sums(mesh: MarkedMesh, linear: np.ndarray) -> dict:
-    """Return sums of the lengths in the world of all edges and of the diagonals of faces, and their rounding.
-
-    linear: (3,3) from the mesh to the world. Pieces depend on these lengths alone.
-    """
+    """Return sums of the lengths in the world of all edges and of the diagonals of faces, and their rounding. linear:
+    (3,3) from the mesh to the world. Pieces depend on these lengths alone."""
     points = _finite(mesh.places) @ linear.T
     corners, sizes = mesh.corner_vertices, np.repeat(mesh.face_sizes, mesh.face_sizes)
     begins = np.repeat(np.cumsum(mesh.face_sizes) - mesh.face_sizes, mesh.face_sizes)
@@ -138,10 +130,8 @@ def _modified_state(source: bpy.types.Object) -> dict:
 
 
 def _is_same(then: dict | None, now: dict, is_applied: bool) -> bool:
-    """Return whether the states with modifiers are equal except for rounding.
-
-    is_applied: whether a transformation was applied since, so that equal lengths are enough.
-    """
+    """Return whether the states with modifiers are equal except for rounding. is_applied: whether a transformation was
+    applied since, so that equal lengths are enough."""
     if then is None or then[FACES] != now[FACES]:
         return False
     return _are_close(then, now) or (is_applied and LENGTHS in then and _are_close(then[LENGTHS], now[LENGTHS]))
@@ -183,10 +173,8 @@ def place_sums(points: np.ndarray) -> list[float]:
 
 
 def rounding_of_sums(points: np.ndarray, distance: float) -> float:
-    """Return the largest change of the sums of points (n,3) that rounding can cause.
-
-    distance: distance of the object from the world's origin.
-    """
+    """Return the largest change of the sums of points (n,3) that rounding can cause. distance: distance of the object
+    from the world's origin."""
     return _rounding(float(np.abs(_finite(points)).max(initial=0)) + distance, len(points))
 
 

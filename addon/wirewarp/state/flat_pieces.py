@@ -45,10 +45,8 @@ LENGTH_ERROR, PLACE_ERROR = 1e-5, 1e-6
 
 
 def is_flat_mesh(mesh: bpy.types.Mesh) -> bool:
-    """Return whether the mesh contains only flat pieces, even if their model has changed.
-
-    The mesh is not in Edit Mode.
-    """
+    """Return whether the mesh contains only flat pieces, even if their model has changed. The mesh is not in Edit
+    Mode."""
     if not len(mesh.polygons) or not has_attributes(mesh, *OF_ELEMENTS):
         return False
     return not vertex_places(mesh)[:, 2].any()
@@ -56,9 +54,7 @@ def is_flat_mesh(mesh: bpy.types.Mesh) -> bool:
 
 def read_flat_pieces(mesh: bpy.types.Mesh, scale: float = 1.0) -> FlatPieces:
     """Return the pieces in Blender units times `scale`, with None for missing ones. The object is in Object Mode.
-
-    Raises ObjectError.
-    """
+    Raises ObjectError."""
     return FlatPieces(
         vertices=vertex_places(mesh)[:, :2].astype(np.float64) * scale,
         source_vertex=find_values(mesh, SOURCE_VERTEX),
@@ -90,10 +86,8 @@ def pieces_of_report(source: bpy.types.Object, report: ObjectReport) -> tuple[bp
 
 
 def has_kept_shape(mesh: bpy.types.Mesh) -> bool:
-    """Return whether all elements still exist, no edge has changed its length, and no piece is flipped.
-
-    The mesh has the attributes of flat pieces.
-    """
+    """Return whether all elements still exist, no edge has changed its length, and no piece is flipped. The mesh has
+    the attributes of flat pieces."""
     laid_out, record = find_values(mesh, FLAT_LENGTH), read_record(mesh)
     counts = [len(mesh.vertices), len(mesh.edges), len(mesh.polygons)]
     if laid_out is None or record is None or record.counts != counts:

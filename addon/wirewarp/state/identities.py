@@ -51,9 +51,7 @@ def chain_names(mesh: bpy.types.Mesh, wire_ids: Sequence[int]) -> list[str]:
 
 def present_names(mesh: bpy.types.Mesh, report: Report) -> dict[int, str]:
     """Return the present name of each wire of a report, by its own id. Copies have the original's name with a number.
-
-    mesh: the model's.
-    """
+    mesh: the model's."""
     listed = {entry.wire_id: entry.name for entry in mesh.wirewarp_names}
     names: dict[int, str] = {}
     taken: set[str] = set()
@@ -81,10 +79,8 @@ def write_names(mesh: bpy.types.Mesh, names: Mapping[int, str]) -> None:
 
 
 def _names_elsewhere(mesh: bpy.types.Mesh, wire_ids: Sequence[int]) -> dict[int, str]:
-    """Return the names of wires from joined objects.
-
-    Joining keeps only one object's list, but the meshes of the others exist until the file is saved.
-    """
+    """Return the names of wires from joined objects. Joining keeps only one object's list, but the meshes of the others
+    exist until the file is saved."""
     return {
         entry.wire_id: entry.name
         for other in bpy.data.meshes
@@ -134,10 +130,8 @@ class WireSummary:
 
 
 def wires_of(target: bpy.types.Object) -> list[WireSummary]:
-    """Return the wires in the order of the mesh.
-
-    Raises ObjectError if others made an attribute with one of our names.
-    """
+    """Return the wires in the order of the mesh. Raises ObjectError if others made an attribute with one of our
+    names."""
     return kept(target.data, "wires", lambda _: find_wires(target, kept))
 
 
@@ -184,10 +178,7 @@ def known_pieces(
     source: bpy.types.Object, arrays: MeshArrays, flat: bpy.types.Object | None, model_name: str
 ) -> KnownPieces:
     """Return the pieces by the ids on the model or, if given, on its flat pieces, which always have the ids of the last
-    run.
-
-    model_name: the model's name in that run.
-    """
+    run. model_name: the model's name in that run."""
     ids = _ids_of_flat_pieces(flat.data, len(arrays.piece_ids)) if flat else arrays.piece_ids
     return KnownPieces(ids if ids.any() else arrays.piece_ids, piece_names(source), model_name)
 
@@ -217,10 +208,8 @@ def write_pieces(
     identities: Sequence[PieceIdentity],
     on_model: bool,
 ) -> None:
-    """Write ids and names of pieces.
-
-    on_model: whether the arrays belong to the base mesh, so that it may be written.
-    """
+    """Write ids and names of pieces. on_model: whether the arrays belong to the base mesh, so that it may be
+    written."""
     source.wirewarp_pieces.clear()
     for identity in identities:
         entry = source.wirewarp_pieces.add()
@@ -236,8 +225,7 @@ def seam_names(source: bpy.types.Object) -> dict[int, str]:
 
 def known_seams(source: bpy.types.Object, arrays: MeshArrays, flat: bpy.types.Object | None) -> KnownSeams:
     """Return the seams by the ids on the model or, if given, on its flat pieces, which always have the ids of the last
-    run.
-    """
+    run."""
     ids = _seam_ids_of_flat_pieces(flat.data, arrays) if flat else arrays.seam_ids
     return KnownSeams(ids if ids.any() else arrays.seam_ids, seam_names(source))
 
@@ -264,10 +252,8 @@ def _seam_ids_of_flat_pieces(mesh: bpy.types.Mesh, arrays: MeshArrays) -> np.nda
 def write_seams(
     source: bpy.types.Object, arrays: MeshArrays, identities: Sequence[SeamIdentity], on_model: bool
 ) -> None:
-    """Write ids and names of seams. Names that the user has changed since the model was read stay.
-
-    arrays: the model with the new ids; on_model: whether the arrays belong to the base mesh, so that it may be written.
-    """
+    """Write ids and names of seams. Names that the user has changed since the model was read stay. arrays: the model
+    with the new ids; on_model: whether the arrays belong to the base mesh, so that it may be written."""
     places = {entry.seam_id: place for place, entry in enumerate(source.wirewarp_seams)}
     for identity in identities:  # accessed by index, because add() moves the entries in memory
         place = places.get(identity.seam_id)

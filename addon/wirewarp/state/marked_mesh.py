@@ -59,10 +59,8 @@ def wires_on(mesh: bpy.types.Mesh) -> list[int]:
 
 
 def own_ids(wire_ids: Sequence[int]) -> list[int]:
-    """Return an id for each wire. Copied or cut wires share an id: the first wire keeps it.
-
-    The others get the next unused numbers, so that the result is deterministic.
-    """
+    """Return an id for each wire. Copied or cut wires share an id: the first wire keeps it. The others get the next
+    unused numbers, so that the result is deterministic."""
     taken, own = set(wire_ids), dict[int, None]()
     for wire_id in wire_ids:
         free = wire_id

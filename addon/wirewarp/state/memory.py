@@ -72,10 +72,8 @@ def _key(owner: bpy.types.ID) -> object:
 
 
 def kept(owner: Owner, what: str, gather: Callable[[Owner], T]) -> T:
-    """Returns gather(owner), or its last result if the geometry is unchanged.
-
-    A changed selection may count as a change of geometry.
-    """
+    """Returns gather(owner), or its last result if the geometry is unchanged. A changed selection may count as a change
+    of geometry."""
     found = state_of(owner).gathered
     if what not in found:
         found[what] = gather(owner)

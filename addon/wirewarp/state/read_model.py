@@ -49,11 +49,8 @@ def left_out(source: bpy.types.Object, arrays: MeshArrays | None, use_modifiers:
 
 
 def shaped_by(source: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> list[str]:
-    """Return "modifiers" and "shape keys" if these make the object differ from its base mesh.
-
-    The object is in Object Mode. Only the evaluated shape counts, so an armature at rest or a modifier of normals does
-    not matter.
-    """
+    """Return "modifiers" and "shape keys" if these make the object differ from its base mesh. The object is in Object
+    Mode. Only the evaluated shape counts, so an armature at rest or a modifier of normals does not matter."""
     makers = ["modifiers"] if any(modifier.show_viewport for modifier in source.modifiers) else []
     makers += ["shape keys"] if source.data.shape_keys else []
     if not makers:
@@ -73,10 +70,8 @@ def subdivide(source: bpy.types.Object, is_used: bool) -> None:
 
 
 def outline_change(source: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> float:
-    """Return the relative change of the outlines' length by modifiers, below 0 if they become shorter.
-
-    The object is in Object Mode.
-    """
+    """Return the relative change of the outlines' length by modifiers, below 0 if they become shorter. The object is in
+    Object Mode."""
     before = _outline_length(source.data)
     with evaluated_mesh(source, depsgraph) as mesh:
         return _outline_length(mesh) / before - 1 if before else 0.0
@@ -95,10 +90,8 @@ def check_modifiers(source: bpy.types.Object) -> None:
 
 
 def apply_modifiers(source: bpy.types.Object) -> None:
-    """Apply all visible modifiers in Object Mode.
-
-    Raises ObjectError, with nothing changed, if Blender cannot apply them.
-    """
+    """Apply all visible modifiers in Object Mode. Raises ObjectError, with nothing changed, if Blender cannot apply
+    them."""
     check_modifiers(source)
     with bpy.context.temp_override(object=source, active_object=source):
         for name in [modifier.name for modifier in source.modifiers if modifier.show_viewport]:
@@ -190,10 +183,8 @@ def _to_arrays(
 
 
 def own_uv_map(mesh: bpy.types.Mesh) -> bpy.types.MeshUVLoopLayer | None:
-    """Return the user's active UV map; None if there is only the map of the flat pieces.
-
-    If that map is active, as after Flatten, return the user's map that is active for rendering, or the first one.
-    """
+    """Return the user's active UV map; None if there is only the map of the flat pieces. If that map is active, as
+    after Flatten, return the user's map that is active for rendering, or the first one."""
     active, others = mesh.uv_layers.active, [each for each in mesh.uv_layers if each.name != UV_LAYER]
     if active is None or active.name != UV_LAYER:
         return active

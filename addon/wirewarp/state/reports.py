@@ -68,10 +68,8 @@ def with_names(source: bpy.types.Object, report: ObjectReport | None) -> ObjectR
 
 
 def _failure(source: bpy.types.Object) -> ObjectReport | None:
-    """Return the report of the last run, if it had no results. Undo of a later run makes it the last one again.
-
-    Before Blender 4.1, counts detect a later object at its address.
-    """
+    """Return the report of the last run, if it had no results. Undo of a later run makes it the last one again. Before
+    Blender 4.1, counts detect a later object at its address."""
     state = state_of(source)
     failure = state.failure if state.failed_after == stored_text(source, REPORT) else None
     if failure and not hasattr(source, "session_uid") and failure.counts != element_counts(source.data):

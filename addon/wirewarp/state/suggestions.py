@@ -24,10 +24,8 @@ LEAST_WEIGHT = 0.5  # weight from which a vertex counts as painted: half the ful
 
 
 def read_no_seam(source: bpy.types.Object, modified: bpy.types.Mesh | None = None) -> NoSeam:
-    """Return the areas without cuts, on the object's own mesh in Object Mode, or on the mesh with modifiers.
-
-    Raises ObjectError for an attribute of another type or domain.
-    """
+    """Return the areas without cuts, on the object's own mesh in Object Mode, or on the mesh with modifiers. Raises
+    ObjectError for an attribute of another type or domain."""
     mesh = modified or source.data
     group = source.vertex_groups.get(NO_SEAM)
     found = (read_attribute(mesh, NO_SEAM, kind, "FACE") for kind in NUMBERS)

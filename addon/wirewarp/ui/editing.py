@@ -34,10 +34,8 @@ class OnMesh:
 
 
 class OnModel(OnMesh):
-    """Mixin of operators that refuse flat pieces.
-
-    A subclass's `on_model` names the action that is possible on the model.
-    """
+    """Mixin of operators that refuse flat pieces. A subclass's `on_model` names the action that is possible on the
+    model."""
 
     on_model = ""
     modes = frozenset({"EDIT_MESH"})
@@ -71,9 +69,7 @@ def reporting_refusals(execute: Execute) -> Execute:
 
 def change_edited(context: bpy.types.Context, plan: Callable[[bpy.types.Object], Callable[[], T]]) -> list[T]:
     """Plan changes for each object in Edit Mode, then write all of them. If one object is refused, none is changed.
-
-    plan() and its results are called in Object Mode. If no edge is selected, nothing is planned. Raises ObjectError.
-    """
+    plan() and its results are called in Object Mode. If no edge is selected, nothing is planned. Raises ObjectError."""
     targets = list(context.objects_in_mode_unique_data)
     for target in targets:
         check_local(target, target.data)

@@ -59,10 +59,8 @@ def draw_cells(layout: bpy.types.UILayout, label: str, cells: list[str], label_s
 
 
 def broken(context: bpy.types.Context, text: str, reserved: int = 0) -> list[str]:
-    """Return the text in lines that fit the region beside an icon.
-
-    reserved: further pixels to leave free, at interface scale 1.
-    """
+    """Return the text in lines that fit the region beside an icon. reserved: further pixels to leave free, at interface
+    scale 1."""
     unit = context.preferences.system.ui_scale
     points = context.preferences.ui_styles[0].widget.points
     return _lines(text, context.region.width - (BESIDE_TEXT + reserved) * unit, points * unit)
@@ -151,11 +149,8 @@ def _distance(points: np.ndarray, a: np.ndarray, b: np.ndarray) -> np.ndarray:
 
 
 def draw_progress(row: bpy.types.UILayout, task: Task, operator: str) -> bool:
-    """Draw progress, and return whether a run of this kind is in progress.
-
-    operator: operator of the button that started the run. Before Blender 4.0 there is no progress bar, and the button
-    is drawn gray.
-    """
+    """Draw progress, and return whether a run of this kind is in progress. operator: operator of the button that
+    started the run. Before Blender 4.0 there is no progress bar, and the button is drawn gray."""
     done = shown_progress(task)
     if done is None:
         return False

@@ -44,10 +44,8 @@ def untrue_sentence(active: bpy.types.Object, source: bpy.types.Object, report: 
 
 
 def has_changed_since(source: bpy.types.Object, report: ObjectReport) -> bool:
-    """Return whether the model has changed since its report.
-
-    A large model with modifiers is not read at every redraw while it changes, because that takes as long as drawing.
-    """
+    """Return whether the model has changed since its report. A large model with modifiers is not read at every redraw
+    while it changes, because that takes as long as drawing."""
     place = source.mode, source.visible_get(), source.matrix_world.copy()
     seen = stamp(source), stamp(source.data), place, Same(report)
     return kept_drawing(source, HAS_CHANGED, seen, lambda: has_changed(source, report.model_state))
@@ -124,10 +122,8 @@ def _changed_choices(
     wire_ids: set[int],
     ignored: set[str],
 ) -> list[str]:
-    """Return the labels of changed settings that are used.
-
-    then: the options of a report; wire_ids: ids of the wires at that time.
-    """
+    """Return the labels of changed settings that are used. then: the options of a report; wire_ids: ids of the wires at
+    that time."""
     now = asdict(choices) | {"grain_wire": source.data.wirewarp_grain}
     had_grain = then["grain_wire"] in wire_ids
     if (now["orientation"], then["orientation"]) == ("wire", "up") and not had_grain:

@@ -46,10 +46,8 @@ def busy_sentence() -> str:
 
 
 def shown_progress(task: Task) -> float | None:
-    """Return the progress of the current run, from 0 to 1.
-
-    Returns None without a run of this kind, and before the progress is worth showing.
-    """
+    """Return the progress of the current run, from 0 to 1. Returns None without a run of this kind, and before the
+    progress is worth showing."""
     return _current.shown if is_running(task) else None
 
 
@@ -162,10 +160,8 @@ class WindowSteps:
         stop()
 
     def lets_pass(self, event: bpy.types.Event) -> bool:
-        """Return whether Blender may handle this event during the run.
-
-        All events but Esc may pass, because all data have been read.
-        """
+        """Return whether Blender may handle this event during the run. All events but Esc may pass, because all data
+        have been read."""
         return event.type != "ESC"
 
     def wait_for(self, context: bpy.types.Context, steps: Steps[T]) -> T:

@@ -89,10 +89,8 @@ def each_apart(
 
 @contextmanager
 def _ctrl_c_waits() -> Iterator[None]:
-    """Delay Ctrl+C until the end. Otherwise, a process that is just starting or ending could be left behind.
-
-    The server must ignore Ctrl+C: it starts with the first process, and inherits the mask.
-    """
+    """Delay Ctrl+C until the end. Otherwise, a process that is just starting or ending could be left behind. The server
+    must ignore Ctrl+C: it starts with the first process, and inherits the mask."""
     pressed: list[int] = []
     before = signal.signal(signal.SIGINT, lambda number, _: pressed.append(number))
     masked = None if sys.platform == "win32" else signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGINT])
@@ -165,10 +163,8 @@ def _do(work: Callable[[Item], Result], item: Item, sender: Connection) -> None:
 
 
 def _end_with_parent() -> None:
-    """End this process when its parent ends, because a killed parent cannot send a message.
-
-    The next run continues unfinished work.
-    """
+    """End this process when its parent ends, because a killed parent cannot send a message. The next run continues
+    unfinished work."""
     parent = multiprocessing.parent_process()
     if parent:
         parent.join()

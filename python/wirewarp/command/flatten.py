@@ -72,10 +72,8 @@ def _done_before(request: Request, made_of: str) -> Line | None:
 
 
 def _made_of(request: Request, model: Model | None) -> str:
-    """Return a digest of the version, the settings, all files of the model, and the lines.
-
-    Of a Blender file, the digest covers the whole content.
-    """
+    """Return a digest of the version, the settings, all files of the model, and the lines. Of a Blender file, the
+    digest covers the whole content."""
     settings = {key: str(value) for key, value in asdict(request).items() if key not in WHEREABOUTS}
     names = [request.model.name, *(name if name in FROM_MODEL else Path(name).name for name in request.lines)]
     digest = hashlib.blake2b(json.dumps([__version__, names, settings], sort_keys=True).encode(), digest_size=16)

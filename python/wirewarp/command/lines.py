@@ -76,10 +76,8 @@ def _add_wire(lines: Lines, entry: dict[str, Any]) -> None:
 
 
 def _add_ease(lines: Lines, entry: dict[str, Any]) -> None:
-    """Add the ease.
-
-    Each step of the list is an edge, in the direction in which the triangle on that side contains it.
-    """
+    """Add the ease. Each step of the list is an edge, in the direction in which the triangle on that side contains
+    it."""
     lines.eases.append(Ease(list(pairwise(entry["side"])), entry.get("ease", 0.0)))
 
 

@@ -22,10 +22,8 @@ Point = tuple[float, float]
 
 
 def write_picture(path: Path, result: FlattenResult, vertices: np.ndarray, millimeters: float) -> bool:
-    """Write a PNG; False if no piece has a layout.
-
-    vertices (n,3): vertices of the model; millimeters: length of its unit.
-    """
+    """Write a PNG; False if no piece has a layout. vertices (n,3): vertices of the model; millimeters: length of its
+    unit."""
     pieces = {number: piece for number, piece in enumerate(result.pieces, start=1) if len(piece.vertices)}
     if not pieces:
         return False
@@ -59,10 +57,8 @@ def write_picture(path: Path, result: FlattenResult, vertices: np.ndarray, milli
 
 
 def strain(vertices: np.ndarray, piece: Piece) -> np.ndarray:
-    """Return the largest |stretch - 1| (q,) of each face in any direction.
-
-    vertices (p,3): vertices of the piece on the model.
-    """
+    """Return the largest |stretch - 1| (q,) of each face in any direction. vertices (p,3): vertices of the piece on the
+    model."""
     a, b, c = (vertices[piece.faces[:, corner]] for corner in range(3))
     along, aside = b - a, c - a
     length = np.linalg.norm(along, axis=1)

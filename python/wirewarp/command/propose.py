@@ -103,11 +103,8 @@ def _fewer(mesh: dict[str, Any], proposal: SeamProposal, meters: float) -> Line:
 
 
 def _proposal(cut: DartProposal, meters: float, has_mirror_image: bool) -> dict[str, Any]:
-    """Return a proposal with its lines as --seams reads them.
-
-    meters: length of a unit of the model; has_mirror_image: whether another proposal, which the result names, is the
-    mirror image.
-    """
+    """Return a proposal with its lines as --seams reads them. meters: length of a unit of the model; has_mirror_image:
+    whether another proposal, which the result names, is the mirror image."""
     described: dict[str, Any] = {
         "piece": cut.piece + 1,
         "lines": _lines_along(cut.edges.tolist()),

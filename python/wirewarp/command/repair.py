@@ -201,10 +201,8 @@ def _cut_at(
 
 
 def _opposed_faces(model: Model) -> np.ndarray:
-    """Return the faces (k,) to flip: in each connected part, the side with the smaller area.
-
-    For a part with only one side, such as a Möbius strip, return none: no flip makes it consistent.
-    """
+    """Return the faces (k,) to flip: in each connected part, the side with the smaller area. For a part with only one
+    side, such as a Möbius strip, return none: no flip makes it consistent."""
     neighbors: dict[int, list[tuple[int, bool]]] = defaultdict(list)
     at_edge: dict[tuple[int, int], list[tuple[int, bool]]] = defaultdict(list)
     for row, face in enumerate(model.faces.tolist()):

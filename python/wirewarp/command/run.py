@@ -26,10 +26,7 @@ class PrintError(Exception):
 
 
 def run(arguments: Arguments) -> int:
-    """Print one line of JSON for each model, in their order. Return the exit code of the worst.
-
-    Raises PrintError.
-    """
+    """Print one line of JSON for each model, in their order. Return the exit code of the worst. Raises PrintError."""
     # Matrices are small and models many, so threads for each matrix would only slow the run down.
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     for request in with_left([each for each in arguments.requests if isinstance(each, Request)]):

@@ -80,10 +80,8 @@ def _remove(staged: Path, request: Request) -> None:
 
 
 def _put_back(staged: Path, request: Request) -> None:
-    """Put the earlier files back.
-
-    This can be repeated after a kill: a new file is in place once it has left the folder.
-    """
+    """Put the earlier files back. This can be repeated after a kill: a new file is in place once it has left the
+    folder."""
     for name in listed_files(staged / request.report_path.name):
         if not (staged / name).exists() and (request.folder / name).exists():
             (request.folder / name).replace(staged / name)

@@ -16,11 +16,8 @@ def today() -> datetime.date:
 
 @contextmanager
 def replaced_file(path: Path) -> Iterator[Path]:
-    """Yield a temporary path beside this one.
-
-    At the end, the temporary file replaces this one, unless an error was raised. A full disk therefore does not damage
-    the existing file. Raises OSError if no file can be created there.
-    """
+    """Yield a temporary path beside this one. At the end, the temporary file replaces this one, unless an error was
+    raised. A full disk therefore does not damage the existing file. Raises OSError if no file can be created there."""
     path = path.resolve()  # the target of a link is replaced, and the link stays
     if not path.parent.is_dir():
         raise FileNotFoundError(f'there is no folder "{path.parent}"')

@@ -119,10 +119,8 @@ class Rays:
 
 
 def overlap(first: Sequence[np.ndarray], second: Sequence[np.ndarray]) -> bool:
-    """Return whether two shapes, given by outlines in any order and direction, overlap by more than rounding.
-
-    Touching is not an overlap. Lengths may have any unit.
-    """
+    """Return whether two shapes, given by outlines in any order and direction, overlap by more than rounding. Touching
+    is not an overlap. Lengths may have any unit."""
     boxes = [_box(outlines) for outlines in (first, second)]
     depth = DEPTH * min(float(np.linalg.norm(high - low)) for low, high in boxes)
     low, high = np.min([box[0] for box in boxes], axis=0), np.max([box[1] for box in boxes], axis=0)

@@ -26,10 +26,8 @@ def escaped_text(text: str) -> str:
 
 
 def block_names(names: list[str], longest: int) -> list[str]:
-    """Return unique block names of capitals, digits and underscores within AutoCAD's length.
-
-    A name without such characters becomes PIECE_3, with the number of the piece.
-    """
+    """Return unique block names of capitals, digits and underscores within AutoCAD's length. A name without such
+    characters becomes PIECE_3, with the number of the piece."""
     found: list[str] = []
     for number, name in enumerate(names, start=1):
         plain = re.sub(r"[^A-Z0-9]+", "_", plain_text(name).upper()).strip("_")[:longest] or f"PIECE_{number}"

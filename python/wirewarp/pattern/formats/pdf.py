@@ -60,10 +60,8 @@ def write_pdf(
 def page_sizes(
     pattern: PatternData, paper: Paper = None, proof: bool = False, keep_places: bool = False
 ) -> list[np.ndarray]:
-    """Return width and height (2,) in millimeters of each page that write_pdf would write.
-
-    Raises the same FlattenError.
-    """
+    """Return width and height (2,) in millimeters of each page that write_pdf would write. Raises the same
+    FlattenError."""
     size = _proof_size(paper)
     sizes = [sheet.paper for sheet in plan(pattern, paper, keep_places).all_sheets]
     return sizes + ([size] * len(proof_pages(pattern, size)) if proof else [])

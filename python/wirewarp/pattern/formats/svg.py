@@ -82,10 +82,8 @@ def page_size(pattern: PatternData) -> np.ndarray:
 
 
 def _page(pieces: np.ndarray, side: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return the size of the page, and the lower left corners of the pieces and of the test square, with y upwards.
-
-    The square is to the right of the pieces or below them, whichever needs less paper.
-    """
+    """Return the size of the page, and the lower left corners of the pieces and of the test square, with y upwards. The
+    square is to the right of the pieces or below them, whichever needs less paper."""
     width, height = pieces
     beside = np.array([width + MARGIN + side, max(height, side)])
     below = np.array([max(width, side), height + MARGIN + side])

@@ -29,10 +29,8 @@ def levels(letters: Sequence[str]) -> list[int]:
 
 
 def in_visual_order(runs: Sequence[T], run_levels: Sequence[int]) -> list[T]:
-    """Return the runs from left to right.
-
-    Rule L2 reverses each sequence from the highest level to the lowest odd one.
-    """
+    """Return the runs from left to right. Rule L2 reverses each sequence from the highest level to the lowest odd
+    one."""
     order = list(range(len(runs)))
     for level in range(max(run_levels, default=0), 0, -1):
         begin = None

@@ -34,10 +34,8 @@ ANYWHERE = Sheets()
 def with_card(
     piece: PatternPiece, number: int, count: int, heading: str, units: UnitSystem, sheets: Sheets = ANYWHERE
 ) -> PatternPiece:
-    """Return the piece with its number and texts: a card for the maker, and names along its lines.
-
-    The card: heading (style and date), number and total, name, quantity, material, allowance, area.
-    """
+    """Return the piece with its number and texts: a card for the maker, and names along its lines. The card: heading
+    (style and date), number and total, name, quantity, material, allowance, area."""
     allowance = units.range_of(piece.allowances)
     includes = "No seam allowance" if allowance == "none" else f"Includes {allowance} allowance"
     place = f"{number} of {count}"

@@ -115,10 +115,8 @@ def _font(path: Path) -> Font | None:
 
 @cache
 def _files() -> list[Path]:
-    """Return the files in the order in which they are tried.
-
-    Plain styles come first, and small files before large ones, because small files open faster.
-    """
+    """Return the files in the order in which they are tried. Plain styles come first, and small files before large
+    ones, because small files open faster."""
     files = [path for folder in (*_folders, *_system_folders()) for path in _in(folder)]
     return sorted(files, key=lambda path: (any(s in path.name.lower() for s in STYLES), path.stat().st_size, path.name))
 

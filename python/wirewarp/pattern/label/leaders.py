@@ -36,10 +36,8 @@ class Beside:
     def __init__(
         self, outlines: Sequence[np.ndarray], sheets: Sequence[Box] = (), others: Sequence[np.ndarray] = ()
     ) -> None:
-        """outlines (k,2): the cut lines. sheets: if given, each text must be on one sheet.
-
-        others (k,2): closed lines around neighbors.
-        """
+        """outlines (k,2): the cut lines. sheets: if given, each text must be on one sheet. others (k,2): closed lines
+        around neighbors."""
         self._sheets, self._others = sheets, others
         self._outlines = list(outlines)
         points = np.concatenate(self._outlines)
@@ -102,10 +100,8 @@ class Beside:
 
 
 def _leaders(text: Text, centers: np.ndarray, target: np.ndarray) -> np.ndarray:
-    """Return for each center (c,2) of the text a line (3,2) that does not cross the letters.
-
-    The line leads from the target to the nearer end of the letters' top or bottom edge, and along this edge.
-    """
+    """Return for each center (c,2) of the text a line (3,2) that does not cross the letters. The line leads from the
+    target to the nearer end of the letters' top or bottom edge, and along this edge."""
     sides = np.where((target - centers) @ axes(text) > 0, 1, -1)
     along, up = (sides[:, [side]] * axes(text)[:, side] for side in (0, 1))
     edges = centers + (text.height / 2 + 2 * CLEAR) * up

@@ -20,10 +20,8 @@ ALONG_WIRE = (0.3, 0.7, 0.4, 0.6, 0.2, 0.8, 0.5)  # wires often cross in their m
 
 
 def line_names(lines: Sequence[Line], room: Room, beside: Beside) -> tuple[list[Text], list[Line]]:
-    """Return the names of stitching lines, folds and wires: inside the piece, or beside it if there is no room.
-
-    A line leads to each name beside the piece.
-    """
+    """Return the names of stitching lines, folds and wires: inside the piece, or beside it if there is no room. A line
+    leads to each name beside the piece."""
     named = [line for line in lines if line.name and line.role in ("sew", "fold", "wire")]
     texts, leaders = [], []
     for line in sorted(named, key=lambda line: line.role != "sew"):
@@ -67,9 +65,7 @@ def _choices(line: Line) -> Iterator[Text]:
 
 def _place_on(points: np.ndarray, along: np.ndarray, share: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return the point (2,) at this share of a line (k,2), and the unit vectors along the line and into the piece.
-
-    along (k,): see lengths_along.
-    """
+    along (k,): see lengths_along."""
     row = int(np.searchsorted(along, share * along[-1], side="right")) - 1
     a, b = points[row : row + 2]
     way = (b - a) / np.linalg.norm(b - a)

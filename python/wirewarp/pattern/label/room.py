@@ -17,10 +17,8 @@ Segments = tuple[np.ndarray, np.ndarray]  # first and second ends (s,2) of segme
 
 
 class Room:
-    """The free room in a piece.
-
-    A text may cross lines if there is no other place, but never outlines or other texts.
-    """
+    """The free room in a piece. A text may cross lines if there is no other place, but never outlines or other
+    texts."""
 
     def __init__(self, outlines: Iterable[np.ndarray], lines: Iterable[np.ndarray], texts: Iterable[Text]) -> None:
         """outlines (k,2); lines (k,2): wires, notches and similar lines."""

@@ -207,10 +207,8 @@ def _turned_left(vector: np.ndarray) -> np.ndarray:
 
 
 def _on_grid(points: np.ndarray, origin: np.ndarray) -> Polygon:
-    """Return the grid points of all polygons.
-
-    They have a common origin, so that common points stay equal and no slit opens.
-    """
+    """Return the grid points of all polygons. They have a common origin, so that common points stay equal and no slit
+    opens."""
     rounded: Polygon = np.rint((points - origin) / GRID).astype(np.int64).tolist()
     return rounded
 

@@ -36,10 +36,8 @@ class Copies:
 
 
 def copies_of(laid: Sequence[Laid], pieces: Sequence[PatternPiece], pairs: bool, on_fold: bool) -> Copies:
-    """Return the copies.
-
-    pieces: the same pieces as `laid`, with their lines. pairs: whether pieces of one shape are drawn once.
-    """
+    """Return the copies. pieces: the same pieces as `laid`, with their lines. pairs: whether pieces of one shape are
+    drawn once."""
     found = Copies({}, {}, fixed_starts(side for own in laid for loop in own.loops for side in loop))
 
     def maps(first: int, second: int, *, is_mirror: bool) -> Iterator[Congruence]:
@@ -143,9 +141,7 @@ def copied_sides(copies: Copies, laid: Sequence[Laid], seams: Sequence[Sequence[
 
 def _matched(first: Laid, second: Laid, found: Congruence) -> list[tuple[Side, Side, np.ndarray]]:
     """Return a side of the first piece, the side of the second whose image matches it, and vertices, for each match.
-
-    The vertices (k,) of the second side are in the order of the points of the first side.
-    """
+    The vertices (k,) of the second side are in the order of the points of the first side."""
     matched = []
     for side in (side for loop in first.loops for side in loop):
         for other in (side for loop in second.loops for side in loop):

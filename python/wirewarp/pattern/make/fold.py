@@ -66,10 +66,8 @@ def _kept(line: Line, origin: np.ndarray, outward: np.ndarray) -> list[tuple[np.
 
 
 def unfolded(piece: PatternPiece) -> PatternPiece:
-    """Return the whole of a piece that is cut on the fold. Raises FlattenError if it has several folds.
-
-    The fold counts as straight from end to end. Texts keep their places, and the fold itself is left out.
-    """
+    """Return the whole of a piece that is cut on the fold. Raises FlattenError if it has several folds. The fold counts
+    as straight from end to end. Texts keep their places, and the fold itself is left out."""
     folds = piece.of_role("fold")
     if len(folds) != 1:
         raise problem(f'"{piece.name}" has {len(folds)} folds, and only a piece with one can be opened.')

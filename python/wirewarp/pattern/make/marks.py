@@ -96,10 +96,8 @@ def _legs(laid: Sequence[Laid]) -> set[int]:
 def _places(
     group: SeamGroup, seams: Sequence[Sequence[SewnSide]], wire_ends: Mapping[int, np.ndarray], spacing: float
 ) -> dict[int, list[float]]:
-    """Return, for each seam, the sewn lengths from its start to its notches.
-
-    If all sides are rings, one notch is at the start.
-    """
+    """Return, for each seam, the sewn lengths from its start to its notches. If all sides are rings, one notch is at
+    the start."""
     sewn = {seam: SewnLengths.of(seams[seam]) for seam in group.turned if seams[seam]}
     if not sewn:  # pieces without a layout
         return {}

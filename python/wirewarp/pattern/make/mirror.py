@@ -18,11 +18,8 @@ IN_PHASE = 1e-3  # share by which a match may be worse than the best one, becaus
 
 @dataclass(frozen=True)
 class Congruence:
-    """A reflection or a rotation.
-
-    Points are complex numbers. A reflection is z -> turn * conj(z) + shift, possibly with a shift along its axis; a
-    rotation is z -> turn * z + shift.
-    """
+    """A reflection or a rotation. Points are complex numbers. A reflection is z -> turn * conj(z) + shift, possibly
+    with a shift along its axis; a rotation is z -> turn * z + shift."""
 
     turn: complex
     shift: complex

@@ -48,9 +48,7 @@ def check_spacing(spacing: float, seam_names: Sequence[str], sides: Sequence[Seq
 
 def places_along(length: float, taken: Sequence[float], spacing: float) -> list[float]:
     """Return lengths of notches from the start of a seam. Together with `taken`, they show if the seam is reversed.
-
-    taken: existing notches, such as those at the ends of wires.
-    """
+    taken: existing notches, such as those at the ends of wires."""
     if spacing == 0 or length < LEAST_SEAM:
         return []
     for start in STARTS:
@@ -66,10 +64,8 @@ def places_along(length: float, taken: Sequence[float], spacing: float) -> list[
 
 
 def symmetric_places(length: float, taken: Sequence[float], spacing: float) -> list[float]:
-    """Return lengths as places_along() does, for a seam that a mirror reverses.
-
-    They are the same from both ends, as `taken` must be.
-    """
+    """Return lengths as places_along() does, for a seam that a mirror reverses. They are the same from both ends, as
+    `taken` must be."""
     if spacing == 0 or length < LEAST_SEAM:
         return []
     steps = math.floor(length / 2 / spacing)
@@ -85,11 +81,8 @@ def _is_lopsided(places: np.ndarray, length: float) -> bool:
 
 
 def notch(own: SewnSide, length: float, rays: Rays, width: float, pair: tuple[int, int] | None = None) -> Point | None:
-    """Return a notch that begins where the side's normal at this length meets the cut line, and points inwards.
-
-    width: the widest allowance of the side. Returns None if the cut line is much farther, because allowances meet
-    there.
-    """
+    """Return a notch that begins where the side's normal at this length meets the cut line, and points inwards. width:
+    the widest allowance of the side. Returns None if the cut line is much farther, because allowances meet there."""
     at_sew, outward = own.at(length)
     allowance = rays.length(at_sew, outward)
     if allowance > MITRE_LIMIT * width + NEXT_TO:

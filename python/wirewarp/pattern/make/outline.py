@@ -90,11 +90,8 @@ class Side:
 
 
 def outlines_of(index: int, piece: FlatPiece) -> list[list[Side]]:
-    """Return the closed outlines of a piece, each as its chains in order; the outer one has positive area.
-
-    index: index of the piece. Raises FlattenError for a chain that is not on the outline, and for points that are not
-    numbers.
-    """
+    """Return the closed outlines of a piece, each as its chains in order; the outer one has positive area. index: index
+    of the piece. Raises FlattenError for a chain that is not on the outline, and for points that are not numbers."""
     points, ends = piece.vertices, _outline_edges(piece)
     if not np.isfinite(points[piece.outline]).all():
         raise problem(f'"{piece.name}" has NaN or infinite coordinates.')

@@ -136,10 +136,8 @@ def _sewn(laid: Laid, describe: Callable[[Side], Mapping[str, str]]) -> list[Lin
 
 
 def grain_line(outlines: Sequence[np.ndarray], lines_inside: Sequence[np.ndarray], along: np.ndarray) -> Line:
-    """Return the grain line that has the most room inside closed outlines (k,2) and between lines (k,2).
-
-    along (2,): unit vector.
-    """
+    """Return the grain line that has the most room inside closed outlines (k,2) and between lines (k,2). along (2,):
+    unit vector."""
     center, _ = innermost_point(outlines, lines_inside)
     rays = Rays(outlines)
     up, down = (GRAIN * rays.length(center, sign * along) for sign in (1, -1))

@@ -18,10 +18,8 @@ GATHERED = 0.15  # share of the shorter side; with more ease, fabric would get p
 
 
 def longer_text(length: float, shortest: float, length_text: Callable[[float], str]) -> str:
-    """Return a text such as "12 mm longer, ease between notches" for a side; empty for the shortest sides.
-
-    length_text: writes a length as text. All lengths are in millimeters.
-    """
+    """Return a text such as "12 mm longer, ease between notches" for a side; empty for the shortest sides. length_text:
+    writes a length as text. All lengths are in millimeters."""
     more = length - shortest
     if more < LEAST:
         return ""

@@ -27,10 +27,8 @@ ROOM_FOR_GAP = 150.0
 def sewing_steps(
     laid: Sequence[Laid], seams: Sequence[Sequence[SewnSide]], names: Sequence[str]
 ) -> Steps[list[SewingStep]]:
-    """Return each seam once, in the order of sewing. names: names of the seams.
-
-    In a body without an open edge, one seam has an opening through which it is turned.
-    """
+    """Return each seam once, in the order of sewing. names: names of the seams. In a body without an open edge, one
+    seam has an opening through which it is turned."""
     first = sewn_first([loop for piece in laid for loop in piece.loops])
     waiting = {number: [own.side for own in sides] for number, sides in enumerate(seams) if len(sides) > 1}
     ends = {number: {int(sides[0].sources[0]), int(sides[0].sources[-1])} for number, sides in waiting.items()}
@@ -82,10 +80,8 @@ def _fitness(side: Side) -> tuple[bool, float]:
 
 
 def _likeness(sides: Sequence[Side]) -> Likeness:
-    """Return the pieces and the length of a seam.
-
-    By these, its counterpart on the other side is found, which is sewn next.
-    """
+    """Return the pieces and the length of a seam. By these, its counterpart on the other side is found, which is sewn
+    next."""
     return {side.piece for side in sides}, round(float(sides[0].along[-1]), 1)
 
 

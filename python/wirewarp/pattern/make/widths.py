@@ -29,10 +29,8 @@ class Widths:
         self._unused = set(self._both) | set(self._sides) | self._folds
 
     def of(self, side: Side) -> tuple[np.ndarray, np.ndarray]:
-        """Return the width (k-1,) of the allowance at each step of the side, and whether it is a fold (width 0).
-
-        Raises FlattenError for a fold that is sewn.
-        """
+        """Return the width (k-1,) of the allowance at each step of the side, and whether it is a fold (width 0). Raises
+        FlattenError for a fold that is sewn."""
         default = self._hem if side.seam is None else self._seam
         pairs = list(zip(side.sources[:-1].tolist(), side.sources[1:].tolist(), strict=True))
         widths = np.array([self._width(pair[::-1] if side.is_turned else pair, default) for pair in pairs])

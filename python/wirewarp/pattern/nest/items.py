@@ -76,9 +76,7 @@ def _upright(piece: PatternPiece) -> float:
 
 def _outline(piece: PatternPiece, gap: float, upright: float) -> np.ndarray:
     """Return the cut line with room around it, simplified. Its width and height are exact if the piece is upright.
-
-    Parts that touch are united.
-    """
+    Parts that touch are united."""
     offset = pyclipper.PyclipperOffset(arc_tolerance=ROUND / GRID)
     for line in piece.of_role("cut"):
         path = np.rint(line.points / GRID).astype(np.int64)
@@ -92,9 +90,7 @@ def _outline(piece: PatternPiece, gap: float, upright: float) -> np.ndarray:
 
 def simplified(outline: np.ndarray, within: float, kept: Iterable[int]) -> np.ndarray:
     """Return the closed outline (k,2) with fewer points, by Douglas and Peucker, with an error of at most `within`.
-
-    kept: points that stay, at least two.
-    """
+    kept: points that stay, at least two."""
     closed = np.concatenate([outline, outline[:1]])
     fixed = sorted({0, *kept})
     found, spans = set(fixed), list(zip(fixed, [*fixed[1:], len(outline)], strict=True))

@@ -98,10 +98,8 @@ class _Search:
         self._width = cloth.width + 2 * self._room
 
     def markers(self, seconds: float) -> Generator[Marker | None, None, None]:
-        """Yield markers, or None after a short time without a new one.
-
-        Raises FlattenError for a piece larger than the fabric.
-        """
+        """Yield markers, or None after a short time without a new one. Raises FlattenError for a piece larger than the
+        fabric."""
         self._items = yield from items_of(self._pieces, self._cloth.gap, self._times)
         asks_spyrrow = self._cloth.length is None and seconds > 0 and is_installed()
         for places in self._slides():

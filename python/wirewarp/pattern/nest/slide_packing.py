@@ -57,12 +57,8 @@ class SlidePacking:
         self._random = np.random.default_rng(0)
 
     def trials(self) -> Generator[list[Place] | None, None, None]:
-        """Yield better and better packings without end, and None in between.
-
-        Each packing has another order of the items. The order is kept if it needs no more fabric.
-
-        Raises TooLargeError if an item does not fit.
-        """
+        """Yield better and better packings without end, and None in between. Each packing has another order of the
+        items. The order is kept if it needs no more fabric. Raises TooLargeError if an item does not fit."""
         for index, item in enumerate(self._items):
             yield None
             turned = (_profile(item, angle, self._row) for angle in angles(item, self._grain, FREE_STEP))

@@ -34,10 +34,8 @@ def is_installed() -> bool:
 def searched(
     items: Sequence[Item], grain: Grain, width: float, seconds: float
 ) -> Generator[list[Place] | None, None, None]:
-    """Yield better and better places on a roll, and None at intervals if there are no new ones.
-
-    The search ends when its time is over or the iterator is closed. Raises SpyrrowError.
-    """
+    """Yield better and better places on a roll, and None at intervals if there are no new ones. The search ends when
+    its time is over or the iterator is closed. Raises SpyrrowError."""
     spec = importlib.util.find_spec("spyrrow")
     assert spec is not None and spec.origin is not None
     task = {

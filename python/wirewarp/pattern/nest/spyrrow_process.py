@@ -53,10 +53,8 @@ def main() -> None:
 
 
 def _end_with_caller(folder: Path) -> None:
-    """End this process when its caller ends.
-
-    Nobody writes to the standard input; it closes when the process that started this one ends.
-    """
+    """End this process when its caller ends. Nobody writes to the standard input; it closes when the process that
+    started this one ends."""
     os.read(0, 1)  # sys.stdin would be locked when Python ends
     shutil.rmtree(folder, ignore_errors=True)  # Windows keeps files that this process has open
     os._exit(1)

@@ -63,10 +63,8 @@ class Stroke:
 
 
 def strokes_of(piece: PatternPiece) -> Iterator[Stroke]:
-    """Return everything of a piece except its texts.
-
-    Cut lines are last, so that inner lines are cut before outlines.
-    """
+    """Return everything of a piece except its texts. Cut lines are last, so that inner lines are cut before
+    outlines."""
     for line in sorted(piece.lines, key=lambda line: (line.role == "cut", line.role == "inner_cut")):
         if line.role == "cut":
             break

@@ -129,10 +129,8 @@ def _own_name(plan: Tiles, row: int, column: int) -> Text:
 
 
 def part_marks(corner: np.ndarray, size: np.ndarray, page: int, is_first: bool, is_last: bool) -> Marks:
-    """Return the edges of a page's part of a marker, of this size (2,), and the pages above and below.
-
-    page: its number.
-    """
+    """Return the edges of a page's part of a marker, of this size (2,), and the pages above and below. page: its
+    number."""
     texts = [
         Text((f"{what} page {other}",), corner + (size[0] / 2, y), 4.0)
         for is_joined, what, other, y in (

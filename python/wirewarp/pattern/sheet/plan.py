@@ -132,10 +132,8 @@ def _pages_of_rows(pieces: Sequence[PatternPiece]) -> list[list[int]]:
 
 
 def page_width(marker: Marker, roll: float | None, units: UnitSystem) -> float:
-    """Return the width of the page.
-
-    roll: width of the paper; None: as wide as necessary. Raises FlattenError if the roll is too narrow.
-    """
+    """Return the width of the page. roll: width of the paper; None: as wide as necessary. Raises FlattenError if the
+    roll is too narrow."""
     needed = max(marker.width, float(SIZE[0])) + 2 * MARGIN
     if roll is not None and roll < needed - 1e-6:
         raise problem(
@@ -150,10 +148,8 @@ def page_width(marker: Marker, roll: float | None, units: UnitSystem) -> float:
 
 
 def _marker(pattern: P, marker: Marker, width: float) -> Plan[P]:
-    """Plan the fabric with its edges, on pages as wide as the roll of paper.
-
-    If there are several pages, they overlap.
-    """
+    """Plan the fabric with its edges, on pages as wide as the roll of paper. If there are several pages, they
+    overlap."""
     page_width(marker, width, pattern.units)
     length = marker.length if marker.sheet_length is None else marker.sheet_length
     most = LONGEST - 2 * MARGIN - SIZE[1]

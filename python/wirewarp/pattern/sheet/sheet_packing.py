@@ -78,10 +78,8 @@ def placed_on_sheets(
 def _placed(
     shapes: Sequence[Sequence[Shape]], columns: int, per_sheet: np.ndarray, fewest: int
 ) -> tuple[int, np.ndarray, list[int]] | None:
-    """Return the number of sheets, the start cells (p,2) of the pieces, and their turns.
-
-    Return None if this does not need fewer sheets than the best arrangement so far.
-    """
+    """Return the number of sheets, the start cells (p,2) of the pieces, and their turns. Return None if this does not
+    need fewer sheets than the best arrangement so far."""
     width = columns * per_sheet[0] + 1
     taken = np.zeros((width, 0), dtype=bool)  # cells of placed pieces
     used = np.zeros((columns, 0), dtype=bool)  # sheets with pieces

@@ -58,10 +58,8 @@ class Tiles(Generic[P]):
 
     @property
     def borders(self) -> list[np.ndarray]:
-        """Return the middle (2,2) of the overlap at the left and the lower edge of each sheet with a neighbor there.
-
-        A line that does not cross them is on one sheet.
-        """
+        """Return the middle (2,2) of the overlap at the left and the lower edge of each sheet with a neighbor there. A
+        line that does not cross them is on one sheet."""
         if not self.overlap:
             return []
         found = []
@@ -80,10 +78,8 @@ class Shape(NamedTuple):
 
 
 def divided(pattern: P, paper: str, keep_places: bool) -> Tiles[P]:
-    """Divide the pattern into the fewest sheets, upright or turned; every piece on one sheet if that needs no more.
-
-    A marker keeps its places, and so does a pattern with keep_places. Raises FlattenError for too many sheets.
-    """
+    """Divide the pattern into the fewest sheets, upright or turned; every piece on one sheet if that needs no more. A
+    marker keeps its places, and so does a pattern with keep_places. Raises FlattenError for too many sheets."""
     if pattern.marker or keep_places:
         moved = pattern.at_origin()
         plans = [_with_tiles(moved, np.array(upright)) for upright in (SHEETS[paper], SHEETS[paper][::-1])]
@@ -158,10 +154,8 @@ def _cut_lines(piece: PatternPiece) -> list[np.ndarray]:
 
 
 def _counts(size: np.ndarray, step: np.ndarray) -> np.ndarray:
-    """Return the numbers of columns and rows (2,) of sheets for this size.
-
-    Each sheet begins a step after the one before.
-    """
+    """Return the numbers of columns and rows (2,) of sheets for this size. Each sheet begins a step after the one
+    before."""
     counts: np.ndarray = np.maximum(np.ceil((size + 2 * INSET - OVERLAP) / step - 1e-9), 1).astype(int)
     return counts
 
@@ -174,10 +168,8 @@ def _check_count(count: int, pattern: PatternData) -> None:
 
 
 def _with_tiles(pattern: P, sheet: np.ndarray, columns: int | None = None) -> Tiles[P]:
-    """Return the pattern on sheets.
-
-    columns: number of columns, from 0, 0 to the right and upwards. None: as many as needed, from the upper left.
-    """
+    """Return the pattern on sheets. columns: number of columns, from 0, 0 to the right and upwards. None: as many as
+    needed, from the upper left."""
     shown = sheet - 2 * MARGIN
     step, top = shown - OVERLAP, pattern.size[1] + INSET
     if columns is None:
