@@ -101,7 +101,7 @@ def test_every_class_of_the_add_on_is_registered(addon):
 def test_the_panels_of_the_sidebar_come_in_the_order_of_the_work(addon):
     """Blender shows them in the order of registration."""
     panels = [cls for cls in addon.registration.CLASSES if issubclass(cls, bpy.types.Panel)]
-    first = "Mark, Allowance, Ease, Flatten, Settings, Advanced, Export, Pieces, Wires, Report, Mark Sides"
+    first = "Mark, Allowance and Ease, Flatten, Settings, Advanced, Export, Pieces, Wires, Report, Mark Sides"
     own = [cls.bl_label for cls in panels if getattr(cls, "bl_parent_id", "") != "VIEW3D_PT_wirewarp_report"]
     assert own == [*first.split(", "), "Overlay", "Overlay"]  # the last one is in the UV Editor
 

@@ -312,7 +312,7 @@ def test_figures_of_the_model_are_those_of_its_worst_piece(addon, settings):
     assert cut.strain_before == pytest.approx(max(each.strain_before for each in apart), rel=1e-6)
     left = max(apart[cut.piece].strain, apart[1 - cut.piece].strain_before)
     assert cut.strain == pytest.approx(left, rel=1e-6)
-    assert "Stretch with Darts, Bump  1 dart: " in draw_panels(addon)
+    assert "Stretch with Darts, Bump 1 dart: " in draw_panels(addon)
 
 
 def test_the_target_reaches_the_search_and_the_remaining_stretch_is_reported(addon, settings, capfd):
@@ -341,7 +341,7 @@ def test_steps_of_a_target_fit_a_row(addon, settings):
     settings.aim_stretch = 30.0
     SUGGEST["SEAMS"]()
     (cut,) = found(addon, source).cuts
-    assert f"Stretch with Seams, {source.name}  First seams: " in draw_panels(addon)
+    assert f"Stretch with Seams, {source.name} First seams: " in draw_panels(addon)
     step, lengths = replace(cut, lengths=[*cut.lengths, 1.0]), addon.core.LengthText("mm", 1000)
     assert addon.solve.suggest.row_text("SEAMS", step, found(addon, source).target, lengths).startswith("and 1 seam: ")
 

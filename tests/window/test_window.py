@@ -75,6 +75,7 @@ TOURS = {
     "view_tours": [
         "pieces_are_seen_in_local_view",
         "the_first_pieces_are_brought_into_view",
+        "buttons_keep_their_places_in_edit_mode",
         "search_finds_commands_by_the_add_on_s_name",
     ],
 }

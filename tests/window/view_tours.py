@@ -43,6 +43,27 @@ def search_finds_commands_by_the_add_on_s_name() -> drive.Tour:
     yield lambda: "Bump Flat" in bpy.data.objects
 
 
+def buttons_keep_their_places_in_edit_mode() -> drive.Tour:
+    """Show Worst Place enters Edit Mode, and the button remains under the mouse, also on the flat pieces."""
+    with drive.in_view():
+        bpy.ops.object.wirewarp_open_sample(sample="FITTED_TOP")
+    source = bpy.context.object
+    bpy.context.scene.wirewarp.cloth = "NONE"  # the sample's jersey stretches far enough
+    yield from flatten()
+    yield from drive.open_tab(bpy.types.VIEW3D_PT_wirewarp_flatten)
+    button = "bpy.ops.mesh.wirewarp_select_result("
+    place = yield from drive.click_button(button)
+    yield lambda: source.mode == "EDIT"
+    yield from drive.ticks(10)
+    drive.screenshot("worst_place")
+    assert (yield from drive.command_at(place)).startswith(button)
+    yield from drive.click_button("bpy.ops.object.editmode_toggle(")
+    yield lambda: source.mode == "OBJECT"
+    bpy.context.view_layer.objects.active = flat_of(source)
+    yield from drive.ticks(10)
+    assert (yield from drive.command_at(place)).startswith(button)
+
+
 def the_first_pieces_are_brought_into_view() -> drive.Tour:
     """The view moves again only if the layout becomes much larger, and not at all if the preference is off."""
     source = grid("Bump", bump)

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Draws the panel of marks. It is above Flatten, because the verdict below Flatten grows and shrinks."""
+"""Draws the panel of marks. It is above Flatten, because the verdict below Flatten grows and shrinks.
+
+It has the same height in all modes and on flat pieces, because buttons below it enter Edit Mode.
+"""
 
 from collections.abc import Sequence
 
@@ -13,58 +16,50 @@ from ..ui.settings import draw_ease
 SIDES = (("ALL", "All Sides"), ("NONE", "Clear Ease"), ("ONE", "One Side"), ("OTHER", "Other Side"))
 
 
+def _can_mark(context: bpy.types.Context) -> bool:
+    return context.mode == "EDIT_MESH" and model_of(context.active_object) is None
+
+
 class VIEW3D_PT_wirewarp_mark(OnMesh, SidebarPanel, bpy.types.Panel):
     bl_label = "Mark"
 
-    @classmethod
-    def poll(cls, context: bpy.types.Context) -> bool:
-        return super().poll(context) and model_of(context.active_object) is None
-
     def draw(self, context: bpy.types.Context) -> None:
-        layout = self.layout
-        if context.mode != "EDIT_MESH":
-            layout.operator("object.wirewarp_mark_model", icon="EDITMODE_HLT")
-            return
-        self._draw_buttons(context, layout)
-
-    def _draw_buttons(self, context: bpy.types.Context, layout: bpy.types.UILayout) -> None:
-        layout.label(text="Seams cut the pieces")
-        row = layout.row(align=True)
+        column = self.layout.column(align=True)
+        if context.mode == "EDIT_MESH":
+            column.operator("object.editmode_toggle", text="Leave Edit Mode", icon="OBJECT_DATAMODE")
+        else:
+            row = column.row()
+            row.enabled = model_of(context.active_object) is None
+            row.operator("object.wirewarp_mark_model", icon="EDITMODE_HLT")
+        column.separator()
+        marks = column.column(align=True)
+        marks.enabled = _can_mark(context)
+        row = marks.row(align=True)
         row.operator("mesh.wirewarp_mark_seam", text="Mark Seam").clear = False
         row.operator("mesh.wirewarp_mark_seam", text="Clear Seam").clear = True
-        layout.operator("mesh.wirewarp_seams_from_uv_islands", text="From UV Islands")
-        layout.operator("mesh.wirewarp_smooth_seam")
-
-        layout.label(text="Wires control lengths")
-        column = layout.column(align=True)
-        column.operator("mesh.wirewarp_mark", text="Rigid").kind = "RIGID"
-        row = column.row(align=True)
+        row = marks.row(align=True)
+        row.operator("mesh.wirewarp_seams_from_uv_islands", text="From UV Map")
+        row.operator("mesh.wirewarp_smooth_seam")
+        marks.separator()
+        row = marks.row(align=True)
+        row.operator("mesh.wirewarp_mark", text="Rigid").kind = "RIGID"
         row.operator("mesh.wirewarp_mark", text="Elastic").kind = "ELASTIC"
+        row.operator("mesh.wirewarp_mark", text="Free").kind = "SUPER_ELASTIC"
+        row = marks.row(align=True)
         row.prop(context.scene.wirewarp, "tolerance_percent", text="±")
-        column.operator("mesh.wirewarp_mark", text="Free").kind = "SUPER_ELASTIC"
-        column.operator("mesh.wirewarp_clear", text="Clear Wire")
+        row.operator("mesh.wirewarp_clear", text="Clear Wire")
 
 
-class MarkSection(OnMesh, SidebarPanel):
-    """Base of sub-panels with marks of selected edges."""
-
-    modes = frozenset({"EDIT_MESH"})
+class VIEW3D_PT_wirewarp_allowance(OnMesh, SidebarPanel, bpy.types.Panel):
+    bl_label = "Allowance and Ease"
     bl_parent_id = "VIEW3D_PT_wirewarp_mark"
-
-
-class VIEW3D_PT_wirewarp_allowance(MarkSection, bpy.types.Panel):
-    bl_label = "Allowance"
-
-    def draw(self, _context: bpy.types.Context) -> None:
-        draw_allowances(self.layout)
-
-
-class VIEW3D_PT_wirewarp_ease(MarkSection, bpy.types.Panel):
-    bl_label = "Ease"
     bl_options = {"DEFAULT_CLOSED"}
 
     def draw(self, context: bpy.types.Context) -> None:
-        draw_eases(self.layout, context, SIDES)
+        layout = self.layout
+        layout.enabled = _can_mark(context)
+        draw_allowances(layout)
+        draw_eases(layout, context, SIDES)
 
 
 def draw_allowances(layout: bpy.types.UILayout) -> None:
@@ -86,4 +81,4 @@ def draw_eases(layout: bpy.types.UILayout, context: bpy.types.Context, buttons: 
         grid.operator("mesh.wirewarp_ease", text=text).sides = sides
 
 
-CLASSES = (VIEW3D_PT_wirewarp_mark, VIEW3D_PT_wirewarp_allowance, VIEW3D_PT_wirewarp_ease)
+CLASSES = (VIEW3D_PT_wirewarp_mark, VIEW3D_PT_wirewarp_allowance)

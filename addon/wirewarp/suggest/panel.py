@@ -26,7 +26,6 @@ ALL_PIECES = "All Pieces up to a Target"
 WIDTH = "Narrowest place of a piece: {}."
 NARROW = "A piece is only {} wide in one place, less than two allowances. It may be too narrow to sew."
 BEYOND = "This fabric stretches only {} in its tighter direction, so the pieces may need another fabric."
-RESERVED = 10  # of Blender's own pixels for the button beside the heading, which has no icon
 TARGET = ("aim_stretch", "aim_cuts", "aim_length")
 
 
@@ -80,19 +79,21 @@ def draw_suggestions(context: bpy.types.Context, layout: bpy.types.UILayout, pla
     if found is None or found.place != place:
         return
     lengths, labels = length_text(context.scene), TARGET_LABELS if found.target else LABELS
+    cut = found.cuts[found.chosen]
+    take = layout.row(align=True)  # above the rows and the sentences, whose number depends on the chosen row
+    take.scale_y = 1.2
+    text = "Clear and Flatten" if cut.cleared else "Mark and Flatten"
+    take.operator("object.wirewarp_mend", text=text, icon="EDGESEL").what = "SUGGESTION"
+    take.operator("object.wirewarp_drop_suggestions", text="", icon="X")
     column = layout.column(align=True)
     for name in dict.fromkeys(found.names):
-        row = column.row()
-        draw_sentence(context, row, f"{labels[found.kind]}, {name}", reserved=RESERVED)
-        if name == found.names[0]:
-            row.operator("object.wirewarp_drop_suggestions", text="", icon="X", emboss=False)
+        draw_sentence(context, column, f"{labels[found.kind]}, {name}")
         for index in (index for index, own in enumerate(found.names) if own == name):
-            cut, is_chosen = found.cuts[index], index <= found.chosen if found.target else index == found.chosen
-            text = row_text(found.kind, cut, found.target, lengths)
-            icon = "ERROR" if cut.is_narrow else "NONE"
+            row, is_chosen = found.cuts[index], index <= found.chosen if found.target else index == found.chosen
+            text = row_text(found.kind, row, found.target, lengths)
+            icon = "ERROR" if row.is_narrow else "NONE"
             button = column.operator("object.wirewarp_choose_suggestion", text=text, depress=is_chosen, icon=icon)
             button.index = index
-    cut = found.cuts[found.chosen]
     if cut.is_narrow:
         draw_sentence(context, layout, NARROW.format(lengths.rough(cut.width)), "ERROR")
     elif cut.width is not None:
@@ -101,10 +102,6 @@ def draw_suggestions(context: bpy.types.Context, layout: bpy.types.UILayout, pla
     if cut.is_set and limits and cut.excess(limits) > 0:
         beyond = set_beyond_fabric(cut.threads) if cut.threads else BEYOND.format(percent_text(limits[0]))
         draw_sentence(context, layout, beyond, "AMBER")
-    take = layout.column(align=True)
-    take.scale_y = 1.2
-    text = "Clear and Flatten" if cut.cleared else "Mark and Flatten"
-    take.operator("object.wirewarp_mend", text=text, icon="EDGESEL").what = "SUGGESTION"
     sentence = _explained(found.cuts)
     if sentence:
         draw_sentence(context, layout, sentence, "INFO")
