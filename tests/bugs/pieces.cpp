@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Faults of whole pieces: their shape, their lengths, and what their errors say.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/planar.h"
+#include "error_of.h"
+#include "result/guarantee.h"
+#include "result/metrics.h"
+#include "surface/orientation/rising_direction.h"
+#include "test_meshes.h"
+
+namespace wirewarp::bugs_of_pieces_test {
+namespace {
+
+// Flat sheets stopped close to their shape: strained, "stopped short", flipped, or overlapping along a slit. For edges
+// of a millionth of the piece, bending is stiffer than doubles can represent beside the other terms; and flat nets of
+// rigid wires are rigid only to second order.
+
+constexpr double kRounding = 1e-20;  // rounding error of E, for strains of 1e-10
+
+void expect_flat_without_strain(const FlattenInput& input) {
+  for (const Piece& piece : flatten(input).pieces) {
+    EXPECT_FALSE(piece.error) << piece.error->what();
+    EXPECT_EQ(piece.report.termination, Termination::converged);
+    EXPECT_LE(piece.metrics.arap_energy, kRounding);
+  }
+}
+
+/// Returns a sheet of width 1 whose columns become narrower towards the left.
+FlattenInput graded_sheet(int n, double ratio, double height) {
+  return test::make_grid(n, n, [=](double s, double t) -> Eigen::Vector3d {
+    return {s > 0 ? std::pow(ratio, n * (1 - s)) : 0, height * t, 0};
+  });
+}
+
+std::vector<int> first_vertices(const std::vector<int>& line, std::ptrdiff_t count) {
+  return {line.begin(), line.begin() + count};
+}
+
+TEST(Bugs, AFlatSheetWithASlitIsNotStrained) {
+  FlattenInput input = graded_sheet(6, 0.1, 1);
+  test::add_seam(input, first_vertices(test::grid_column(6, 6, 3), 4));
+  expect_flat_without_strain(input);
+}
+
+TEST(Bugs, AFlatSheetDoesNotOverlapItselfAlongASlit) {
+  FlattenInput input = graded_sheet(8, 0.2, 1);
+  test::add_seam(input, first_vertices(test::grid_column(8, 8, 5), 5));
+  expect_flat_without_strain(input);
+}
+
+TEST(Bugs, AFlatSheetWithShortEdgesIsNotFlipped) {
+  FlattenInput input = graded_sheet(10, 0.1, 20);
+  test::add_seam(input, first_vertices(test::grid_row(10, 9), 7));
+  test::add_wire(input, test::grid_column(10, 10, 1));
+  expect_flat_without_strain(input);
+}
+
+TEST(Bugs, AFlatNetOfRigidWiresConverges) {
+  FlattenInput input = test::flat_rectangle(2, 5, 34, 5);
+  for (const std::vector<int>& edge : {std::vector<int>{6, 10}, {0, 4}, {7, 11}, {7, 10}, {1, 4}, {4, 7}, {6, 7}}) {
+    test::add_wire(input, edge);
+  }
+  for (const std::vector<int>& edge : {std::vector<int>{4, 5}, {1, 5}}) test::add_wire(input, edge, 0.001);
+  test::add_seam(input, {10, 11});
+  expect_flat_without_strain(input);
+}
+
+// A failed piece that was flipped was upside down with Orientation::up: its area is negative, so the mean gradient over
+// it had the wrong sign.
+TEST(Bugs, AFlippedPieceIsUprightToo) {
+  const Charts charts = test::charts_of(test::flat_rectangle(4, 3, 2, 1));
+  const Positions2 uv = test::planar_positions(charts.charts.at(0));
+  const Positions2 turned_over = uv * Eigen::Vector2d(-1, 1).asDiagonal();
+  for (const Positions2& layout : {uv, turned_over}) {
+    const Eigen::Vector2d rising = rising_direction(charts.charts[0], layout, {0, 1, 0});
+    EXPECT_NEAR((rising.normalized() - Eigen::Vector2d(0, 1)).norm(), 0, 1e-12);
+  }
+}
+
+// The error of a ring that is flipped somewhere proposed only the seam that opens it, although a dart or a wire with
+// tolerance may help.
+TEST(Bugs, TheErrorOfARingProposesEveryRemedy) {
+  const int around = 16;
+  FlattenInput input = test::flat_annulus(around, 4, 1, 3);
+  const int inside = test::nearest_vertex(input, {0, 2, 0});
+  const int begin = test::nearest_vertex(input, {0, -1, 0}), end = test::nearest_vertex(input, {0, -1.5, 0});
+  test::add_wire(input, {begin, end}, 0, "spoke");
+  const Charts charts = test::charts_of(input);
+  const Chart& chart = charts.charts.at(0);
+  const WireNetwork network = build_wire_network(chart);
+  Positions2 uv = test::planar_positions(chart);
+  uv(inside, 1) -= 0.7;  // moved onto the next ring
+  const auto error = check_guarantee(chart, network, input.wires, uv, std::vector<double>(chart.wire_parts.size(), 0),
+                                     measure_metrics(chart, network, uv), {{begin, end}});
+  ASSERT_TRUE(error);
+  EXPECT_EQ(error->code, ErrorCode::flipped_faces);
+  EXPECT_EQ(error->elements.proposed_seams, (std::vector<VertexPair>{{begin, end}}));
+  for (const char* remedy :
+       {"mark seams, such as along edge", "add a seam or a dart there", "remove a wire nearby or give it tolerance"}) {
+    EXPECT_NE(std::string(error->what()).find(remedy), std::string::npos) << remedy << " in: " << error->what();
+  }
+}
+
+// A wire of one vertex that the mesh does not have was refused as too short, and the error named that vertex.
+TEST(Bugs, AShortWireOfNoVertexIsOutOfRange) {
+  FlattenInput input = test::flat_rectangle(1, 1, 1, 1);
+  const auto beyond = static_cast<int>(input.vertices.rows());
+  test::add_wire(input, {beyond});
+  EXPECT_EQ(test::error_of([&] { flatten(input); }).code, ErrorCode::vertex_out_of_range);
+}
+
+// Pieces of a stretched cloth were refused or overlapped themselves although they were good without the stretch. If the
+// sides of a seam shrink by very different shares, their mean could not be reached in one step; nothing prevented
+// overlaps; and a piece that is flipped anyway lost its layout and its suggestion, even if it had a shape with all
+// stretched lengths. Later it kept its layout with lengths without the stretch, so that its seams had two lengths.
+
+Options stretched(double weft, double warp) {
+  Options options;
+  options.cloth.emplace();
+  options.cloth->shear = 0.05;
+  options.cloth->stretch = {weft, warp};
+  return options;
+}
+
+/// Returns two sheets of 2 by 2, one with its grain along the seam, the other with its grain across it.
+FlattenInput sheets_with_crossed_grain(double bump) {
+  FlattenInput input = test::make_grid(8, 4, [=](double s, double t) -> Eigen::Vector3d {
+    return {4 * s, 2 * t, bump * std::sin(3 * s) * std::sin(3 * t)};
+  });
+  test::add_seam(input, test::grid_column(8, 4, 4));
+  test::add_wire(input, test::grid_column(8, 4, 2));
+  const std::vector<int> row = test::grid_row(8, 2);
+  test::add_wire(input, {row.begin() + 4, row.end()});
+  return input;
+}
+
+/// Returns a ruffle that goes almost all the way around. When flat, it would extend past its start.
+FlattenInput ruffle() {
+  return test::make_grid(24, 3, [](double s, double t) -> Eigen::Vector3d {
+    const double angle = 0.95 * 2 * kPi * s, radius = 1 + t;
+    return {radius * std::cos(angle), radius * std::sin(angle), 0.2 * radius * std::cos(3 * angle)};
+  });
+}
+
+void expect_good(const FlattenResult& result) {
+  for (const Piece& piece : result.pieces) EXPECT_FALSE(piece.error) << piece.error->what();
+  for (const SeamReport& seam : result.seams) EXPECT_LT(seam.mismatch, 1e-9 * seam.length_3d);
+}
+
+TEST(Bugs, SidesOfASeamThatShrinkVeryDifferentlyGetCommonLengths) {
+  for (const double bump : {0.0, 0.6}) {
+    FlattenInput input = sheets_with_crossed_grain(bump);
+    expect_good(flatten(input, stretched(1, -0.3)));
+    test::add_wire(input, test::grid_column(8, 4, 4), 0.02);
+    expect_good(flatten(input, stretched(1, -0.3)));
+  }
+}
+
+TEST(Bugs, AStretchedPieceDoesNotOverlapItself) {
+  expect_good(flatten(ruffle(), stretched(0, 0)));
+  expect_good(flatten(ruffle(), stretched(0.25, 0.1)));
+}
+
+TEST(Bugs, StretchedElasticSeamsHaveTheirEaseIfNoOtherLengthIsFound) {
+  FlattenInput input = sheets_with_crossed_grain(0);
+  test::add_wire(input, test::grid_column(8, 4, 4), 0.2);
+  Options options = stretched(0.3, -0.3);
+  options.max_factorizations = 2;  // too few factorizations for both pieces together, enough for each
+  const FlattenResult result = flatten(input, options);
+  expect_good(result);
+  EXPECT_NEAR(result.seams.at(0).length_2d[0], 2 * (1 / 1.3 + 1 / 0.7) / 2, 1e-8);
+  for (const Piece& piece : result.pieces) {
+    EXPECT_EQ(piece.report.termination, Termination::stalled);
+    const std::vector<std::string>& warnings = piece.report.warnings;
+    EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(), [](const std::string& warning) {
+      return warning.find("keep their nominal lengths") != std::string::npos;
+    }));
+  }
+}
+
+/// Returns two sheets beside each other, the left one with more rigid wires than its bump can have.
+FlattenInput flipped_beside_good() {
+  FlattenInput input = test::make_grid(8, 4, [](double s, double t) -> Eigen::Vector3d {
+    return {2 * s, t, 2 * std::exp(-12 * ((2 * s - 0.5) * (2 * s - 0.5) + (t - 0.5) * (t - 0.5)))};
+  });
+  test::add_seam(input, test::grid_column(8, 4, 4));
+  for (const int j : {1, 2, 3}) {
+    const std::vector<int> row = test::grid_row(8, j);
+    test::add_wire(input, {row.begin(), row.begin() + 5});
+  }
+  test::add_wire(input, test::grid_column(8, 4, 6));
+  return input;
+}
+
+TEST(Bugs, APieceThatIsFlippedAnywayKeepsItsErrorAndSuggestionUnderAStretch) {
+  const FlattenInput input = flipped_beside_good();
+  const FlattenResult loose = flatten(input, stretched(0, 0)), tight = flatten(input, stretched(0.2, 0.05));
+  const std::optional<FlattenError>&before = loose.pieces.at(0).error, &after = tight.pieces.at(0).error;
+  ASSERT_TRUE(before && before->code == ErrorCode::flipped_faces);
+  ASSERT_TRUE(after && after->code == ErrorCode::flipped_faces);
+  EXPECT_TRUE(after->has_layout);
+  EXPECT_EQ(after->elements.proposed_seams, before->elements.proposed_seams);
+  EXPECT_FALSE(tight.pieces.at(1).error);
+}
+
+TEST(Bugs, TheSidesOfASeamHaveOneLengthBesideAFlippedPiece) {
+  for (const double tolerance : {0.0, 0.05}) {
+    FlattenInput input = flipped_beside_good();
+    if (tolerance > 0) test::add_wire(input, test::grid_column(8, 4, 4), tolerance);
+    const FlattenResult result = flatten(input, stretched(0.2, 0.05));
+    ASSERT_TRUE(result.pieces.at(0).error && result.pieces[0].error->code == ErrorCode::flipped_faces);
+    EXPECT_FALSE(result.pieces.at(1).error);
+    const SeamReport& seam = result.seams.at(0);
+    // The length is between those of a seam along the weft and of one along the warp, within the tolerance.
+    EXPECT_GT(seam.length_2d.at(0), (1 - tolerance) * seam.length_3d / 1.2);
+    EXPECT_LT(seam.length_2d.at(0), (1 + tolerance) * seam.length_3d / 1.05);
+    EXPECT_LT(seam.mismatch, 1e-9 * seam.length_3d);
+  }
+}
+
+}  // namespace
+}  // namespace wirewarp::bugs_of_pieces_test
