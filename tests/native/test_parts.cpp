@@ -220,7 +220,7 @@ TEST(PartSets, DivideAModelAtItsNeckAndClaimTheFiguresOfARun) {
 }
 
 TEST(PartSets, DivideRoundModelsWithoutNecks) {
-  for (const FlattenInput& input : {test::closed_sphere(16, 12), test::closed_torus(24, 12)}) {
+  for (const FlattenInput& input : {test::closed_sphere(16, 12), test::closed_torus(20, 10)}) {
     const std::vector<DartProposal> sets = sets_of_parts(input, {});
     ASSERT_FALSE(sets.empty());
     for (const DartProposal& set : sets) {
@@ -245,6 +245,9 @@ TEST(PartSets, LeaveTheSeamsOfAnOctahedronOnItsEdges) {
     EXPECT_EQ(cut_mesh(input.vertices, input.faces, set.paths).vertices.rows(), input.vertices.rows());
   }
   EXPECT_LT(sets.front().strain, 1e-6);
+  CutOptions one;
+  one.count = 1;
+  EXPECT_EQ(smooth_sets(input, one).size(), 1U);
 }
 
 TEST(PartSets, AreFollowedByOthersIfTheyNeedTooMuchStrain) {
@@ -260,8 +263,6 @@ TEST(PartSets, AreFollowedByOthersIfTheyNeedTooMuchStrain) {
                                           [&](const DartProposal& part) { return part.length == set.length; });
   }
   EXPECT_TRUE(has_other);
-  cut_options.count = 1;
-  EXPECT_EQ(smooth_sets(input, cut_options).size(), 1U);
 }
 
 TEST(PartSets, DoNotDependOnHowTheModelIsGiven) {
@@ -284,7 +285,7 @@ TEST(PartSets, DoNotDependOnHowTheModelIsGiven) {
 }
 
 TEST(PartSets, LeaveForbiddenEdgesToTheSearchAlongEdges) {
-  const FlattenInput input = dumbbell(16, 16);
+  const FlattenInput input = dumbbell(8, 8);
   CutOptions cut_options;
   cut_options.no_seam.resize(1, 2);
   cut_options.no_seam << input.faces(0, 0), input.faces(0, 1);

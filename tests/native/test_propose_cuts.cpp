@@ -63,7 +63,7 @@ TEST(ProposeCuts, SmoothDartsHaveTheFiguresOfTheMeshCutAlongThem) {
 }
 
 TEST(ProposeCuts, TheBestSmoothDartIsAtMostSlightlyWorseThanTheBestAlongEdges) {
-  for (const FlattenInput& input : {hill(8), two_hills(8), one_way(two_hills(8), 8)}) {
+  for (const FlattenInput& input : {hill(8), one_way(two_hills(8), 8)}) {
     CutOptions cut_options = few();
     const double along_edges = figure_of(propose_darts(input, {}, cut_options).front());
     cut_options.is_smooth = true;
@@ -106,7 +106,7 @@ FlattenInput bump_in_a_corner(int n) {
 }
 
 TEST(ProposeCuts, EveryProposalLowersTheStrainOfTheWorstPiece) {
-  for (const FlattenInput& input : {hill(8), bump_in_a_corner(12), two_hills(8), two_hills(8, 1.1)}) {
+  for (const FlattenInput& input : {bump_in_a_corner(10), two_hills(8, 1.1)}) {
     const double before = test::most_strain(input, flatten(input));
     for (const auto& propose : {propose_darts, propose_seams}) {
       const std::vector<DartProposal> proposals = propose(input, {}, few(), {});
@@ -205,9 +205,9 @@ TEST(ProposeCuts, MirrorImagesThatDoNotMeetHaveTheFiguresOfBoth) {
 }
 
 TEST(ProposeCuts, DoNotCutWires) {
-  const int n = 8;
+  const int n = 6;
   for (FlattenInput input : {hill(n), two_hills(n)}) {  // forbids edges on one side of the symmetric piece
-    test::add_wire(input, test::grid_column(n, n, 6));
+    test::add_wire(input, test::grid_column(n, n, 4));
     const std::vector<int>& wire = input.wires[0].vertices;
     for (const auto& propose : {propose_darts, propose_seams}) {
       for (const DartProposal& cut : propose(input, {}, few(), {})) {
@@ -220,7 +220,7 @@ TEST(ProposeCuts, DoNotCutWires) {
 }
 
 TEST(ProposeCuts, AvoidEdgesThatMayHaveNoSeam) {
-  const int n = 8;
+  const int n = 6;
   for (const FlattenInput& input : {hill(n), two_hills(n)}) {
     for (const auto& propose : {propose_darts, propose_seams}) {
       CutOptions cut_options = few();
@@ -272,7 +272,7 @@ TEST(ProposeCuts, OneSmoothDartOrPairIsReturnedIfOneIsAskedFor) {
 }
 
 TEST(ProposeCuts, AreAlmostAsGoodAsAnExhaustiveSearch) {
-  const int n = 8;
+  const int n = 6;
   const FlattenInput input = hill(n);
   double best = 1;
   for (int i = 1; i < n; ++i) {  // wires along all rows and columns

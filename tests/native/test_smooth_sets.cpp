@@ -4,9 +4,11 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <set>
+#include <vector>
 
 #include "base/planar.h"
 #include "closed_meshes.h"
@@ -227,19 +229,11 @@ TEST(SmoothSets, DoNotTouchTheTipOfADart) {
 }
 
 TEST(SmoothSets, KeepTheCreasesOfABox) {
-  const FlattenInput box = test::mesh_of(
-      {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}, {{0, 2, 1},
-                                                                                                 {0, 3, 2},
-                                                                                                 {4, 5, 6},
-                                                                                                 {4, 6, 7},
-                                                                                                 {0, 1, 5},
-                                                                                                 {0, 5, 4},
-                                                                                                 {1, 2, 6},
-                                                                                                 {1, 6, 5},
-                                                                                                 {2, 3, 7},
-                                                                                                 {2, 7, 6},
-                                                                                                 {3, 0, 4},
-                                                                                                 {3, 4, 7}});
+  const std::vector<std::array<double, 3>> corners{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
+                                                   {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
+  const std::vector<std::array<int, 3>> faces{{0, 2, 1}, {0, 3, 2}, {4, 5, 6}, {4, 6, 7}, {0, 1, 5}, {0, 5, 4},
+                                              {1, 2, 6}, {1, 6, 5}, {2, 3, 7}, {2, 7, 6}, {3, 0, 4}, {3, 4, 7}};
+  const FlattenInput box = test::mesh_of(corners, faces);
   const std::vector<VertexPair> lid{{4, 5}, {5, 6}, {6, 7}, {0, 4}, {1, 5}, {2, 6}, {3, 7}};
   EXPECT_EQ(smoothed(box, lid, 0).edges, lid);
 }
@@ -252,7 +246,7 @@ VertexPairs edge_of(const FlattenInput& input) {
 }
 
 TEST(ProposeSeams, MergesPiecesWhoseOutlinesAreSmooth) {
-  const FlattenInput input = egg(kAround, kRings);
+  const FlattenInput input = egg(16, 12);
   CutOptions cut_options;
   cut_options.no_seam = edge_of(input);
   cut_options.strain = 0.05;
@@ -264,7 +258,7 @@ TEST(ProposeSeams, MergesPiecesWhoseOutlinesAreSmooth) {
 }
 
 TEST(ProposeSeams, ReturnsSmoothSetsAndCanBeCanceledWhileItSmooths) {
-  const FlattenInput input = egg(kAround, kRings);
+  const FlattenInput input = egg(16, 12);
   CutOptions cut_options;
   cut_options.strain = 0.1;
   cut_options.is_smooth = true;
