@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Fabrics with a grain are chosen in the panel, solved for, measured along their threads, and reported."""
 
-import json
 import math
 
 import bpy
@@ -74,18 +73,6 @@ def test_a_fabric_that_does_not_stretch_enough_is_reported_with_the_place(source
     assert bpy.ops.mesh.wirewarp_select_result(what="HINT", index=report.hints.index(hint)) == {"FINISHED"}
 
 
-@pytest.mark.parametrize(
-    ("settings", "said"),
-    [
-        ({"cloth": "WOVEN", "method": "WIREWARPING"}, "must be refined if there is a cloth"),
-        ({"orientation": "BEST"}, "another one without a cloth"),
-    ],
-)
-def test_settings_that_contradict_each_other_are_refused(source, settings, said):
-    with pytest.raises(RuntimeError, match=said):
-        bpy.ops.object.wirewarp_flatten(**settings)
-
-
 def grain(source):
     """Return the angle of the middle wire in the flat piece, in degrees counterclockwise from upright."""
     sources = flat_sources(source).tolist()
@@ -102,13 +89,6 @@ def test_the_grain_angle_turns_the_grain_wire(source, addon, capfd):
     assert grain(source) % 180 == pytest.approx(0, abs=1e-3) or grain(source) % 180 == pytest.approx(180, abs=1e-3)
     bpy.ops.object.wirewarp_flatten(cloth="WOVEN", grain_angle=math.radians(45))
     assert grain(source) % 180 == pytest.approx(45, abs=1e-3)
-
-
-def test_the_report_contains_the_fabric_and_is_plain_json(source, addon, tmp_path):
-    bpy.ops.object.wirewarp_flatten(cloth="WOVEN", gives_across=3.0, report_path=str(tmp_path / "report.json"))
-    (report,) = json.loads((tmp_path / "report.json").read_text())["objects"]
-    assert report["options"]["cloth"]["name"] == "woven" and report["options"]["cloth"]["gives_across"] == 0.03
-    assert report["pieces"][0]["threads"]["gives"] == {"across": 0.03, "along": 0.03}
 
 
 def box(source):

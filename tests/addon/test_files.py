@@ -7,7 +7,6 @@ import sys
 from pathlib import Path
 
 import bpy
-import numpy as np
 import pytest
 from surfaces import bump, grid
 
@@ -72,14 +71,6 @@ def test_the_target_of_a_link_is_replaced(addon, tmp_path):
     assert link.is_symlink()
     assert path.read_text() == "of today"
     assert {each.name for each in tmp_path.iterdir()} == {"pattern.svg", "newest.svg"}
-
-
-def test_a_square_becomes_a_pdf(addon, tmp_path):
-    square = np.array([[0, 0, 0], [0.2, 0, 0], [0.2, 0.2, 0], [0, 0.2, 0]])
-    result = addon.core.library().flatten(square, np.array([[0, 1, 2], [0, 2, 3]]))
-    written = addon.core.pattern.Pattern.from_result(result, allowance=10.0).write(tmp_path / "square.pdf")
-    assert str(written) == "1 piece on 3 sheets, read again: 0.00 mm off"
-    assert (tmp_path / "square.pdf").read_bytes().startswith(b"%PDF-")
 
 
 def test_the_libraries_for_pdf_come_with_the_add_on_and_do_not_change_the_path(addon):

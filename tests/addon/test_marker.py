@@ -64,11 +64,6 @@ def test_foreign_marker_data_does_not_change(source, tmp_path, addon):
     export(tmp_path)
 
 
-def test_fabric_that_is_too_narrow_is_reported(source, tmp_path):
-    with pytest.raises(RuntimeError, match="too large for a roll of 50 mm"):
-        export(tmp_path, cloth_width=50.0)
-
-
 def test_the_preview_draws_the_stored_marker(source, tmp_path, addon):
     settings = bpy.context.scene.wirewarp
     for name, value in CLOTH.items():

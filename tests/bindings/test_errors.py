@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 import wirewarp
 from surfaces import half_cylinder, tetrahedron
-from wirewarp import ErrorCode, FlattenError, flatten
+from wirewarp import Cloth, ErrorCode, FlattenError, Options, flatten
 
 EXAMPLE = FlattenError(
     "flipped_faces",
@@ -130,6 +130,25 @@ def test_proposed_seams_can_be_passed_as_seams():
     assert len(proposed) > 0
     result = flatten(vertices, faces, seams=proposed)
     assert all(piece.error is None for piece in result.pieces)
+
+
+def test_seams_are_proposed_for_a_piece_that_only_the_stretch_makes_infeasible():
+    """The stretch shortens the legs of a slim triangle to a fifth, but its seam only to three fifths. The seam joins
+    the triangle to a square. It runs across the grain of one piece and along the grain of the other."""
+    around = [(i / 4, 0, 0) for i in range(5)] + [(0.5, 0.08, 0)]
+    vertices = [*around, *((i / 4, 0, -1) for i in range(5))]
+    faces = [(i, i + 1, 5) for i in range(4)]
+    faces += [face for i in range(4) for face in ((i, 6 + i, 7 + i), (i, 7 + i, i + 1))]
+    seams = [(i, i + 1) for i in range(4)]
+    fabric = {"orientation": "up", "up": (0.1, 1, 0)}
+    stretched = Options(**fabric, cloth=Cloth(stretch=(4, 0)))
+    plain = Options(**fabric, cloth=Cloth())
+    assert all(piece.error is None for piece in flatten(vertices, faces, seams=seams, options=plain).pieces)
+    error = flatten(vertices, faces, seams=seams, options=stretched).pieces[0].error
+    assert error.arguments["reason"] == "stretch"
+    assert "use less stretch, or mark a seam, such as along edge" in str(error)
+    cut = flatten(vertices, faces, seams=[*seams, *error.proposed_seams], options=stretched)
+    assert [piece.error for piece in cut.pieces] == [None, None, None]
 
 
 def test_the_package_works_inside_another_one(tmp_path, monkeypatch):

@@ -55,19 +55,12 @@ def test_strain_is_the_figure_of_the_report_and_decreases(wire, options):
 
 
 def test_smooth_cuts_have_the_figures_of_the_mesh_that_is_cut_along_them():
-    """Darts on the dome, and sets of seams on a ball without symmetry."""
-    ball = trimesh.creation.icosphere(subdivisions=2)
-    egg = (ball.vertices * [1, 0.8, 1.4], ball.faces)
     darts = propose_darts(*DOME, count=1, smooth=True)
-    for mesh, proposals in ((DOME, darts), (egg, propose_seams(*egg, strain=0.05, smooth=True))):
-        assert any(len(each.edges) == 0 for each in proposals), "none crosses a triangle"
-        for each in proposals:
-            vertices, faces, edges, _ = cut_mesh(*mesh, each.paths)
-            report = make_report(flatten(vertices, faces, seams=edges), vertices, faces)
-            assert len(report.pieces) == each.num_pieces
-            assert max(piece.needed for piece in report.pieces) == pytest.approx(each.strain, abs=1e-6)
-            length = np.linalg.norm(vertices[edges[:, 0]] - vertices[edges[:, 1]], axis=1).sum()
-            assert length == pytest.approx(each.length)
+    assert any(len(each.edges) == 0 for each in darts), "none crosses a triangle"
+    for each in darts:
+        vertices, faces, edges, _ = cut_mesh(*DOME, each.paths)
+        (piece,) = make_report(flatten(vertices, faces, seams=edges), vertices, faces).pieces
+        assert piece.needed == pytest.approx(each.strain, abs=1e-6)
     crossed = np.array([line[[0, -1]] for line in cut_mesh(*DOME, darts[0].paths)[3].divided_edges])
     for other in propose_darts(*DOME, smooth=True, no_crossing=crossed):
         divided = {tuple(line[[0, -1]].tolist()) for line in cut_mesh(*DOME, other.paths)[3].divided_edges}
@@ -129,11 +122,7 @@ def test_progress_is_reported_and_can_cancel():
 @pytest.mark.parametrize(
     ("find", "limits", "said"),
     [
-        (propose_darts, {"count": 0}, "count is 0"),
         (propose_darts, {"strain": -1.0}, "strain is -1"),
-        (propose_darts, {"longest": 0.0}, "longest is 0"),
-        (propose_darts, {"piece": 1}, "piece is 1"),
-        (propose_seams, {"narrowest": -1.0}, "narrowest is -1: it must be a finite number of 0 or more"),
         (propose_seams, {"narrowest": np.inf}, "it must be a finite number of 0 or more"),
         (propose_seams, {"no_seam": [[0, 9999]]}, "with the pair 0, 9999: it must contain edges of the mesh only"),
         (
