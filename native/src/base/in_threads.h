@@ -13,6 +13,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/stop_token.h"
+
 namespace wirewarp {
 
 /// Returns the number of cores this thread may use, at least 1.
@@ -71,6 +73,18 @@ void run_in_threads(
     while (other.wait_for(std::chrono::milliseconds(20)) == std::future_status::timeout) meanwhile();
     other.get();
   }
+}
+
+/// Calls work(0) to work(count - 1) on all cores, each on one core. Meanwhile, polls the token for its progress.
+template <typename Work>
+void run_on_all_cores(std::size_t count, const StopToken& stop, const Work& work) {
+  run_in_threads(
+      count, num_cores(),
+      [&](std::size_t i) {
+        const OnOneCore on_one_core;
+        work(i);
+      },
+      [&] { stop.may_go_on(); });
 }
 
 }  // namespace wirewarp

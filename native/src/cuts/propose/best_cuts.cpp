@@ -89,13 +89,9 @@ std::vector<DartProposal> with_best_along_edges(std::vector<DartProposal> smooth
   if (best == along_edges.end()) return smooth;
   const auto best_smooth = std::min_element(smooth.begin(), smooth.end(), leaves_less);
   if (best_smooth != smooth.end() && strain_left(*best) > (1 - kWorthElbows) * strain_left(*best_smooth)) return smooth;
-  const int place = static_cast<int>(smooth.size());
-  smooth.push_back(*best);
-  if (best->twin) {
-    smooth.push_back(along_edges[*best->twin]);
-    smooth[place].twin = place + 1;
-    smooth[place + 1].twin = place;
-  }
+  std::optional<DartProposal> image;
+  if (best->twin) image = along_edges[*best->twin];
+  add_with_image(*best, std::move(image), {}, smooth);
   return smooth;
 }
 

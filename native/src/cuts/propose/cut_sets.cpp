@@ -172,15 +172,11 @@ void CutSetSearch::add_bisections(const CutSet& set, std::size_t part, std::vect
   const CoarseEvaluation trials(chart, exact_.options(), exact_.stop());
   const std::vector<CutMask> bisections = bisections_of(chart);
   std::vector<Candidate> tried(bisections.size());
-  run_in_threads(
-      bisections.size(), num_cores(),
-      [&](std::size_t i) {
-        const OnOneCore on_one_core;
-        const CutMask own = map_.on_part(chart, bisections[i]);
-        const double gain = 1 - trials.energy_when_cut(own, exact_.stop()) / trials.energy_uncut();
-        tried[i] = {bisections[i], gain, gain / length_of_cut(chart.mesh, own)};
-      },
-      [&] { exact_.stop().may_go_on(); });
+  run_on_all_cores(bisections.size(), exact_.stop(), [&](std::size_t i) {
+    const CutMask own = map_.on_part(chart, bisections[i]);
+    const double gain = 1 - trials.energy_when_cut(own, exact_.stop()) / trials.energy_uncut();
+    tried[i] = {bisections[i], gain, gain / length_of_cut(chart.mesh, own)};
+  });
   std::copy_if(tried.begin(), tried.end(), std::back_inserter(found),
                [](const Candidate& candidate) { return candidate.gain >= kWorthSewing; });
 }

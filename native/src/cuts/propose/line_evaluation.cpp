@@ -144,9 +144,6 @@ void set_figures(const CutSurface& surface, const PieceFigures& figures, DartPro
   set.strain = figures.strain;
 }
 
-LineEvaluation::LineEvaluation(const FlatPieces& pieces, std::size_t piece, const ExactEvaluation& exact)
-    : pieces_(pieces), piece_(piece), exact_(exact) {}
-
 CutSurface::CutSurface(const FlatPieces& pieces, std::size_t piece, const ExactEvaluation& exact, const CutMesh& cut)
     : cut_(cut),
       input_(with_mesh_of(exact.surface().given(), cut)),
@@ -164,20 +161,21 @@ double CutSurface::length() const {
   return length;
 }
 
-std::optional<LineFigures> LineEvaluation::figures_along(const std::vector<SurfacePath>& lines) const {
-  const FlattenInput& given = exact_.surface().given();
+std::optional<LineFigures> figures_with_lines(const FlatPieces& pieces, std::size_t piece,
+                                              const std::vector<SurfacePath>& lines, const ExactEvaluation& exact) {
+  const FlattenInput& given = exact.surface().given();
   const CutMesh cut = cut_mesh(given.vertices, given.faces, lines);
   const std::vector<int> tips = tips_of(cut);
   if (tips.size() != lines.size()) return std::nullopt;
-  const CutSurface surface(pieces_, piece_, exact_, cut);
+  const CutSurface surface(pieces, piece, exact, cut);
   const FlatPieces &before = surface.before(), &after = surface.after();
-  const Chart& chart = before[piece_]->chart;
+  const Chart& chart = before[piece]->chart;
   LineFigures result{figures_of(after, chart), 0, {}};
   if (result.figures.error || spoils_others(before, after, chart)) return std::nullopt;
   const double radius = kAroundTip * std::sqrt(result.figures.area);
   for (const int tip : tips) {
-    for (const std::shared_ptr<const FlatPiece>& piece : after) {
-      const std::optional<double> strain = mean_strain_around(*piece, tip, radius);
+    for (const std::shared_ptr<const FlatPiece>& part : after) {
+      const std::optional<double> strain = mean_strain_around(*part, tip, radius);
       if (strain) result.tip_strain = std::max(result.tip_strain, *strain);
     }
   }

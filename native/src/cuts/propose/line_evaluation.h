@@ -51,20 +51,10 @@ class CutSurface {
 /// Sets the figures of a cut set that belong to its lines. figures: of the piece that it cuts.
 void set_figures(const CutSurface& surface, const PieceFigures& figures, DartProposal& set);
 
-class LineEvaluation {
- public:
-  /// piece: index of the piece that lines cut. All references are kept.
-  LineEvaluation(const FlatPieces& pieces, std::size_t piece, const ExactEvaluation& exact);
-
-  /// Returns the figures with cuts along lines from outlines to tips inside; nullopt if the lines meet, if a part has
-  /// no flat shape, or if the cuts make other pieces worse. Lines must not divide an edge on a wire or outline. May be
-  /// called in any thread. Throws Stopped.
-  std::optional<LineFigures> figures_along(const std::vector<SurfacePath>& lines) const;
-
- private:
-  const FlatPieces& pieces_;
-  const std::size_t piece_;
-  const ExactEvaluation& exact_;
-};
+/// Returns the figures of a piece with cuts along lines from outlines to tips inside; nullopt if the lines meet, if a
+/// part has no flat shape, or if the cuts make other pieces worse. Lines must not divide an edge on a wire or outline.
+/// May be called in any thread. Throws Stopped.
+std::optional<LineFigures> figures_with_lines(const FlatPieces& pieces, std::size_t piece,
+                                              const std::vector<SurfacePath>& lines, const ExactEvaluation& exact);
 
 }  // namespace wirewarp

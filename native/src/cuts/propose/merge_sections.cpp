@@ -171,13 +171,8 @@ bool SectionMerger::open_one(bool is_half) {
   for (std::size_t first = 0; first < candidates.size(); first += at_once) {
     report_((static_cast<double>(first) / static_cast<double>(candidates.size()) + (is_half ? 1 : 0)) / 2);
     std::vector<Trial> tried(std::min(at_once, candidates.size() - first));
-    run_in_threads(
-        tried.size(), num_cores(),
-        [&](std::size_t i) {
-          const OnOneCore on_one_core;
-          tried[i] = try_without(candidates[first + i]);
-        },
-        [&] { exact_.stop().may_go_on(); });
+    run_on_all_cores(tried.size(), exact_.stop(),
+                     [&](std::size_t i) { tried[i] = try_without(candidates[first + i]); });
     for (std::size_t i = 0; i < tried.size(); ++i) {
       const CutMask& mask = candidates[first + i];
       const FlatPieces pieces = beside(mask);

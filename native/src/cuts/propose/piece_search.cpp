@@ -231,16 +231,12 @@ std::vector<HalfEdgeChain> PieceSearch::without_mirror_images(const std::vector<
 /// other pieces worse.
 std::vector<std::optional<PieceFigures>> PieceSearch::evaluate(const std::vector<HalfEdgeChain>& chains) const {
   std::vector<std::optional<PieceFigures>> found(chains.size());
-  run_in_threads(
-      chains.size(), num_cores(),
-      [&](std::size_t i) {
-        if (chains[i].empty()) return;
-        const OnOneCore on_one_core;
-        const FlatPieces after = exact_.with_cut(pieces_, edges_of(chains[i]));
-        PieceFigures figures = figures_of(after, input_chart_);
-        if (!figures.error && !spoils_others(pieces_, after, input_chart_)) found[i] = std::move(figures);
-      },
-      [&] { exact_.stop().may_go_on(); });
+  run_on_all_cores(chains.size(), exact_.stop(), [&](std::size_t i) {
+    if (chains[i].empty()) return;
+    const FlatPieces after = exact_.with_cut(pieces_, edges_of(chains[i]));
+    PieceFigures figures = figures_of(after, input_chart_);
+    if (!figures.error && !spoils_others(pieces_, after, input_chart_)) found[i] = std::move(figures);
+  });
   return found;
 }
 
@@ -285,10 +281,29 @@ std::vector<PieceSearch::Helpful> PieceSearch::find_helpful(const std::vector<Ha
   return best;
 }
 
+void add_with_image(DartProposal cut, std::optional<DartProposal> image, const std::optional<PieceFigures>& both,
+                    std::vector<DartProposal>& proposals) {
+  const auto place = static_cast<int>(proposals.size());
+  proposals.push_back(std::move(cut));
+  if (!image) return;
+  proposals.push_back(std::move(*image));
+  for (const int k : {place, place + 1}) {
+    proposals[k].twin = 2 * place + 1 - k;
+    if (!both) continue;
+    proposals[k].energy_with_twin = both->energy;
+    proposals[k].strain_with_twin = both->strain;
+  }
+}
+
 DartProposal PieceSearch::proposal_of(const HalfEdgeChain& chain, const PieceFigures& after) const {
-  DartProposal proposal;
+  DartProposal proposal = proposal_with(after);
   proposal.edges = edges_of(chain);
   proposal.length = length_of(chart_.mesh, chain);
+  return proposal;
+}
+
+DartProposal PieceSearch::proposal_with(const PieceFigures& after) const {
+  DartProposal proposal;
   proposal.num_pieces = after.num_pieces;
   proposal.energy = after.energy;
   proposal.energy_before = before_.energy;
@@ -313,16 +328,9 @@ std::vector<DartProposal> PieceSearch::best_of(const std::vector<HalfEdgeChain>&
     const Helpful& cut = best[i];
     const bool has_mirror_image = of_images[i] && (cut.with_image || is_worth_sewing(*of_images[i]));
     if (!has_mirror_image && !is_worth_sewing(cut.alone)) continue;
-    const int place = static_cast<int>(proposals.size());
-    proposals.push_back(proposal_of(cut.chain, cut.alone));
-    if (!has_mirror_image) continue;
-    proposals.push_back(proposal_of(cut.image, *of_images[i]));
-    for (const int k : {place, place + 1}) {
-      proposals[k].twin = 2 * place + 1 - k;
-      if (!cut.with_image) continue;
-      proposals[k].energy_with_twin = cut.with_image->energy;
-      proposals[k].strain_with_twin = cut.with_image->strain;
-    }
+    std::optional<DartProposal> image;
+    if (has_mirror_image) image = proposal_of(cut.image, *of_images[i]);
+    add_with_image(proposal_of(cut.chain, cut.alone), std::move(image), cut.with_image, proposals);
   }
   return proposals;
 }

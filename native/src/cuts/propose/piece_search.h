@@ -35,6 +35,10 @@ std::optional<FlattenError> refusal_of(const Search& search) {
 /// Returns the error of a piece with this strain if no cut helps.
 FlattenError none_helps(const Chart& chart, CutKind kind, double strain);
 
+/// Adds a cut, and its mirror image if there is one. both: figures with both cuts, if they are better than one.
+void add_with_image(DartProposal cut, std::optional<DartProposal> image, const std::optional<PieceFigures>& both,
+                    std::vector<DartProposal>& proposals);
+
 /// Searches one piece: ranks candidates on a coarse copy, and evaluates the best candidates exactly.
 class PieceSearch {
  public:
@@ -66,6 +70,9 @@ class PieceSearch {
   bool is_beside(const HalfEdgeChain& a, const HalfEdgeChain& b) const {
     return are_beside(chart_.mesh, size_, ends_of(a), ends_of(b));
   }
+
+  /// Returns a proposal with these figures, without lines.
+  DartProposal proposal_with(const PieceFigures& after) const;
 
   /// Returns whether a cut with these figures gains enough.
   bool is_worth_sewing(const PieceFigures& after) const;

@@ -48,16 +48,12 @@ void CutSearch::try_all(const std::vector<CutEnds>& cuts) {
     if (paths_from_.count(cut.start) == 0) paths_from_[cut.start] = paths_.paths_from(cut.start);
   }
   std::vector<double> energies(fresh.size(), std::numeric_limits<double>::infinity());
-  run_in_threads(
-      fresh.size(), num_cores(),
-      [&](std::size_t i) {
-        stop_.check();
-        const OnOneCore on_one_core;
-        const HalfEdgeChain chain = paths_.path_to(paths_from_.at(fresh[i].start), fresh[i].end);
-        if (!chain.empty() && length_of(chart_.mesh, chain) <= longest_)
-          energies[i] = coarse_.energy_when_cut(cut_along(chart_.mesh, chain), stop_);
-      },
-      [&] { stop_.may_go_on(); });
+  run_on_all_cores(fresh.size(), stop_, [&](std::size_t i) {
+    stop_.check();
+    const HalfEdgeChain chain = paths_.path_to(paths_from_.at(fresh[i].start), fresh[i].end);
+    if (!chain.empty() && length_of(chart_.mesh, chain) <= longest_)
+      energies[i] = coarse_.energy_when_cut(cut_along(chart_.mesh, chain), stop_);
+  });
   for (std::size_t i = 0; i < fresh.size(); ++i) energies_[fresh[i]] = energies[i];
 }
 

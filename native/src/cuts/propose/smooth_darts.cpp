@@ -69,7 +69,8 @@ class SmoothDartSearch {
         size_(std::sqrt(surface_area(chart_.mesh))),
         cut_options_(cut_options),
         exact_(exact),
-        evaluation_(pieces, piece, exact),
+        pieces_(pieces),
+        piece_(piece),
         finder_(chart_, search.forbidden()),
         lines_(chart_) {
     CutMask barred = PartMap(chart_).mask_of(as_list(cut_options.no_crossing));
@@ -93,6 +94,9 @@ class SmoothDartSearch {
   std::optional<SmoothLine> image_of(const SmoothLine& line) const;
   bool touches_lines(const MeshPath& path) const;
   std::optional<SmoothDart> dart_along(const Way& way) const;
+  std::optional<LineFigures> figures_along(const std::vector<SurfacePath>& lines) const {
+    return figures_with_lines(pieces_, piece_, lines, exact_);
+  }
   std::vector<SmoothDart> evaluate(const std::vector<Way>& ways);
   std::vector<SmoothDart> best_courses(const std::vector<HalfEdgeChain>& chains);
   SmoothDart move_ends(SmoothDart dart);
@@ -109,7 +113,8 @@ class SmoothDartSearch {
   const double size_;
   const CutOptions& cut_options_;
   const ExactEvaluation& exact_;
-  const LineEvaluation evaluation_;
+  const FlatPieces& pieces_;
+  const std::size_t piece_;
   const SmoothPathFinder finder_;
   WireMask lines_;
   std::map<WayKey, std::optional<SmoothDart>> evaluated_;
@@ -156,11 +161,11 @@ std::optional<SmoothDart> SmoothDartSearch::dart_along(const Way& way) const {
   dart.image = image_of(dart.line);
   std::optional<LineFigures> found;
   if (dart.image) {
-    found = evaluation_.figures_along({dart.line.path, dart.image->path});
+    found = figures_along({dart.line.path, dart.image->path});
     if (!found) dart.image.reset();
     dart.are_both = found && !puckers(*found);
   }
-  if (!dart.are_both) found = evaluation_.figures_along({dart.line.path});
+  if (!dart.are_both) found = figures_along({dart.line.path});
   if (!found) return {};
   dart.found = std::move(*found);
   return dart;
@@ -181,13 +186,7 @@ std::vector<SmoothDart> SmoothDartSearch::evaluate(const std::vector<Way>& ways)
     if (evaluated_.count(key) == 0) fresh.push_back(&way);
   }
   std::vector<std::optional<SmoothDart>> darts(fresh.size());
-  run_in_threads(
-      fresh.size(), num_cores(),
-      [&](std::size_t i) {
-        const OnOneCore on_one_core;
-        darts[i] = dart_along(*fresh[i]);
-      },
-      [&] { exact_.stop().may_go_on(); });
+  run_on_all_cores(fresh.size(), exact_.stop(), [&](std::size_t i) { darts[i] = dart_along(*fresh[i]); });
   for (std::size_t i = 0; i < fresh.size(); ++i) evaluated_.emplace(key_of(*fresh[i]), std::move(darts[i]));
   std::vector<SmoothDart> found;
   for (const WayKey& key : wanted) {
@@ -283,34 +282,22 @@ bool SmoothDartSearch::is_worth_sewing(const LineFigures& found) const {
 }
 
 DartProposal SmoothDartSearch::proposal_of(const SmoothLine& line, const LineFigures& found) const {
-  DartProposal proposal;
+  DartProposal proposal = search_.proposal_with(found.figures);
   proposal.edges = found.edges;
   proposal.paths = {line.path};
   proposal.length = path_length(chart_.mesh, line.line);
-  proposal.num_pieces = found.figures.num_pieces;
-  proposal.energy = found.figures.energy;
-  proposal.energy_before = search_.before().energy;
-  proposal.strain = found.figures.strain;
-  proposal.strain_before = search_.before().strain;
   return proposal;
 }
 
 /// Adds darts and their mirror images if they are worth sewing: together, or alone if the pair is no better.
 void SmoothDartSearch::propose(const std::vector<SmoothDart>& darts, std::vector<DartProposal>& proposals) const {
   std::vector<std::array<std::optional<LineFigures>, 2>> each(darts.size());
-  run_in_threads(
-      2 * darts.size(), num_cores(),
-      [&](std::size_t i) {
-        const SmoothDart& dart = darts[i / 2];
-        if (!dart.image) return;
-        if (i % 2 == 0 && !dart.are_both) {
-          each[i / 2][0] = dart.found;
-          return;
-        }
-        const OnOneCore on_one_core;
-        each[i / 2][i % 2] = evaluation_.figures_along({i % 2 == 0 ? dart.line.path : dart.image->path});
-      },
-      [&] { exact_.stop().may_go_on(); });
+  run_on_all_cores(2 * darts.size(), exact_.stop(), [&](std::size_t i) {
+    const SmoothDart& dart = darts[i / 2];
+    if (!dart.image) return;
+    const bool is_known = i % 2 == 0 && !dart.are_both;
+    each[i / 2][i % 2] = is_known ? dart.found : figures_along({i % 2 == 0 ? dart.line.path : dart.image->path});
+  });
   for (std::size_t i = 0; i < darts.size(); ++i) {
     const SmoothDart& dart = darts[i];
     const auto& [alone, image] = each[i];
@@ -324,16 +311,11 @@ void SmoothDartSearch::propose(const std::vector<SmoothDart>& darts, std::vector
                             (!helps_alone || (dart.found.figures.energy <= (1 - kLeastMove) * alone->figures.energy &&
                                               dart.found.figures.strain <= alone->figures.strain));
     if (!helps_alone && !are_better) continue;
-    const int place = static_cast<int>(proposals.size());
-    proposals.push_back(proposal_of(dart.line, *alone));
-    if (!image || !(are_better || is_worth_sewing(*image))) continue;
-    proposals.push_back(proposal_of(*dart.image, *image));
-    for (const int k : {place, place + 1}) {
-      proposals[k].twin = 2 * place + 1 - k;
-      if (!are_better) continue;
-      proposals[k].energy_with_twin = dart.found.figures.energy;
-      proposals[k].strain_with_twin = dart.found.figures.strain;
-    }
+    std::optional<DartProposal> other;
+    if (image && (are_better || is_worth_sewing(*image))) other = proposal_of(*dart.image, *image);
+    std::optional<PieceFigures> both;
+    if (are_better) both = dart.found.figures;
+    add_with_image(proposal_of(dart.line, *alone), std::move(other), both, proposals);
   }
 }
 
