@@ -61,4 +61,4 @@ def test_places_are_shown_below_headers_and_texts(addon, overlaps, headers):
     context = SimpleNamespace(preferences=SimpleNamespace(system=system))
     heights = [("HEADER", "TOP", 26), ("TOOL_HEADER", "TOP", 30), ("HEADER", "BOTTOM", 26), ("UI", "RIGHT", 700)]
     regions = [SimpleNamespace(type=kind, alignment=side, height=height) for kind, side, height in heights]
-    assert addon.blender.views._covered_above(context, SimpleNamespace(regions=regions)) == 2 * 50 + headers
+    assert addon.blender.views.covered_above(context, SimpleNamespace(regions=regions)) == 2 * 50 + headers

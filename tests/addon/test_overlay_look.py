@@ -123,6 +123,20 @@ def test_the_legend_says_what_the_colors_mean(addon):
     ]
 
 
+def test_the_legend_is_in_the_first_corner_where_it_covers_no_line(addon):
+    screen = addon.overlay.screen
+    box, corners = screen.Box(-100, 0, 0, 50, ()), [(900.0, 16.0), (130.0, 60.0), (900.0, 500.0)]
+    across, beside, upright = [(700, 40), (950, 20)], [(700, 40), (799, 16)], [(60, 0), (60, 900)]
+
+    def place(*lines):
+        return screen.free_corner(corners, box, np.array(lines, dtype=float).reshape(-1, 2, 2))
+
+    assert place() == place(beside) == place(upright) == corners[0]
+    assert place(across) == corners[1]  # neither end of the line is in the box
+    assert place(across, upright) == corners[2]
+    assert place(across, upright, [(850, 520), (851, 520)]) == corners[0]  # no corner is free
+
+
 def test_without_anything_to_say_there_is_no_legend(addon):
     legend = addon.overlay.screen.lay_out([], [], None, None, (900.0, 16.0), 1.0, len)
     assert (legend.boxes, legend.texts) == ([], [])

@@ -138,7 +138,7 @@ def _look_at(context: bpy.types.Context, area: bpy.types.Area, points: np.ndarra
         upward=view.window_matrix[1][1],
         is_perspective=is_perspective,
         covered=min(_covered(context, area) / region.width, MOST_COVERED),
-        covered_above=min(_covered_above(context, area) / region.height, MOST_COVERED),
+        covered_above=min(covered_above(context, area) / region.height, MOST_COVERED),
     )
     middle, distance = fit(points, projection)
     view.view_location = middle
@@ -163,7 +163,7 @@ def _covered(context: bpy.types.Context, area: bpy.types.Area) -> float:
     return max(LEGEND_WIDTH * system.ui_scale, _legend_width) + (sidebar.width if overlaps else 0)
 
 
-def _covered_above(context: bpy.types.Context, area: bpy.types.Area) -> float:
+def covered_above(context: bpy.types.Context, area: bpy.types.Area) -> float:
     """Return the height in pixels that headers and Blender's texts cover at the top of the view."""
     system, kinds = context.preferences.system, {"HEADER", "TOOL_HEADER"}
     headers = sum(each.height for each in area.regions if each.type in kinds and each.alignment == "TOP")

@@ -11,7 +11,7 @@ import gpu
 import numpy as np
 from gpu_extras.batch import batch_for_shader
 
-from ..blender.views import note_legend
+from ..blender.views import covered_above, note_legend
 from ..solve.maps import ColorMap
 from .batches import blending
 from .gather import screen_colors
@@ -132,6 +132,8 @@ Corner = tuple[float, float]
 Size = tuple[float, float]  # width and height
 Span = tuple[float, float]
 EVERYWHERE = (-np.inf, np.inf)
+NO_LINES = np.empty((0, 2, 2))
+REDO, NAVIGATION = 45, 230  # heights of Blender's panel and gizmos in two corners, in pixels at interface scale 1
 
 
 class PlacedName(NamedTuple):
@@ -153,14 +155,15 @@ def write_over(
     notes: Sequence[str] = (),
     color_map: ColorMap | None = None,
     highest: float | None = None,
+    lines: np.ndarray = NO_LINES,
 ) -> None:
-    """Draw names and legend of the objects in a view."""
+    """Draw names and legend of the objects in a view. lines: see free_corner."""
     unit = context.preferences.system.ui_scale
     if context.scene.wirewarp.show_names:
         write_names(names, unit, _free_span(context))
     kinds = {kind for each in shown if each.lines for kind in each.lines.places}
     kinds |= {kind for each in shown if each.failures for kind in each.failures.kinds}
-    write_legend(context, kinds, unit, notes, color_map, highest)
+    write_legend(context, kinds, unit, notes, color_map, highest, lines)
 
 
 def write_names(names: Iterable[PlacedName], unit: float, span: Span = EVERYWHERE) -> None:
@@ -228,26 +231,49 @@ def write_legend(
     notes: Sequence[str],
     color_map: ColorMap | None,
     highest: float | None,
+    lines: np.ndarray,
 ) -> None:
-    """Draw the legend of these kinds of line in the lower right corner."""
+    """Draw the legend of these kinds of line in a corner where it covers no line."""
     blf.size(FONT, FONT_SIZE * unit)
-    legend = lay_out(
-        [style for kind, style in reversed(STYLES.items()) if kind in kinds],
-        notes,
-        color_map,
-        highest,
-        _corner(context, unit),
-        unit,
-        lambda text: blf.dimensions(FONT, text)[0],
-    )
-    if legend.boxes and context.area.type == "VIEW_3D":
-        note_legend(legend.boxes[0].right - legend.boxes[0].left + MARGIN * unit)
+    styles = [style for kind, style in reversed(STYLES.items()) if kind in kinds]
+
+    def at(corner: Corner) -> Legend:
+        return lay_out(styles, notes, color_map, highest, corner, unit, lambda text: blf.dimensions(FONT, text)[0])
+
+    legend = at((0.0, 0.0))
+    if legend.boxes:
+        box = legend.boxes[0]
+        legend = at(free_corner(_corners(context, unit, (box.right - box.left, box.top)), box, lines))
+        if context.area.type == "VIEW_3D":
+            note_legend(box.right - box.left + MARGIN * unit)
     _fill(legend.boxes)
     _write(legend.texts, LEGEND_COLOR)
 
 
-def _corner(context: bpy.types.Context, unit: float) -> tuple[float, float]:
-    return _free_span(context)[1] - MARGIN * unit, MARGIN * unit
+def free_corner(corners: Sequence[Corner], box: Box, lines: np.ndarray) -> Corner:
+    """Return the first corner at which no line crosses the box; the first one if there is none.
+
+    corners: places of its lower right corner; lines (k,2,2): ends in pixels.
+    """
+    begins, ways = lines[:, 0], lines[:, 1] - lines[:, 0]
+    for right, bottom in corners:
+        low, high = (right + box.left - box.right, bottom), (right, bottom + box.top - box.bottom)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            shares = np.stack([(low - begins) / ways, (high - begins) / ways])  # where a line meets the box's sides
+        enters, leaves = shares.min(axis=0).max(axis=1), shares.max(axis=0).min(axis=1)
+        if not ((enters <= leaves) & (leaves >= 0) & (enters <= 1)).any():
+            return right, bottom
+    return corners[0]
+
+
+def _corners(context: bpy.types.Context, unit: float, size: Size) -> list[Corner]:
+    """Return places of the legend's lower right corner beside Blender's own texts and gizmos, the usual one first."""
+    (left, right), (width, height), margin = _free_span(context), size, MARGIN * unit
+    left, right = left + margin + width, right - margin
+    if context.area.type != "VIEW_3D":
+        return [(right, margin)]
+    top = context.region.height - covered_above(context, context.area) - height
+    return [(right, margin), (left, margin + REDO * unit), (right, top - NAVIGATION * unit), (left, top)]
 
 
 def _free_span(context: bpy.types.Context) -> Span:

@@ -14,7 +14,7 @@ from mathutils.bvhtree import BVHTree
 from ..state.memory import kept
 from ..state.owners import model_of
 from .batches import Layer, blending, draw_colored, draw_failed, draw_lines
-from .screen import MAX_NAMES, PlacedName, write_over
+from .screen import MAX_NAMES, NO_LINES, PlacedName, write_over
 from .shown import Drawing, UvDrawing, drawings, highest_value, map_notes, shown_map, uv_drawings
 
 # Layers are drawn closer to the eye by these shares of the distance, so that a surface does not hide its lines.
@@ -94,7 +94,20 @@ def draw_screen() -> None:
         names = (name for drawing in shown for name in _names_in_view(context, drawing))
         color_map = shown_map(context)
         notes, highest = (map_notes(shown, color_map), highest_value(shown, color_map)) if color_map else ([], None)
-        write_over(context, shown, names, notes, color_map, highest)
+        write_over(context, shown, names, notes, color_map, highest, _lines_in_view(context, shown))
+
+
+def _lines_in_view(context: bpy.types.Context, shown: Sequence[Drawing]) -> np.ndarray:
+    """Return the ends (k,2,2) of all lines in pixels of the region. Lines behind the eye are left out."""
+    found = []
+    for drawing in shown:
+        for ends in drawing.lines.places.values() if drawing.lines else ():
+            matrix = np.array(drawing.target.matrix_world)
+            found.append(ends @ matrix[:3, :3].T + matrix[:3, 3])
+    if not found:
+        return NO_LINES
+    points, _, in_range = _projected(context, np.concatenate(found))
+    return points.reshape(-1, 2, 2)[in_range.reshape(-1, 2).all(axis=1)]
 
 
 def _names_in_view(context: bpy.types.Context, drawing: Drawing) -> Iterator[PlacedName]:
@@ -199,13 +212,18 @@ def _chosen_piece(target: bpy.types.Object) -> int | None:
 
 def _in_region(context: bpy.types.Context, places: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return the pixels (n,2) of places (n,3) in the world, and a mask of those in the region and its clip range."""
+    points, size, in_range = _projected(context, places)
+    return points, in_range & np.all((points >= 0) & (points <= size), axis=1)
+
+
+def _projected(context: bpy.types.Context, places: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return the pixels (n,2) of places (n,3) in the world, the region's size (2,), and a mask of the clip range."""
     size = np.array([context.region.width, context.region.height])
     projected = np.column_stack([places, np.ones(len(places))]) @ np.array(context.region_data.perspective_matrix).T
     in_front = projected[:, 3] > 0
     depth = np.where(in_front, projected[:, 3], 1.0)
     points = (1 + projected[:, :2] / depth[:, None]) / 2 * size
-    in_range = in_front & (np.abs(projected[:, 2]) <= depth)  # Blender clips farther points
-    return points, in_range & np.all((points >= 0) & (points <= size), axis=1)
+    return points, size, in_front & (np.abs(projected[:, 2]) <= depth)  # Blender clips farther points
 
 
 def draw_map() -> None:
