@@ -310,3 +310,42 @@ def test_a_forged_negative_id_counts_as_none(source):
     ids.data.foreach_set("value", [-7] * len(source.data.polygons))
     assert sorted(flatten(source)) == HALVES
     assert all(entry.piece_id > 0 for entry in source.wirewarp_pieces)
+
+
+def tube_along(path, cuts):
+    """Return a tube of eight sides along a path (k,3) in the plane y = 0, cut along its lower side and rings."""
+    path = np.array(path, dtype=float)
+    along = np.gradient(path, axis=0)
+    across = np.column_stack([-along[:, 2], 0 * along[:, 1], along[:, 0]]) / np.linalg.norm(along, axis=1)[:, None]
+    turns = np.array(TURN)[None, :, None]
+    rings = path[:, None] - 0.3 * (np.cos(turns) * across[:, None] + np.sin(turns) * [0, 1, 0])
+    faces = [[8 * ring + corner for corner in face] for ring in range(len(path) - 1) for face in TUBE_FACES]
+    source = make_object("Suit", rings.reshape(-1, 3).tolist(), faces)
+    for edge in source.data.edges:
+        a, b = sorted(edge.vertices)
+        edge.use_seam = (a // 8 in cuts and b // 8 == a // 8) or (a % 8 == b % 8 == 0)
+    return source
+
+
+def test_sleeves_are_recognized_by_their_seams():
+    path = [(x, 0, 0) for x in np.linspace(-3, 3, 13)]
+    assert sorted(flatten(tube_along(path, {4, 8}))) == ["Around", "Left Sleeve", "Right Sleeve"]
+    assert len(flatten(tube_along(path, {2, 4, 8, 10}))) == 5
+    assert not any("Sleeve" in name for name in names_of(bpy.context.object))  # cuffs and sleeves are tubes alike
+
+
+def test_legs_are_recognized_by_their_crotch_seam():
+    bend = [(-math.cos(turn), 0, math.sin(turn)) for turn in np.linspace(0, math.pi, 9)]
+    legs = [(-1, 0, -2), (-1, 0, -1), *bend, (1, 0, -1), (1, 0, -2)]
+    assert sorted(flatten(tube_along(legs, {6}))) == ["Left Leg", "Right Leg"]
+    tube_along([(x, y, -z) for x, y, z in legs], {6})  # upside down, as the handle of a bag
+    assert not any("Leg" in name for name in flatten(bpy.context.object))
+
+
+def test_the_name_of_a_material_is_better_than_that_of_a_limb():
+    source = tube_along([(x, 0, 0) for x in np.linspace(-3, 3, 13)], {4, 8})
+    for name in "Body", "Glove":
+        source.data.materials.append(bpy.data.materials.new(name))
+    for face in source.data.polygons:
+        face.material_index = int(abs(face.center.x) > 1)
+    assert sorted(flatten(source)) == ["Body", "Left Glove", "Right Glove"]

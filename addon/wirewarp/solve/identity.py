@@ -16,6 +16,7 @@ import numpy as np
 from ..core import FlattenResult, SeamReport
 from .arrays import FaceRegions, MeshArrays, Region, area_vectors, edge_lengths, faces_inward
 from .chains import edge_keys
+from .limbs import limb_names
 
 # Names of the negative and positive side of each axis, for a person who faces Blender's front (-Y): the left hand is at
 # +X.
@@ -153,8 +154,10 @@ class _Shape:
     """Measures of the pieces' shapes, one row per piece, and of their triangles."""
 
     triangle_areas: np.ndarray  # (m,)
+    areas: np.ndarray  # (p,)
     normals: np.ndarray  # (p,3), the mean over the area
     offsets: np.ndarray  # (p,3), from the middle of the model, as a share of its size
+    places: np.ndarray  # (n,3) of the vertices, likewise
 
 
 def identify_pieces(
@@ -176,7 +179,10 @@ def identify_pieces(
     outward = -shape.normals if faces_inward(arrays) else shape.normals
     piece_of_face = np.zeros(len(arrays.polygon_starts), dtype=np.int64)
     piece_of_face[arrays.triangle_polygons] = piece_of_triangle
-    regions = region_names(piece_of_face, count, arrays.regions)
+    ends = _ends_at(arrays)
+    darts = [_is_dart(seam, ends) for seam in result.seams]
+    limbs = limb_names(result, darts, shape.places, shape.offsets, shape.areas)
+    regions = [own or limb for own, limb in zip(region_names(piece_of_face, count, arrays.regions), limbs, strict=True)]
     regions = region_side_names(regions, outward, shape.offsets)
     sides = side_names(outward, shape.offsets) if count > 1 else [model_name]
     wanted = [old[index] or regions[index] or sides[index] for index in new]
@@ -237,7 +243,9 @@ def _measure(piece_of_triangle: np.ndarray, count: int, arrays: MeshArrays) -> _
     def mean(rows: np.ndarray) -> np.ndarray:
         return np.array([np.bincount(piece_of_triangle, row, minlength=count) / divided for row in rows]).T
 
-    return _Shape(triangle_areas, mean(vectors), mean((centers - (low + high) / 2).T * triangle_areas / size))
+    middle = (low + high) / 2
+    offsets = mean((centers - middle).T * triangle_areas / size)
+    return _Shape(triangle_areas, areas, mean(vectors), offsets, (arrays.vertices - middle) / size)
 
 
 def _first_of_each(names: list[str]) -> list[str]:

@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Recognizes sleeves and trouser legs by their seams and places. Does not use Blender."""
+
+from collections.abc import Sequence
+from itertools import permutations
+
+import numpy as np
+
+from ..core import FlattenResult, SeamReport
+
+SLEEVE, LEG = "Sleeve", "Leg"
+ALIKE = 0.05  # share of the model's size: largest distance between a piece and the mirror image of its partner
+AREAS_ALIKE = 1.3  # largest ratio of their areas; the seams of two sleeves are often in different places
+AT_MIDDLE = 0.03  # share of the model's size: a leg reaches the middle of the model, at the crotch
+CLEARLY = 0.02  # share of the model's size by which the open end must be farther out or down
+
+
+def limb_names(
+    result: FlattenResult, are_darts: Sequence[bool], places: np.ndarray, offsets: np.ndarray, areas: np.ndarray
+) -> list[str | None]:
+    """Return "Sleeve" or "Leg" for pieces that certainly are one, otherwise None.
+
+    Such a piece is a tube: a seam joins it to itself. It has a mirror image, and no other such tube is sewn to it, as a
+    cuff is to a sleeve. One of its ends is sewn to other pieces, and one is open: the outer end of a sleeve, or the
+    lower end of a leg, which reaches the middle of the model. Only one pair of each kind is named.
+
+    are_darts: one for each seam. places (n,3): vertices of the model, from its middle, as a share of its size. offsets
+    (p,3), areas (p,): middles of the pieces in these coordinates, and areas.
+    """
+    seams = list(zip(result.seams, are_darts, strict=True))
+    tubes = {seam.pieces[0] for seam, is_dart in seams if not is_dart and len(set(seam.pieces)) == 1}
+    pairs = [
+        (left, right)
+        for left, right in permutations(tubes, 2)
+        if offsets[left, 0] > 0 and _are_mirrored(left, right, offsets, areas)
+    ]
+    paired, found = {piece for pair in pairs for piece in pair}, dict[str, list[tuple[int, int]]]()
+    for pair in pairs:
+        sewn = {piece for seam in result.seams if set(pair) & set(seam.pieces) for piece in seam.pieces}
+        kinds = {_kind(result, piece, places) for piece in pair}
+        if len(kinds) == 1 and not paired & sewn - set(pair):
+            found.setdefault(kinds.pop() or "", []).append(pair)
+    return [_only(found, piece) for piece in range(len(offsets))]
+
+
+def _only(found: dict[str, list[tuple[int, int]]], piece: int) -> str | None:
+    """Return the kind of the piece, if its pair is the only one of this kind."""
+    return next((kind for kind, pairs in found.items() if kind and len(pairs) == 1 and piece in pairs[0]), None)
+
+
+def _are_mirrored(piece: int, other: int, offsets: np.ndarray, areas: np.ndarray) -> bool:
+    distance = np.linalg.norm(offsets[other] - offsets[piece] * [-1, 1, 1])
+    ratio = areas[other] / areas[piece] if areas[piece] > 0 else np.inf
+    return bool(distance < ALIKE and 1 / AREAS_ALIKE < ratio < AREAS_ALIKE)
+
+
+def _kind(result: FlattenResult, piece: int, places: np.ndarray) -> str | None:
+    """Return SLEEVE or LEG if the tube is one."""
+    open_ends, joined = [], []
+    for chain in result.pieces[piece].boundaries:
+        middle = places[chain.vertices].mean(axis=0)
+        if chain.seam is None:
+            open_ends.append(middle)
+        elif _is_to_others(result.seams[chain.seam]):
+            joined.append(middle)
+    if not open_ends or not joined:
+        return None
+    joint = np.mean(joined, axis=0)
+    down = joint[2] - min(end[2] for end in open_ends)
+    out = max(abs(end[0]) for end in open_ends) - abs(joint[0])
+    own = np.unique(result.pieces[piece].source_vertex)
+    if np.abs(places[own, 0]).min() < AT_MIDDLE:
+        return LEG if down > max(out, CLEARLY) else None
+    return SLEEVE if out > CLEARLY else None
+
+
+def _is_to_others(seam: SeamReport) -> bool:
+    return len(set(seam.pieces)) > 1
