@@ -157,7 +157,7 @@ class _Shape:
     areas: np.ndarray  # (p,)
     normals: np.ndarray  # (p,3), the mean over the area
     offsets: np.ndarray  # (p,3), from the middle of the model, as a share of its size
-    places: np.ndarray  # (n,3) of the vertices, likewise
+    places: np.ndarray  # (n,3) of the vertices, in the same coordinates
 
 
 def identify_pieces(
