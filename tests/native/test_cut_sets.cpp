@@ -51,6 +51,13 @@ FlattenInput hill() {
   });
 }
 
+/// Options for few cuts, which are quick to find.
+CutOptions rough() {
+  CutOptions cut_options;
+  cut_options.strain = 0.3;
+  return cut_options;
+}
+
 struct Case {
   const char* name;
   FlattenInput input;
@@ -84,7 +91,7 @@ TEST_P(SeamSetsOf, FlattenEveryPieceWithTheFiguresOfAFreshRun) {
 
 TEST(CutSetSearch, ReportsProgressThatNeverFallsAndIsNotStuckAtTheEnd) {
   std::vector<double> reported;
-  propose_seams(head(), {}, {}, [&](const std::string&, double fraction) {
+  propose_seams(head(), {}, rough(), [&](const std::string&, double fraction) {
     reported.push_back(fraction);
     return true;
   });
@@ -98,13 +105,6 @@ INSTANTIATE_TEST_SUITE_P(Shapes, SeamSetsOf,
                                          Case{"hill", hill()}, Case{"torus", test::closed_torus(18, 9)},
                                          Case{"tube", test::cylinder_tube(16, 8, 1, 4)}),
                          [](const testing::TestParamInfo<Case>& test) { return std::string(test.param.name); });
-
-/// Options for few cuts, which are quick to find.
-CutOptions rough() {
-  CutOptions cut_options;
-  cut_options.strain = 0.3;
-  return cut_options;
-}
 
 TEST(CutSetSearch, MakesNoSetForAPieceThatAWireStrains) {
   FlattenInput input = hill();
