@@ -13,7 +13,7 @@ from test_failures import cube
 
 pytestmark = pytest.mark.api
 
-READY, AGAIN = "Ready to cut", 'The flat pieces of this report are gone. Flatten "Bump" again'
+READY, AGAIN = "Ready to cut", '"Bump" has no flat pieces. Flatten it again'
 
 
 @pytest.fixture

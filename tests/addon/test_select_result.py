@@ -65,7 +65,7 @@ def test_places_that_cannot_be_shown_do_not_change_the_view(source, addon):
     select_only(source, other)
     bpy.ops.object.mode_set(mode="EDIT")
     bpy.data.objects.remove(flat)
-    select_fails("flat pieces of this report are gone", what="PIECE", index=0)
+    select_fails("has no flat pieces", what="PIECE", index=0)
     select = partial(addon.blender.selection.select_elements, bpy.context)
     with pytest.raises(addon.issues.ObjectError, match="has changed"):
         select(source, addon.core.Elements(faces=[64]))
@@ -79,7 +79,7 @@ def test_missing_places_are_reported(source):
     select_fails("That entry is gone. Flatten again", what="SEAM", index=1)
     select_fails("That entry is gone", what="OUTLINE", index=2)
     bpy.data.objects.remove(flat_of(source))
-    select_fails('flat pieces of this report are gone. Flatten "Bump" again', what="PIECE", index=0)
+    select_fails('"Bump" has no flat pieces. Flatten it again', what="PIECE", index=0)
     grid("Other", bump)
     select_fails('"Other" has not been flattened yet. Press Flatten first', what="PIECE", index=0)
 

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from everything import draw_panels
 from suggesting import SUGGEST, found, needed, pairs
-from surfaces import bump, flat_of, grid, mark_seam, on_line, read
+from surfaces import bump, flat_of, grid, join_cube, mark_seam, on_line, read
 from test_proposals import seams_of
 from view_context import view_context
 
@@ -91,6 +91,20 @@ def test_sets_with_pieces_narrower_than_two_allowances_have_a_warning(addon):
     settings.allowance = 0.0
     SUGGEST["SEAMS"]()
     assert not any(cut.is_narrow for cut in found(addon, source).cuts)
+
+
+def test_a_set_that_makes_too_many_pieces_of_the_model_has_a_warning(addon, monkeypatch):
+    source = ball()
+    join_cube(source)
+    bpy.context.scene.wirewarp.dart_lines = "EDGES"
+    with pytest.raises(RuntimeError):
+        bpy.ops.object.wirewarp_flatten()
+    SUGGEST["SEAMS"]()
+    count = found(addon, source).cuts[found(addon, source).chosen].num_pieces + 1  # the cube remains
+    for most, has_warning in ((count, False), (count - 1, True)):
+        monkeypatch.setattr(addon.suggest.panel, "MOST_SEWN", most)
+        shown = draw_panels(addon)
+        assert (f"With these seams, the model has {count} pieces, too many to sew." in shown) == has_warning
 
 
 def flattened_for(addon, source, index):

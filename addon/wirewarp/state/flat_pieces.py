@@ -70,7 +70,7 @@ def read_flat_pieces(mesh: bpy.types.Mesh, scale: float = 1.0) -> FlatPieces:
 
 
 def no_pieces_sentence(source: bpy.types.Object) -> str:
-    return f'The flat pieces of this report are gone. Flatten "{source.name}" again.'
+    return f'"{source.name}" has no flat pieces. Flatten it again.'  # they were deleted, or it is a copy
 
 
 def pieces_of_report(source: bpy.types.Object, report: ObjectReport) -> tuple[bpy.types.Object, FlatPieces]:

@@ -60,6 +60,11 @@ class Suggestions:
     chosen: int  # index in cuts
     with_modifiers: bool = False  # whether modifiers made the edges of the cuts; they are applied when a cut is marked
     place: Place = "FLATTEN"
+    other_pieces: int = 0  # number of pieces beside the one that a cut set divides
+
+    def pieces_after(self, cut: Cut) -> int:
+        """Return the number of pieces of the model with this set of seams."""
+        return cut.num_pieces + (0 if cut.cleared else self.other_pieces)
 
 
 def keep(source: bpy.types.Object, suggestions: Suggestions) -> None:

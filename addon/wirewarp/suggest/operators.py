@@ -155,6 +155,7 @@ def keep_found(search: Search, cuts: list[Cut], place: Place = "FLATTEN") -> Sug
         chosen=_shown_first(search, cuts),
         with_modifiers=search.with_modifiers,
         place=place,
+        other_pieces=max(len(search.names) - 1, 0),
     )
     source = find_source(model)
     if not (is_current(model) and are_current(source, found, read_anew)):

@@ -8,6 +8,7 @@ import bpy
 from ..blender.objects import length_text
 from ..core import counted, percent_text, set_beyond_fabric
 from ..solve.flatten import known_stretch
+from ..solve.report import MOST_SEWN
 from ..solve.suggest import Cut, row_text, shortfall
 from ..state.drawings import Same, kept_drawing
 from ..state.memory import stamp
@@ -25,6 +26,7 @@ FROM_FEW = "Above: fewer pieces. Below: less stretch."
 ALL_PIECES = "All Pieces up to a Target"
 WIDTH = "Narrowest place of a piece: {}."
 NARROW = "A piece is only {} wide in one place, less than two allowances. It may be too narrow to sew."
+MANY = "With these seams, the model has {} pieces, too many to sew. Simplify the model before you suggest seams."
 BEYOND = "This fabric stretches only {} in its tighter direction, so the pieces may need another fabric."
 TARGET = ("aim_stretch", "aim_cuts", "aim_length")
 
@@ -98,6 +100,8 @@ def draw_suggestions(context: bpy.types.Context, layout: bpy.types.UILayout, pla
         draw_sentence(context, layout, NARROW.format(lengths.rough(cut.width)), "ERROR")
     elif cut.width is not None:
         draw_sentence(context, layout, WIDTH.format(lengths.rough(cut.width)), "INFO")
+    if cut.is_set and found.pieces_after(cut) > MOST_SEWN:
+        draw_sentence(context, layout, MANY.format(found.pieces_after(cut)), "AMBER")
     limits = known_stretch(found.choices.cloth)
     if cut.is_set and limits and cut.excess(limits) > 0:
         beyond = set_beyond_fabric(cut.threads) if cut.threads else BEYOND.format(percent_text(limits[0]))
