@@ -5,6 +5,7 @@ import bpy
 import numpy as np
 import pytest
 from everything import draw_panels
+from mathutils import Vector
 from suggesting import SUGGEST, choose_smooth, found, places
 from surfaces import bump, flat_of, grid, mark, on_line, round_bump
 from test_smooth_lines import seam_places, surface
@@ -120,14 +121,32 @@ def test_a_dart_along_diagonals_adds_only_their_edges(addon):
     assert (len(mesh.vertices), len(mesh.edges), len(mesh.polygons)) == before
 
 
-def test_lines_that_cross_in_a_face_are_refused(addon):
+@pytest.mark.parametrize("scale", [1, -1])
+def test_lines_that_cross_in_a_face_meet_there(addon, scale):
     source = grid("Bump", bump, faces="triangles")
+    source.scale.x = scale
+    mesh = source.data
+    for name, domain, values in (("Height", "POINT", mesh.vertices), ("Shade", "CORNER", mesh.loops)):
+        made = mesh.attributes.new(name, "FLOAT", domain)
+        corners = range(len(mesh.vertices)) if domain == "POINT" else [loop.vertex_index for loop in mesh.loops]
+        for item, vertex in zip(made.data, corners, strict=True):
+            item.value = mesh.vertices[vertex].co @ Vector((1, 2, 3))
+        assert len(values) == len(made.data)
     line = addon.core.library().SurfacePath
     paths = [line([0, 0], [(0.5, 0.5, 0), (0, 0, 1)]), line([0, 0], [(0, 0.5, 0.5), (1, 0, 0)])]
-    before = places(source)
-    with pytest.raises(addon.issues.ObjectError, match="would cross itself or another one in face 0. Mark it along"):
-        addon.suggest.smooth.take_lines(source, paths, with_modifiers=False)
-    assert np.array_equal(places(source), before)
+    before, area, normals = len(mesh.vertices), surface(source), sum((face.normal for face in mesh.polygons), Vector())
+    assert addon.suggest.smooth.take_lines(source, paths, with_modifiers=False) == 4
+    assert len(mesh.vertices) == before + 3  # one on each side that a line ends at, and the crossing
+    assert surface(source) == pytest.approx(area, rel=1e-6)
+    assert sum((face.normal for face in mesh.polygons), Vector()).normalized() @ normals.normalized() > 0.999
+    assert not mesh.validate()
+    crossing = mesh.vertices[before + 2]
+    met = seam_places(source).reshape(-1, 3)
+    assert np.isclose(met, list(crossing.co), atol=1e-6).all(axis=1).sum() == 4
+    for vertex, item in zip(mesh.vertices, mesh.attributes["Height"].data, strict=True):
+        assert item.value == pytest.approx(vertex.co @ Vector((1, 2, 3)), abs=1e-5)
+    for loop, item in zip(mesh.loops, mesh.attributes["Shade"].data, strict=True):
+        assert item.value == pytest.approx(mesh.vertices[loop.vertex_index].co @ Vector((1, 2, 3)), abs=1e-5)
 
 
 def test_a_piece_that_no_dart_helps_is_reported_in_one_sentence(addon, monkeypatch):

@@ -9,8 +9,7 @@ from types import ModuleType
 
 import numpy as np
 
-from ..core import CutSources, Issue, SurfacePath
-from ..issues import ObjectError
+from ..core import CutSources, SurfacePath
 from .arrays import MeshArrays
 from .chains import edge_keys
 from .flatten import polygons_across
@@ -30,7 +29,8 @@ class Segments:
 @dataclass(frozen=True)
 class DividedTriangle:
     corners: tuple[int, int, int]
-    across: Pairs  # new edges, between corners and points on the sides
+    inside: dict[int, tuple[float, float, float]]  # points inside, as mixes of the corners
+    parts: list[tuple[int, int, int]]  # triangles between its corners and points on its sides and inside
 
 
 @dataclass(frozen=True)
@@ -99,18 +99,20 @@ def places_on(segments: Segments, polygons: np.ndarray, vertices: np.ndarray, pl
 
 
 def divide(library: ModuleType, arrays: MeshArrays, paths: Sequence[SurfacePath]) -> Division:
-    """Return how the lines become edges. Raises the library's FlattenError, and ObjectError if they cross in a face."""
+    """Return how the lines become edges. Raises the library's FlattenError."""
     _, faces, edges, sources = library.cut_mesh(arrays.vertices, arrays.triangles, list(paths))
-    _check_crossings(edges, sources, arrays)
+    inside = set(range(len(arrays.vertices), len(sources.vertices)))
+    inside -= {index for line in sources.divided_edges for index in line.tolist()}
     lines = [(int(a), int(b)) for a, b in edges]
     parts = defaultdict(list)
     is_divided = np.bincount(sources.faces, minlength=len(arrays.triangles)) > 1
     for row in np.flatnonzero(is_divided[sources.faces]).tolist():
-        parts[int(sources.faces[row])].append(faces[row].tolist())
+        parts[int(sources.faces[row])].append(tuple(faces[row].tolist()))
     filled = defaultdict(list)
     for row in np.flatnonzero(np.isin(arrays.triangle_polygons, arrays.triangle_polygons[is_divided])).tolist():
-        triangle = DividedTriangle(tuple(arrays.triangles[row].tolist()), common_sides(parts[row]))
-        filled[int(arrays.triangle_polygons[row])].append(triangle)
+        corners = tuple(arrays.triangles[row].tolist())
+        mixes = {index: _mix(index, corners, sources) for part in parts[row] for index in inside.intersection(part)}
+        filled[int(arrays.triangle_polygons[row])].append(DividedTriangle(corners, mixes, parts[row]))
     across = defaultdict(list)
     followed = _followed_diagonals(edges, arrays)
     for polygon, (a, b) in zip(polygons_across(followed, arrays).tolist(), followed.tolist(), strict=True):
@@ -121,16 +123,9 @@ def divide(library: ModuleType, arrays: MeshArrays, paths: Sequence[SurfacePath]
     return Division(polygons, [_along(line.tolist(), sources) for line in sources.divided_edges], lines)
 
 
-def _check_crossings(edges: np.ndarray, sources: CutSources, arrays: MeshArrays) -> None:
-    """Raises ObjectError if two sections of lines cross at a point inside a triangle."""
-    placed = [np.arange(len(arrays.vertices)), *sources.divided_edges]
-    crossings = np.setdiff1d(edges, np.concatenate(placed))
-    if len(crossings):
-        corners = np.sort(sources.vertices[crossings[0]])
-        row = np.flatnonzero((np.sort(arrays.triangles, axis=1) == corners).all(axis=1))[0]
-        face = int(arrays.triangle_polygons[row])
-        sentence = f"The smooth line would cross itself or another one in face {face}. Mark it along edges instead."
-        raise ObjectError(Issue("line_crosses_itself", sentence, faces=[face]))
+def _mix(index: int, corners: Sequence[int], sources: CutSources) -> tuple[float, float, float]:
+    weights = dict(zip(sources.vertices[index].tolist(), sources.vertex_weights[index].tolist(), strict=True))
+    return tuple(weights[corner] for corner in corners)
 
 
 def common_sides(triangles: Iterable[Sequence[int]]) -> Pairs:

@@ -12,6 +12,7 @@ from itertools import pairwise
 import bmesh
 import bpy
 import numpy as np
+from mathutils import Vector
 from numpy.typing import ArrayLike
 
 from .. import core
@@ -24,7 +25,7 @@ from ..marks.ease import clear_seams, edges_with_marks, mark_seams
 from ..names import MARKS
 from ..solve.arrays import MeshArrays
 from ..solve.chains import edge_keys, split_into_chains
-from ..solve.cut_faces import Division, Pairs, divide
+from ..solve.cut_faces import DividedTriangle, Division, Pairs, divide
 from ..solve.flatten import issue_of_error
 from ..solve.suggest import NoSeam, painted_at_edges
 from ..state.marked_mesh import marked_mesh
@@ -72,17 +73,18 @@ def cut_lines(mesh: bpy.types.Mesh, division: Division) -> Pairs:
         return division.lines
     with _edited(mesh) as edited:
         vertices, faces = dict(enumerate(edited.verts)), list(edited.faces)
-        filled = []  # triangles that fill the divided faces, each with the edges across it
+        filled = []  # parts of the divided faces, each with the triangles that replace it
         for polygon, divided in division.polygons.items():
             parts = [faces[polygon]]
             _split_along(edited, parts, divided.diagonals, vertices)
             part_of = {frozenset(part.verts): part for part in parts}
             for each in divided.triangles:
-                filled.append((part_of[frozenset(vertices[v] for v in each.corners)], each.across))
+                filled.append((part_of[frozenset(vertices[v] for v in each.corners)], each))
         for line in division.edges:
             _split_edge(edited, line, vertices)
-        for part, across in filled:
-            _split_along(edited, [part], across, vertices)
+        for part, triangle in filled:
+            if len(triangle.parts) > 1:
+                _replace(edited, part, triangle, vertices)
         edited.verts.index_update()
         return [(vertices[a].index, vertices[b].index) for a, b in division.lines]
 
@@ -130,6 +132,48 @@ def _split_along(
         for loop in corner.edge.link_loops:  # Blender has copied the values from corners at which other edges begin
             for side in _side_layers(edited):
                 loop[side] = 0.0
+
+
+def _replace(
+    edited: bmesh.types.BMesh,
+    face: bmesh.types.BMFace,
+    triangle: DividedTriangle,
+    vertices: dict[int, bmesh.types.BMVert],
+) -> None:
+    """Replace a face by the parts of its triangle. Attributes are the same, and linear at points inside."""
+    corners = [vertices[corner] for corner in triangle.corners]
+    sides, values = set(face.edges), {loop.vert: loop for loop in face.loops}
+    aside: list[bmesh.types.BMVert] = []
+    for index, weights in triangle.inside.items():
+        place = sum((weight * corner.co for weight, corner in zip(weights, corners, strict=True)), Vector())
+        loop = _interpolated(face, place)
+        vertices[index] = edited.verts.new(place, loop.vert)
+        values[vertices[index]] = loop
+        aside += dict.fromkeys(vertex for part in loop.vert.link_faces for vertex in part.verts)
+    following = [loop.vert for loop in face.loops if loop.vert in corners]
+    is_reversed = following.index(corners[1]) != (following.index(corners[0]) + 1) % 3  # an object with negative scale
+    for part in triangle.parts:
+        new = edited.faces.new([vertices[v] for v in (part[::-1] if is_reversed else part)], face)
+        for loop in new.loops:
+            loop.copy_from(values[loop.vert])
+        for loop in new.loops:  # from here on, because copy_from makes the former Python object invalid
+            if loop.edge not in sides:
+                for side in _side_layers(edited):
+                    loop[side] = 0.0
+    edited.faces.remove(face)
+    for vertex in aside:
+        edited.verts.remove(vertex)
+
+
+def _interpolated(face: bmesh.types.BMFace, place: Vector) -> bmesh.types.BMLoop:
+    """Return a corner with the attributes of a face at a place inside. It belongs to a copy that lies aside.
+
+    BMLoop.copy_from_face_interp would be simpler, but fails in Blender 3.4.
+    """
+    copied = face.copy()
+    corners = set(copied.verts)
+    bmesh.utils.face_split(copied, copied.verts[0], copied.verts[1], coords=[place])
+    return next(loop for loop in copied.loops if loop.vert not in corners)
 
 
 def _split_edge(

@@ -295,15 +295,8 @@ void PartSearch::add_joined(const CutMesh& mesh, double limit, std::vector<DartP
     SectionMerger merger({cut, parts}, chart, mirrored, model.exact(), cut_options_.narrowest, kPartSolidity);
     merger.run(joined_for, [](double) {});
     const SurfaceLines lines = lines_across(own_, alone_, mesh, chart, image, merger.state().cut);
-    std::optional<DartProposal> set;
-    for (const MoveTo where : {MoveTo::edge, MoveTo::corner}) {
-      SurfaceLines moved = lines;
-      move_out_of_faces(chart_.mesh, where, moved);
-      set = smooth_set(moved, limit);
-      if (set && set->num_pieces == static_cast<int>(merger.state().pieces.size())) break;
-      set.reset();  // moved lines have cut off a sliver
-    }
-    if (!set) {
+    const std::optional<DartProposal> set = smooth_set(lines, limit);
+    if (!set || set->num_pieces != static_cast<int>(merger.state().pieces.size())) {  // a new piece is a sliver
       joined_for *= kMargin;
       continue;
     }

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <tuple>
 #include <utility>
 
 #include "cuts/propose/cut_chains.h"
@@ -120,29 +119,6 @@ SurfaceLines lines_across(const FlattenInput& input, const Chart& chart, const C
       section.edge = chart.mesh.edge_handle(chart.mesh.find_halfedge(section.vertex_from, section.vertex_to));
     return section;
   });
-}
-
-void move_out_of_faces(const HalfEdgeMesh& mesh, MoveTo where, SurfaceLines& lines) {
-  for (SurfaceLine& line : lines.lines) {
-    for (LineSection& section : line.sections) {
-      const auto corners = corners_of(mesh, section.face);
-      const auto move = [&](Planar& place, VertexHandle& vertex) {
-        const std::array<double, 3> weights = weights_at(corners, place);
-        const auto [least, most] = std::minmax_element(weights.begin(), weights.end());
-        if (*least < kRoundedWeight) return;
-        if (where == MoveTo::corner) {
-          std::tie(vertex, place) = corners[static_cast<std::size_t>(most - weights.begin())];
-          return;
-        }
-        place = 0;
-        for (std::size_t k = 0; k < 3; ++k) {
-          if (&weights[k] != &*least) place += weights[k] / (1 - *least) * corners[k].second;
-        }
-      };
-      move(section.from, section.vertex_from);
-      move(section.to, section.vertex_to);
-    }
-  }
 }
 
 WeightedPoint on_input(const FlattenInput& input, const Chart& chart, FaceHandle face, Planar place) {

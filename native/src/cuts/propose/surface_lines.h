@@ -40,13 +40,6 @@ SurfaceLines lines_along(const Chart& chart, const std::vector<VertexHandle>& im
 SurfaceLines lines_across(const FlattenInput& input, const Chart& chart, const CutMesh& mesh, const Chart& cut_chart,
                           const std::vector<VertexHandle>& image, const CutMask& cut);
 
-/// Where points inside faces move.
-enum class MoveTo { edge, corner };
-
-/// Moves points inside faces to the edge or corner that their barycentric coordinates are nearest to. Lines that meet
-/// there still meet. Faces with more than three sides can then be cut along the lines.
-void move_out_of_faces(const HalfEdgeMesh& mesh, MoveTo where, SurfaceLines& lines);
-
 /// Returns a point on a chart as face of the input and weights of its corners.
 struct WeightedPoint {
   int face;
