@@ -25,20 +25,45 @@ inline Lanes& column(Tile& tile, int j, int part) {
   return *reinterpret_cast<Lanes*>(tile.entries + kTile * j + kLanes * part);
 }
 
+using TileInRegisters = Lanes[kTile][kParts];
+
+inline void load(const Tile& tile, TileInRegisters& x) {
+#pragma GCC unroll 4
+  for (int j = 0; j < kTile; ++j) {
+#pragma GCC unroll 4
+    for (int part = 0; part < kParts; ++part) x[j][part] = column(tile, j, part);
+  }
+}
+
+inline void store(const TileInRegisters& x, Tile& tile) {
+#pragma GCC unroll 4
+  for (int j = 0; j < kTile; ++j) {
+#pragma GCC unroll 4
+    for (int part = 0; part < kParts; ++part) column(tile, j, part) = x[j][part];
+  }
+}
+
+/// x := x L⁻ᵀ for a diagonal tile of L.
+inline void divide(TileInRegisters& x, const Tile& diagonal) {
+#pragma GCC unroll 4
+  for (int j = 0; j < kTile; ++j) {
+#pragma GCC unroll 4
+    for (int part = 0; part < kParts; ++part) {
+#pragma GCC unroll 4
+      for (int k = 0; k < j; ++k) x[j][part] -= x[k][part] * diagonal.entries[kTile * k + j];
+      x[j][part] *= diagonal.entries[kTile * j + j];
+    }
+  }
+}
+
 /// c −= Σ a bᵀ over a run of tiles, for kRows row tiles c and a and one row tile b. If a diagonal tile of L is given, c
 /// := c L⁻ᵀ follows.
 template <int kRows>
 inline void subtract_product(Tile* const (&c)[kRows], const Tile* const (&a)[kRows], const Tile* b, int num_tiles,
                              const Tile* diagonal) {
-  Lanes sum[kRows][kTile][kParts];
+  TileInRegisters sum[kRows];
 #pragma GCC unroll 4
-  for (int row = 0; row < kRows; ++row) {
-#pragma GCC unroll 4
-    for (int j = 0; j < kTile; ++j) {
-#pragma GCC unroll 4
-      for (int part = 0; part < kParts; ++part) sum[row][j][part] = column(*c[row], j, part);
-    }
-  }
+  for (int row = 0; row < kRows; ++row) load(*c[row], sum[row]);
   for (int t = 0; t < num_tiles; ++t) {
 #pragma GCC unroll 4
     for (int k = 0; k < kTile; ++k) {
@@ -55,26 +80,10 @@ inline void subtract_product(Tile* const (&c)[kRows], const Tile* const (&a)[kRo
   }
   if (diagonal != nullptr) {
 #pragma GCC unroll 4
-    for (int row = 0; row < kRows; ++row) {
-#pragma GCC unroll 4
-      for (int part = 0; part < kParts; ++part) {
-#pragma GCC unroll 4
-        for (int j = 0; j < kTile; ++j) {
-#pragma GCC unroll 4
-          for (int k = 0; k < j; ++k) sum[row][j][part] -= sum[row][k][part] * diagonal->entries[kTile * k + j];
-          sum[row][j][part] *= diagonal->entries[kTile * j + j];
-        }
-      }
-    }
+    for (int row = 0; row < kRows; ++row) divide(sum[row], *diagonal);
   }
 #pragma GCC unroll 4
-  for (int row = 0; row < kRows; ++row) {
-#pragma GCC unroll 4
-    for (int j = 0; j < kTile; ++j) {
-#pragma GCC unroll 4
-      for (int part = 0; part < kParts; ++part) column(*c[row], j, part) = sum[row][j][part];
-    }
-  }
+  for (int row = 0; row < kRows; ++row) store(sum[row], *c[row]);
 }
 
 /// Returns the factor by which rows of factor f are multiplied: Uᵀ for L, and L for Uᵀ. A symmetric matrix has only one

@@ -113,12 +113,8 @@ void solve_lower_4(const Tile* panel, int m, int r, double* rows) {
   for (int t = 0; t < m + r; ++t) {
     const Tile* const l = panel + panel_row(t, m);
     const int columns = t < m ? t : m;
-    Lanes sum[kTile][kParts];
-#pragma GCC unroll 4
-    for (int i = 0; i < kTile; ++i) {
-#pragma GCC unroll 4
-      for (int part = 0; part < kParts; ++part) sum[i][part] = column(x[t], i, part);
-    }
+    TileInRegisters sum;
+    load(x[t], sum);
     for (int j = 0; j < columns; ++j) {
 #pragma GCC unroll 4
       for (int k = 0; k < kTile; ++k) {
@@ -129,33 +125,15 @@ void solve_lower_4(const Tile* panel, int m, int r, double* rows) {
         }
       }
     }
-    if (t < m) {
-#pragma GCC unroll 4
-      for (int i = 0; i < kTile; ++i) {
-#pragma GCC unroll 4
-        for (int part = 0; part < kParts; ++part) {
-#pragma GCC unroll 4
-          for (int k = 0; k < i; ++k) sum[i][part] -= sum[k][part] * l[t].entries[kTile * k + i];
-          sum[i][part] *= l[t].entries[kTile * i + i];
-        }
-      }
-    }
-#pragma GCC unroll 4
-    for (int i = 0; i < kTile; ++i) {
-#pragma GCC unroll 4
-      for (int part = 0; part < kParts; ++part) column(x[t], i, part) = sum[i][part];
-    }
+    if (t < m) divide(sum, l[t]);
+    store(sum, x[t]);
   }
 }
 
 /// x_j −= L_tjᵀ x_t for the columns j of row tile t of L.
 inline void subtract_transposed(const Tile* l, int columns, const Tile& x_t, Tile* x) {
-  Lanes solved[kTile][kParts];
-#pragma GCC unroll 4
-  for (int i = 0; i < kTile; ++i) {
-#pragma GCC unroll 4
-    for (int part = 0; part < kParts; ++part) solved[i][part] = column(x_t, i, part);
-  }
+  TileInRegisters solved;
+  load(x_t, solved);
   for (int j = 0; j < columns; ++j) {
 #pragma GCC unroll 4
     for (int k = 0; k < kTile; ++k) {
