@@ -8,7 +8,7 @@
 #include "base/progress_report.h"
 #include "cuts/feasibility/open_chart.h"
 #include "newton/cache/cache_session.h"
-#include "newton/lies_flat.h"
+#include "newton/refine_chart.h"
 #include "newton/solve/chart_errors.h"
 #include "newton/solve/piece_report.h"
 #include "newton/solve/solve_charts.h"

@@ -9,7 +9,6 @@
 #include <optional>
 
 #include "base/attempt.h"
-#include "newton/lies_flat.h"
 #include "newton/project_to_lengths.h"
 #include "newton/refine_chart.h"
 #include "newton/relax_lengths.h"
@@ -142,19 +141,15 @@ class ToleranceSearch {
       for (auto& [wire, own] : shared) own = tolerance;
       return shared;
     };
-    const double* low = std::begin(kLadder);
-    const double* high = std::lower_bound(std::begin(kLadder), std::end(kLadder), below);
+    const double* const low = std::begin(kLadder);
+    const double* const high = std::lower_bound(low, std::end(kLadder), below);
     if (wires.empty() || wires.size() > kMostElasticWires || low == high || !work(all_have(*(high - 1)))) return lowest;
-    while (low < high) {
-      const double* middle = low + (high - low) / 2;
-      Tolerances shared = all_have(*middle);
-      if (is_looser(shared) && are_good(shared)) {
-        lowest = std::move(shared);
-        high = middle;
-      } else {
-        low = middle + 1;
-      }
-    }
+    std::partition_point(low, high, [&](double rung) {
+      Tolerances shared = all_have(rung);
+      if (!is_looser(shared) || !are_good(shared)) return true;
+      lowest = std::move(shared);
+      return false;
+    });
     return lowest;
   }
 
@@ -202,19 +197,11 @@ class ToleranceSearch {
 
   /// Lowers the tolerances of these wires to the smallest one of kLadder that works, by bisection.
   void lower(Tolerances& tolerances, const std::vector<int>& wires) {
-    const double* low = std::begin(kLadder);
-    const double* high = std::end(kLadder);
-    while (low < high) {
-      const double* middle = low + (high - low) / 2;
+    std::partition_point(std::begin(kLadder), std::end(kLadder), [&](double rung) {
       Tolerances lower = tolerances;
-      for (const int wire : wires) lower[wire] = std::min(lower[wire], *middle);
-      const bool works = lower == tolerances || (is_looser(lower) && try_instead(tolerances, std::move(lower)));
-      if (works) {
-        high = middle;
-      } else {
-        low = middle + 1;
-      }
-    }
+      for (const int wire : wires) lower[wire] = std::min(lower[wire], rung);
+      return lower != tolerances && !(is_looser(lower) && try_instead(tolerances, std::move(lower)));
+    });
   }
 
   /// Returns whether all of these tolerances are larger than the present tolerances of their wires.

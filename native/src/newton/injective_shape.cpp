@@ -4,30 +4,15 @@
 #include <utility>
 
 #include "base/attempt.h"
-#include "base/planar.h"
 #include "newton/injective_start.h"
 #include "newton/minimize.h"
-#include "surface/mesh/geometry.h"
-#include "surface/mesh/overlap.h"
+#include "surface/charts/folded_faces.h"
 
 namespace wirewarp {
-namespace {
-
-bool has_flips(const Triangles& triangles, const Positions2& uv) {
-  for (const auto& t : triangles.rowwise()) {
-    const Eigen::Vector2d a = uv.row(t[0]), b = uv.row(t[1]), c = uv.row(t[2]);
-    if (!(cross(b - a, c - a) > 0)) return true;
-  }
-  return false;
-}
-
-}  // namespace
 
 Injectivity injectivity_of(const Chart& chart, const Positions2& uv) {
-  const Triangles triangles = triangles_of(chart.mesh);
-  if (has_flips(triangles, uv)) return Injectivity::none;
-  const bool overlaps = !find_overlapping_faces(triangles, faces_on_boundary(chart.mesh), uv).empty();
-  return overlaps ? Injectivity::local : Injectivity::global;
+  if (has_flips(chart.mesh, uv)) return Injectivity::none;
+  return has_overlaps(chart.mesh, uv) ? Injectivity::local : Injectivity::global;
 }
 
 void make_injective(Problem& problem, Stage stage, const Control& control, Solution& solution) {

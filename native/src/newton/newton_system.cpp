@@ -9,6 +9,7 @@
 #include "base/in_threads.h"
 #include "numerics/optimize/box_quadratic.h"
 #include "surface/mesh/connected_parts.h"
+#include "surface/mesh/geometry.h"
 
 namespace wirewarp {
 namespace {
@@ -63,14 +64,8 @@ std::vector<VertexPair> coupled_vertices(const FairShapeError& objective, const 
 Eigen::VectorXd lumped_mass(const Chart& chart, const std::vector<ConnectedPart>& parts) {
   Eigen::VectorXd mass = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(chart.mesh.n_vertices()));
   for (const FaceHandle f : chart.mesh.faces()) {
-    const HalfedgeHandle h = chart.mesh.halfedge_handle(f), next = chart.mesh.next_halfedge_handle(h);
-    const auto origin = chart.mesh.point(chart.mesh.from_vertex_handle(h));
-    const auto along = chart.mesh.point(chart.mesh.to_vertex_handle(h)) - origin;
-    const auto back = chart.mesh.point(chart.mesh.to_vertex_handle(next)) - origin;
-    for (const VertexHandle v :
-         {chart.mesh.from_vertex_handle(h), chart.mesh.to_vertex_handle(h), chart.mesh.to_vertex_handle(next)}) {
-      mass[v.idx()] += (along % back).norm();
-    }
+    const double area = face_area(chart.mesh, f);
+    for (const VertexHandle v : chart.mesh.fv_range(f)) mass[v.idx()] += area;
   }
   for (const ConnectedPart& part : parts) {
     const Eigen::VectorXd own = mass(part.vertices);

@@ -22,4 +22,8 @@ Solution refine_chart(Problem& problem, const InternalOptions& options, const Co
 /// The same for a chart, with a budget of options.max_factorizations.
 Solution refine_chart(const Chart& chart, const InternalOptions& options, const StopToken& stop = {});
 
+/// Returns whether this finds a flat shape of the chart with exact lengths, without flips and overlaps. Returns false
+/// for pieces that take far longer than most, and if the caller stops.
+bool lies_flat(const Chart& chart, const InternalOptions& options, const StopToken& stop = {});
+
 }  // namespace wirewarp

@@ -11,12 +11,9 @@ namespace wirewarp {
 SewnProblem::SewnProblem(const Problem& open, const Stage& stage, SewnChart sewn)
     : open_(open), stage_(stage), sewn_(std::move(sewn)), problem_(sewn_.chart, open.fairness()) {
   const HeldNetwork &network = problem_.network(), &open_network = open.network();
-  const HalfEdgeMesh &mesh = sewn_.chart.mesh, &open_mesh = open.chart().mesh;
+  const HalfEdgeMesh& mesh = sewn_.chart.mesh;
   for (const WireEdge& edge : open_network.edges) {
-    const HalfedgeHandle h = open_mesh.halfedge_handle(edge.edge, 0);
-    const auto sewn_end = [&](VertexHandle v) { return VertexHandle(sewn_.vertex[v.idx()]); };
-    const HalfedgeHandle there =
-        mesh.find_halfedge(sewn_end(open_mesh.from_vertex_handle(h)), sewn_end(open_mesh.to_vertex_handle(h)));
+    const HalfedgeHandle there = sewn_half_edge(open.chart(), sewn_, open.chart().mesh.halfedge_handle(edge.edge, 0));
     const int sewn_edge = there.is_valid() ? network.wire_edge_of_edge[mesh.edge_handle(there).idx()] : -1;
     if (sewn_edge < 0) throw std::logic_error("an edge of a wire lost its wire when slits were sewn");
     row_.push_back(sewn_edge);

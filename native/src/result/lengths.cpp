@@ -73,8 +73,7 @@ SideLength measure_side(const Chart& chart, const HalfEdgeChain& chain, const Pi
                         const std::vector<double>& guaranteed, const std::map<VertexPair, double>& side_eases) {
   SideLength side;
   for (const HalfedgeHandle h : chain) {
-    const auto ease = side_eases.find({chart.source_vertex[chart.mesh.from_vertex_handle(h).idx()],
-                                       chart.source_vertex[chart.mesh.to_vertex_handle(h).idx()]});
+    const auto ease = side_eases.find(source_ends(chart, h));
     const double ratio = ease == side_eases.end() ? 1 : 1 + ease->second;
     side.unstretched += edge_length(chart.mesh, h);
     side.shared += guaranteed[chart.mesh.edge_handle(h).idx()] / ratio;
@@ -84,13 +83,11 @@ SideLength measure_side(const Chart& chart, const HalfEdgeChain& chain, const Pi
   return side;
 }
 
-VertexPair sorted(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
-
 double distance(const Positions3& vertices, int a, int b) { return (vertices.row(a) - vertices.row(b)).norm(); }
 
 std::vector<int> source_vertices(const Chart& chart, const HalfEdgeChain& chain) {
-  std::vector<int> vertices = {chart.source_vertex[chart.mesh.from_vertex_handle(chain.front()).idx()]};
-  for (const HalfedgeHandle h : chain) vertices.push_back(chart.source_vertex[chart.mesh.to_vertex_handle(h).idx()]);
+  std::vector<int> vertices;
+  for (const VertexHandle v : vertices_along(chart.mesh, chain)) vertices.push_back(chart.source_vertex[v.idx()]);
   return vertices;
 }
 
@@ -123,7 +120,7 @@ WireReport measure_whole_wire(const Wire& wire, bool is_boundary, const WireEdge
     const int a = wire.vertices[i];
     const int b = wire.vertices[i + 1];
     report.length_3d += distance(vertices, a, b);
-    const auto edge = known.edges.find(sorted(a, b));
+    const auto edge = known.edges.find(sorted({a, b}));
     report.length_2d += edge == known.edges.end() ? kUnknown : edge->second.length_2d;
     intended += edge == known.edges.end() ? kUnknown : edge->second.intended;
   }

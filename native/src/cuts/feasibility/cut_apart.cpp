@@ -20,15 +20,13 @@ VertexPairs cut_and_outline(const HalfEdgeMesh& mesh, const CutMask& cut) {
     const HalfedgeHandle h = mesh.halfedge_handle(e, 0);
     edges.push_back({mesh.from_vertex_handle(h).idx(), mesh.to_vertex_handle(h).idx()});
   }
-  VertexPairs pairs(static_cast<Eigen::Index>(edges.size()), 2);
-  for (int i = 0; i < pairs.rows(); ++i) pairs.row(i) << edges[i][0], edges[i][1];
-  return pairs;
+  return as_pairs(edges);
 }
 
 Wire wire_of(const HalfEdgeMesh& mesh, const WirePart& part) {
-  Wire wire{{mesh.from_vertex_handle(part.half_edges.front()).idx()}, part.tolerance, {}, part.ease};
+  Wire wire{{}, part.tolerance, {}, part.ease};
   if (part.kind == WireKind::super_elastic) wire.tolerance = std::numeric_limits<double>::infinity();
-  for (const HalfedgeHandle h : part.half_edges) wire.vertices.push_back(mesh.to_vertex_handle(h).idx());
+  for (const VertexHandle v : vertices_along(mesh, part.half_edges)) wire.vertices.push_back(v.idx());
   return wire;
 }
 

@@ -27,6 +27,12 @@ std::vector<VertexPair> edges_of(const Chart& chart, const CutMask& cut) {
   return edges;
 }
 
+std::set<VertexPair> undirected(const std::vector<VertexPair>& edges) {
+  std::set<VertexPair> pairs;
+  for (const VertexPair& edge : edges) pairs.insert(sorted(edge));
+  return pairs;
+}
+
 double length_of_cut(const HalfEdgeMesh& mesh, const CutMask& cut) {
   double length = 0;
   for (const EdgeHandle e : mesh.edges()) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <set>
 #include <vector>
 
 #include "surface/charts/chart.h"
@@ -21,6 +22,9 @@ void unite(CutMask& cut, const CutMask& other);
 
 /// Returns the ends of the cut edges in the input, in the order of the mesh.
 std::vector<VertexPair> edges_of(const Chart& chart, const CutMask& cut);
+
+/// Returns each edge once, the smaller end first.
+std::set<VertexPair> undirected(const std::vector<VertexPair>& edges);
 
 /// Returns the length of all cut edges in scene units.
 double length_of_cut(const HalfEdgeMesh& mesh, const CutMask& cut);

@@ -12,10 +12,9 @@ PartMap::PartMap(const Chart& chart) : num_edges_(chart.mesh.n_edges()) {
   std::sort(edges_.begin(), edges_.end());
 }
 
-EdgeHandle PartMap::edge_between(VertexPair ends) const {
-  if (ends[1] < ends[0]) std::swap(ends[0], ends[1]);
-  const auto found = std::lower_bound(edges_.begin(), edges_.end(), std::pair(ends, EdgeHandle(0)));
-  return found != edges_.end() && found->first == ends ? found->second : EdgeHandle();
+EdgeHandle PartMap::edge_between(const VertexPair& ends) const {
+  const auto found = std::lower_bound(edges_.begin(), edges_.end(), std::pair(sorted(ends), EdgeHandle(0)));
+  return found != edges_.end() && found->first == sorted(ends) ? found->second : EdgeHandle();
 }
 
 CutMask PartMap::mask_of(const std::vector<VertexPair>& edges) const {

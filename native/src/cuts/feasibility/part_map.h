@@ -15,7 +15,7 @@ class PartMap {
   explicit PartMap(const Chart& chart);
 
   /// Returns the inner edge of the chart between two source vertices, in either order; not valid if there is none.
-  EdgeHandle edge_between(VertexPair ends) const;
+  EdgeHandle edge_between(const VertexPair& ends) const;
 
   /// Returns the inner edges of the chart among these edges, given by their source vertices.
   CutMask mask_of(const std::vector<VertexPair>& edges) const;

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cuts/propose/coarse_evaluation.h"
 
+#include <cmath>
 #include <limits>
 #include <utility>
 
 #include "cuts/feasibility/cut_apart.h"
 #include "energy/shape_error.h"
+#include "newton/coarsen/coarse_chart.h"
 #include "newton/minimize.h"
 #include "newton/refine_chart.h"
 #include "surface/charts/folded_faces.h"
@@ -33,11 +35,26 @@ InternalOptions brief(InternalOptions options) {
 }
 
 double energy_of(const Chart& piece, const Solution& found) {
-  const bool lies_flat = found.is_exact() && find_folded_faces(piece.mesh, found.shape.uv).empty();
+  const bool lies_flat = found.is_exact() && !has_folds(piece.mesh, found.shape.uv);
   return lies_flat ? ShapeError(piece).energy(found.shape.uv) : kHasNoFlatShape;
 }
 
 }  // namespace
+
+CoarseCopy coarse_copy(const Chart& chart, double faces, const StopToken& stop) {
+  const double wanted = std::sqrt(4 / std::sqrt(3.0) * surface_area(chart.mesh) / faces);
+  if (wanted < typical_edge_length(chart.mesh) || !can_coarsen(chart)) {
+    return {chart, std::vector<VertexHandle>(chart.mesh.vertices_begin(), chart.mesh.vertices_end())};
+  }
+  CoarseChart coarse = coarsen(chart, build_held_network(chart), wanted, stop);
+  CoarseCopy copy{std::move(coarse.chart), {}};
+  copy.fine_vertex.resize(copy.chart.mesh.n_vertices());
+  for (const VertexHandle v : chart.mesh.vertices()) {
+    const CoarsePlace& place = coarse.places[v.idx()];
+    if (place.weights[0] == 1) copy.fine_vertex[place.vertices[0]] = v;
+  }
+  return copy;
+}
 
 CoarseEvaluation::CoarseEvaluation(const Chart& chart, const InternalOptions& options, const StopToken& stop)
     : chart_(chart), options_(brief(options)) {

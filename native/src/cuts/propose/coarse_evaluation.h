@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "base/internal_options.h"
 #include "base/stop_token.h"
@@ -9,6 +10,15 @@
 #include "surface/charts/chart.h"
 
 namespace wirewarp {
+
+/// A chart with few faces, for quick evaluations of cuts. It has no super-elastic wires.
+struct CoarseCopy {
+  Chart chart;
+  std::vector<VertexHandle> fine_vertex;  // of each coarse vertex
+};
+
+/// Returns a copy with about half as many faces as requested, or the chart itself if it has few. Throws Stopped.
+CoarseCopy coarse_copy(const Chart& chart, double faces, const StopToken& stop);
 
 /// Evaluates cuts of a chart, which is usually a coarse copy, by a few Newton steps. May be used in any thread.
 class CoarseEvaluation {

@@ -19,7 +19,7 @@
 #include "cuts/propose/merge_smooth.h"
 #include "cuts/propose/mirror_image.h"
 #include "cuts/propose/piece_search.h"
-#include "newton/lies_flat.h"
+#include "newton/refine_chart.h"
 
 namespace wirewarp {
 namespace {

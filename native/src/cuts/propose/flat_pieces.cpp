@@ -12,6 +12,7 @@
 #include "newton/solve/stretched_lengths.h"
 #include "surface/charts/cut_into_charts.h"
 #include "surface/mesh/geometry.h"
+#include "surface/middle_surface.h"
 
 namespace wirewarp {
 namespace {
@@ -45,12 +46,6 @@ void for_each_outline_edge(const Chart& chart, const Visit& visit) {
   for (const EdgeHandle e : chart.mesh.edges()) {
     if (chart.mesh.is_boundary(e)) visit(source_edge(chart, chart.mesh.halfedge_handle(e, 0)));
   }
-}
-
-std::set<VertexPair> undirected(const std::vector<VertexPair>& edges) {
-  std::set<VertexPair> pairs;
-  for (const VertexPair& edge : edges) pairs.insert({std::min(edge[0], edge[1]), std::max(edge[0], edge[1])});
-  return pairs;
 }
 
 bool has_outline_edge(const Chart& chart, const std::set<VertexPair>& edges) {
@@ -111,6 +106,11 @@ bool spoils_others(const FlatPieces& before, const FlatPieces& after, const Char
 
 bool is_part_of(const Chart& part, const Chart& chart) {
   return std::binary_search(chart.source_face.begin(), chart.source_face.end(), part.source_face.front());
+}
+
+SurfaceToCut::SurfaceToCut(const FlattenInput& input, const Options& options) : input_(input) {
+  check_request(input, options);
+  if (options.thickness > 0) middle_ = move_to_middle(input, options);
 }
 
 /// A selection of pieces, by index.

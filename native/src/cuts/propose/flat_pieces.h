@@ -11,7 +11,6 @@
 #include "base/stop_token.h"
 #include "cuts/feasibility/part_map.h"
 #include "cuts/propose/needed_stretch.h"
-#include "cuts/propose/surface_to_cut.h"
 #include "surface/charts/chart.h"
 
 namespace wirewarp {
@@ -61,6 +60,22 @@ bool is_part_of(const Chart& part, const Chart& chart);
 
 /// Returns the pieces with one of these edges on their outline.
 FlatPieces pieces_beside(const FlatPieces& pieces, const std::vector<VertexPair>& edges);
+
+/// A checked input, moved to the middle of its material.
+class SurfaceToCut {
+ public:
+  /// input: kept by reference. Throws the errors of flatten().
+  SurfaceToCut(const FlattenInput& input, const Options& options);
+
+  /// The input as the user gave it.
+  const FlattenInput& given() const { return input_; }
+
+  const FlattenInput& middle() const { return middle_ ? *middle_ : input_; }
+
+ private:
+  const FlattenInput& input_;
+  std::optional<FlattenInput> middle_;
+};
 
 class ExactEvaluation {
  public:

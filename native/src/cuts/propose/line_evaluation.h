@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "cuts/propose/flat_pieces.h"
-#include "cuts/propose/surface_to_cut.h"
 #include "warp/topology/surface_path.h"
 #include "wirewarp/cut_mesh.h"
 #include "wirewarp/surface_path.h"

@@ -9,7 +9,7 @@
 
 #include "base/in_threads.h"
 #include "cuts/propose/canonical_order.h"
-#include "cuts/propose/coarse_copy.h"
+#include "cuts/propose/coarse_evaluation.h"
 #include "cuts/propose/rank_cuts.h"
 #include "newton/newton_constants.h"
 #include "surface/mesh/geometry.h"
@@ -127,13 +127,8 @@ HalfEdgeChain nearest_chain(const HalfEdgeMesh& mesh, const SmoothPathFinder& pa
 /// Returns whether two darts have a common vertex. They would form a seam, which cuts the piece differently than each
 /// dart alone.
 bool have_common_vertex(const HalfEdgeMesh& mesh, const HalfEdgeChain& a, const HalfEdgeChain& b) {
-  const auto vertices_of = [&](const HalfEdgeChain& chain) {
-    std::set<VertexHandle> vertices{mesh.from_vertex_handle(chain.front())};
-    for (const HalfedgeHandle h : chain) vertices.insert(mesh.to_vertex_handle(h));
-    return vertices;
-  };
-  const std::set<VertexHandle> of_a = vertices_of(a), of_b = vertices_of(b);
-  return std::any_of(of_a.begin(), of_a.end(), [&](VertexHandle v) { return of_b.count(v) != 0; });
+  const std::vector<VertexHandle> of_a = vertices_along(mesh, a), of_b = vertices_along(mesh, b);
+  return std::find_first_of(of_a.begin(), of_a.end(), of_b.begin(), of_b.end()) != of_a.end();
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -58,24 +59,17 @@ class PlanOfCuts {
   /// Returns the pieces to try. For seams, pieces that lack seams come first, the largest first. Pieces with a flat
   /// shape follow, the most strained first, because cuts of other pieces do not lower the largest strain.
   std::vector<int> pieces_in_order() const {
-    struct Place {
-      bool lacks_seams;
-      double figure;
-      int piece;
-    };
-    std::vector<Place> places;
+    std::vector<std::tuple<bool, double, int>> places;  // whether it has a shape, minus its area or strain, piece
     for (int i = 0; i < static_cast<int>(pieces_.size()); ++i) {
       const FlatPiece& piece = *pieces_[i];
       if (!may_be_cut(piece)) continue;
       const bool is_open = kind_ == CutKind::seam && lacks_seams(piece);
       if (!piece.error || is_open)
-        places.push_back({is_open, is_open ? surface_area(piece.chart.mesh) : piece.strain, i});
+        places.emplace_back(!is_open, is_open ? -surface_area(piece.chart.mesh) : -piece.strain, i);
     }
-    std::stable_sort(places.begin(), places.end(), [](const Place& a, const Place& b) {
-      return a.lacks_seams != b.lacks_seams ? a.lacks_seams : a.figure > b.figure;
-    });
+    std::sort(places.begin(), places.end());
     std::vector<int> order;
-    for (const Place& place : places) order.push_back(place.piece);
+    for (const auto& place : places) order.push_back(std::get<int>(place));
     return order;
   }
 

@@ -25,8 +25,6 @@ namespace {
 /// Progress after the input was flattened with all its seams.
 constexpr double kFlattened = 0.1;
 
-VertexPair sorted(const VertexPair& ends) { return {std::min(ends[0], ends[1]), std::max(ends[0], ends[1])}; }
-
 /// A part of the model between the seams that must stay, in canonical order.
 struct Part {
   Part(const Chart& given, const VertexPairs& seams, const StopToken& stop)
@@ -69,8 +67,7 @@ class SeamSimplifier {
     for (const Part& part : parts_) {
       for (const VertexPair& ends : part.edges()) proposal.edges.push_back(ends);
     }
-    std::set<VertexPair> listed;
-    for (const VertexPair& ends : proposal.edges) listed.insert(sorted(ends));
+    const std::set<VertexPair> listed = undirected(proposal.edges);
     for (const VertexPair& ends : seams) {
       if (listed.count(sorted(ends)) != 0) continue;
       (opened_.count(sorted(ends)) != 0 ? proposal.opened : proposal.edges).push_back(ends);

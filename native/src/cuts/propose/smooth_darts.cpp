@@ -124,8 +124,7 @@ class SmoothDartSearch {
 /// long, or is a bent line that does not differ from the straight line.
 std::optional<SmoothLine> SmoothDartSearch::line_along(const Way& way) const {
   const HalfEdgeMesh& mesh = chart_.mesh;
-  std::vector<VertexHandle> vertices{mesh.from_vertex_handle(way.chain.front())};
-  for (const HalfedgeHandle h : way.chain) vertices.push_back(mesh.to_vertex_handle(h));
+  const std::vector<VertexHandle> vertices = vertices_along(mesh, way.chain);
   const auto line = [&](Nearness nearness) { return smooth_line(mesh, lines_, vertices, nearness); };
   SmoothLine smooth{way.chain, line(way.course == Course::bent ? Nearness::touching : Nearness::anywhere), {}};
   const double length = path_length(mesh, smooth.line);

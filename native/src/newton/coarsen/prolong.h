@@ -16,8 +16,7 @@ namespace wirewarp {
 /// exact.
 Positions2 interpolate(const Chart& chart, const CoarseChart& coarse, const Positions2& coarse_uv);
 
-/// Interpolates the positions, then places the wires by their runs (prolong_wires.h) and unfolds slivers
-/// (unfold_slivers.h).
+/// Interpolates the positions, then places the wires by their runs (prolong_wires.h) and unfolds flipped slivers.
 Positions2 prolong_positions(const Chart& chart, const HeldNetwork& network, const CoarseChart& coarse,
                              const Positions2& coarse_uv);
 

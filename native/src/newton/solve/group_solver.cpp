@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "base/progress_report.h"
-#include "newton/injective_shape.h"
 #include "newton/refine_coupled.h"
 #include "newton/solve/piece_report.h"
 #include "surface/charts/elastic_seams.h"
@@ -42,14 +41,15 @@ GroupSolver::Outcome GroupSolver::solve(const std::vector<std::size_t>& members,
   Outcome outcome{true, budget.ran_out()};
   for (std::size_t i = 0; i < members.size(); ++i) {
     const GroupMember& member = group_[members[i]];
-    outcome.is_folded.push_back(has_folds(member.chart, member.solved.uv) ? 1 : 0);
+    outcome.is_folded.push_back(has_folds(member.chart.mesh, member.solved.uv) ? 1 : 0);
     if (outcome.is_folded[i] == 0) continue;
     Budget own(left[i] - budget.spent());
     if (replace_folded(members[i], own)) outcome.is_folded[i] = 0;
     outcome.ran_out = outcome.ran_out || own.ran_out();
   }
   const bool is_any_folded = std::count(outcome.is_folded.begin(), outcome.is_folded.end(), 1) > 0;
-  outcome.is_solved = !(is_any_folded && keeps_good && were_good(members));
+  const auto was_this_good = [&](std::size_t k) { return was_good(k); };
+  outcome.is_solved = !(is_any_folded && keeps_good && std::all_of(members.begin(), members.end(), was_this_good));
   for (const std::size_t k : members) {
     SolvedChart& one = group_[k].solved;
     if (!outcome.is_solved) {
@@ -62,9 +62,8 @@ GroupSolver::Outcome GroupSolver::solve(const std::vector<std::size_t>& members,
   return outcome;
 }
 
-bool GroupSolver::were_good(const std::vector<std::size_t>& members) const {
-  return std::none_of(members.begin(), members.end(),
-                      [&](std::size_t k) { return has_folds(group_[k].chart, before_[k].uv); });
+bool GroupSolver::was_good(std::size_t member) const {
+  return !has_folds(group_[member].chart.mesh, before_[member].uv);
 }
 
 /// Solves the charts together. Returns false if no common lengths are found. Each factorization counts for every chart.
@@ -98,7 +97,7 @@ bool GroupSolver::replace_folded(std::size_t member, Budget& budget) {
   const FixedSeams fixed(chart, solved.variation);
   Solution refined = refine_injective_(member, budget);
   solved.report.factorizations += budget.spent();
-  if (!refined.is_exact() || injectivity_of(chart, refined.shape.uv) != Injectivity::global) return false;
+  if (!refined.is_exact() || has_folds(chart.mesh, refined.shape.uv)) return false;
   solved.report.warnings.clear();
   report_refinement(refined, solved.report.factorizations, stop_.is_stopped(), solved.report);
   take_shape(refined.shape, group_[member]);
@@ -109,7 +108,5 @@ void take_shape(Shape& shape, const GroupMember& member) {
   member.solved.variation = variations_of(member.chart, shape.variation);
   member.solved.uv = std::move(shape.uv);
 }
-
-bool has_folds(const Chart& chart, const Positions2& uv) { return !find_folded_faces(chart.mesh, uv).empty(); }
 
 }  // namespace wirewarp

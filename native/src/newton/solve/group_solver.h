@@ -51,11 +51,13 @@ class GroupSolver {
   /// Returns the chart as it was before the stage.
   const SolvedChart& before(std::size_t member) const { return before_[member]; }
 
+  /// Returns whether the chart was neither flipped nor overlapping before the stage.
+  bool was_good(std::size_t member) const;
+
  private:
   Outcome solve(const std::vector<std::size_t>& members, bool keeps_good);
   bool take_common_shapes(const std::vector<std::size_t>& members, Budget& budget);
   bool replace_folded(std::size_t member, Budget& budget);
-  bool were_good(const std::vector<std::size_t>& members) const;
 
   const std::vector<GroupMember>& group_;
   const Run& run_;
@@ -67,8 +69,5 @@ class GroupSolver {
 
 /// Replaces the layout of a chart, and the lengths of its wires.
 void take_shape(Shape& shape, const GroupMember& member);
-
-/// Returns whether a layout is flipped or overlaps itself.
-bool has_folds(const Chart& chart, const Positions2& uv);
 
 }  // namespace wirewarp

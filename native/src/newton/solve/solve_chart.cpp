@@ -8,7 +8,6 @@
 #include "base/factorization_failed.h"
 #include "base/progress_report.h"
 #include "newton/infeasible_wires.h"
-#include "newton/lies_flat.h"
 #include "newton/refine_chart.h"
 #include "newton/solve/chart_errors.h"
 #include "newton/solve/piece_report.h"
@@ -76,8 +75,8 @@ std::optional<FlattenError> flatten_by_warping(const Chart& chart, const Run& ru
   solved.helper_wires = list_helper_wires(prepared, chart.wire_parts.size(), solution.variation);
   solved.variation = variations_of(chart, solution.variation);
   solved.uv = std::move(solution.shape.uv);
-  const bool is_folded = !find_folded_faces(chart.mesh, solved.uv).empty();
-  if (is_folded && !lies_flat(chart, run.options, stop)) solved.proposed_seams = propose_seams(chart, run, stop);
+  if (has_folds(chart.mesh, solved.uv) && !lies_flat(chart, run.options, stop))
+    solved.proposed_seams = propose_seams(chart, run, stop);
   return std::nullopt;
 }
 

@@ -7,11 +7,14 @@
 #include <utility>
 
 #include "base/in_threads.h"
+#include "newton/refine_chart.h"
 #include "newton/refine_cloth.h"
 #include "newton/solve/charts_progress.h"
-#include "newton/solve/free_elastic_seams.h"
+#include "newton/solve/group_solver.h"
+#include "newton/solve/piece_report.h"
 #include "newton/solve/stretched_lengths.h"
 #include "surface/charts/elastic_seams.h"
+#include "surface/charts/folded_faces.h"
 
 namespace wirewarp {
 namespace {
@@ -31,6 +34,41 @@ std::vector<std::size_t> largest_first(const std::vector<Chart>& charts) {
 InternalOptions on_the_way(InternalOptions options) {
   if (options.orientation != Orientation::best) options.target = options.cloth ? Target::rough : Target::newton_step;
   return options;
+}
+
+/// Frees the elastic seams of a group. If no common lengths are found, solves each chart completely at h = ease. If
+/// that fails too, the chart keeps its shape, and its report says so. A chart without a shape at h = ease gets the
+/// error of that search.
+void free_elastic_seams(const std::vector<GroupMember>& group, const Run& run, const StopToken& stop) {
+  const StopToken in_shape = stop.in("shape");
+  GroupSolver solver(group, run, in_shape, false, [&](std::size_t k, Budget& budget) {
+    Problem problem(group[k].chart, run.options.fairness);
+    return refine_chart(problem, run.options, {budget, in_shape});
+  });
+  const GroupSolver::Outcome common = solver.solve_together();
+  for (std::size_t k = 0; k < group.size(); ++k) {
+    const GroupMember& member = group[k];
+    if (common.is_solved) {
+      if (common.is_folded[k] != 0) propose_seams_for_layout(member.chart, run, in_shape, member.solved);
+      continue;
+    }
+    const FixedSeams fixed(member.chart);
+    SolvedChart& solved = member.solved;
+    if (!member.is_nominal) {  // no shape was found before; another search finds the error
+      Budget budget(run.options.max_factorizations);
+      budget.spend(solved.report.factorizations);
+      solved = in_shape.is_stopped() ? cancelled_chart() : solve_chart(member.chart, run, budget, in_shape);
+      solved.report.factorizations = budget.spent();
+      if (!solved.error) report_fixed_seams(solved.report);
+      continue;
+    }
+    if (!solver.solve_alone(k).is_solved && in_shape.is_stopped()) {
+      report_cancelled(solved.report);
+      continue;
+    }
+    if (has_folds(member.chart.mesh, solved.uv)) propose_seams_for_layout(member.chart, run, in_shape, solved);
+    report_fixed_seams(solved.report);
+  }
 }
 
 /// Several charts with common elastic seams, for the refined method.

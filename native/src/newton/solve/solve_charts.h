@@ -13,8 +13,8 @@ namespace wirewarp {
 /// Fractions of a run at which charts are cut, flat without the fabric's stretch, and flat.
 constexpr double kChartsCut = 0.2, kUnstretched = 0.7, kChartsFlat = 0.9;
 
-/// Solves all charts on all cores: first each chart alone, then charts with common elastic seams together
-/// (free_elastic_seams.h).
+/// Solves all charts on all cores: first each chart alone, with its elastic seams fixed at h = ease, then charts with
+/// common elastic seams together (group_solver.h).
 std::vector<SolvedChart> solve_charts(std::vector<Chart>& charts, const Run& run, ProgressReport& report,
                                       CacheSession& session);
 

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "base/attempt.h"
-#include "newton/injective_shape.h"
 #include "newton/refine_cloth.h"
 #include "newton/refine_coupled.h"
 #include "newton/solve/chart_errors.h"
@@ -16,6 +15,7 @@
 #include "newton/solve/solve_charts.h"
 #include "newton/solve/stretched_lengths.h"
 #include "surface/charts/elastic_seams.h"
+#include "surface/charts/folded_faces.h"
 #include "surface/network/length_variation.h"
 #include "surface/orientation/upright_direction.h"
 
@@ -51,7 +51,7 @@ class StretchedGroup {
       explain(k, ran_out);
       return false;
     }
-    finish(k, has_folds(group_[k].chart, group_[k].solved.uv));
+    finish(k, has_folds(group_[k].chart.mesh, group_[k].solved.uv));
     return true;
   }
 
@@ -66,13 +66,9 @@ class StretchedGroup {
 
   Stage stage_of_cloth(Injectivity injectivity) const { return {&*run_.options.cloth, nullptr, injectivity}; }
 
-  bool was_good(std::size_t k) const {
-    return injectivity_of(group_[k].chart, solver_.before(k).uv) == Injectivity::global;
-  }
-
   /// Minimizes without overlaps on the way, from the shape before the stage.
   Solution refine_without_overlap(std::size_t k, Budget& budget) const {
-    if (!was_good(k)) return {};
+    if (!solver_.was_good(k)) return {};
     const SolvedChart& before = solver_.before(k);
     Solution refined = refine(stage_of_cloth(Injectivity::global), k, before.uv, budget);
     refined.start = before.report.start.c_str();
@@ -90,7 +86,7 @@ class StretchedGroup {
     if (alone.is_solved) {
       finish(k, alone.is_folded.front() != 0);
       report_fixed_seams(group_[k].solved.report);
-    } else if (was_good(k)) {
+    } else if (solver_.was_good(k)) {
       explain(k, ran_out);
     } else if (solve_faulty(k, eases_of(group_[k].chart), ran_out) && group_[k].is_nominal) {
       report_fixed_seams(group_[k].solved.report);
@@ -124,7 +120,7 @@ class StretchedGroup {
         found = refine({}, k, *start, budget);
       }
     }
-    if (found.is_exact() && injectivity_of(group_[k].chart, found.shape.uv) != Injectivity::none) {
+    if (found.is_exact() && !has_flips(group_[k].chart.mesh, found.shape.uv)) {
       Solution of_cloth = refine(stage_of_cloth(Injectivity::local), k, found.shape.uv, budget);
       of_cloth.iterations += found.iterations;
       found.status = SolutionStatus::stalled;
@@ -155,7 +151,7 @@ class StretchedGroup {
     set_stretched_lengths(group_[k], stretched);
     std::vector<VertexPair> seams;
     if (!stop_.is_stopped()) seams = attempt([&] { return propose_seams(stretched, run_, stop_); });
-    const bool is_good_unstretched = was_good(k);
+    const bool is_good_unstretched = solver_.was_good(k);
     SolvedChart& one = group_[k].solved;
     one.uv.resize(0, 2);
     one.network.reset();
@@ -239,7 +235,7 @@ void stretch_charts(Charts& charts, const Run& run, ProgressReport& report, std:
       Chart& chart = charts.charts[c];
       const Positions2& uv = solved[c].uv;
       if (uv.rows() == 0) continue;
-      const bool is_flipped = injectivity_of(chart, uv) == Injectivity::none;
+      const bool is_flipped = has_flips(chart.mesh, uv);
       (is_flipped ? flipped : others)
           .push_back({chart,
                       solved[c],

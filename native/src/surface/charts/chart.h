@@ -71,11 +71,11 @@ inline VertexPair source_ends(const Chart& chart, HalfedgeHandle h) {
           chart.source_vertex[chart.mesh.to_vertex_handle(h).idx()]};
 }
 
+/// Returns a pair with the smaller index first.
+inline VertexPair sorted(const VertexPair& ends) { return {std::min(ends[0], ends[1]), std::max(ends[0], ends[1])}; }
+
 /// Returns the ends of an edge in the input, the smaller index first.
-inline VertexPair source_edge(const Chart& chart, HalfedgeHandle h) {
-  const auto [from, to] = source_ends(chart, h);
-  return {std::min(from, to), std::max(from, to)};
-}
+inline VertexPair source_edge(const Chart& chart, HalfedgeHandle h) { return sorted(source_ends(chart, h)); }
 
 /// Returns whether a wire runs inside the chart, not only along its outline.
 inline bool has_wires(const Chart& chart) {

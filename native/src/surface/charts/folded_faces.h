@@ -8,8 +8,19 @@
 
 namespace wirewarp {
 
-/// Returns the faces of a flat piece that are flipped or overlap others, in increasing order. uv: at least one row per
-/// vertex.
+// uv: at least one row per vertex.
+
+/// Returns whether a flat piece has flipped faces.
+bool has_flips(const HalfEdgeMesh& mesh, const Positions2& uv);
+
+/// Returns whether faces of a flat piece overlap others.
+bool has_overlaps(const HalfEdgeMesh& mesh, const Positions2& uv);
+
+inline bool has_folds(const HalfEdgeMesh& mesh, const Positions2& uv) {
+  return has_flips(mesh, uv) || has_overlaps(mesh, uv);
+}
+
+/// Returns the faces of a flat piece that are flipped or overlap others, in increasing order.
 std::vector<int> find_folded_faces(const HalfEdgeMesh& mesh, const Positions2& uv);
 
 }  // namespace wirewarp

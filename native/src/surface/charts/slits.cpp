@@ -38,8 +38,8 @@ std::optional<int> find_tip(const std::vector<int>& mate) {
 }
 
 std::vector<int> vertices_of(const HalfEdgeMesh& mesh, const HalfEdgeChain& chain, const std::vector<int>& label) {
-  std::vector<int> vertices{label[mesh.from_vertex_handle(chain.front()).idx()]};
-  for (const HalfedgeHandle h : chain) vertices.push_back(label[mesh.to_vertex_handle(h).idx()]);
+  std::vector<int> vertices;
+  for (const VertexHandle v : vertices_along(mesh, chain)) vertices.push_back(label[v.idx()]);
   return vertices;
 }
 
@@ -56,12 +56,6 @@ std::vector<HalfEdgeChain> chains_of(const Slit& slit) {
   return chains;
 }
 
-HalfedgeHandle sewn_half_edge(const Chart& chart, const SewnChart& sewn, HalfedgeHandle h) {
-  const auto sewn_end = [&](VertexHandle v) { return VertexHandle(sewn.vertex[v.idx()]); };
-  return sewn.chart.mesh.find_halfedge(sewn_end(chart.mesh.from_vertex_handle(h)),
-                                       sewn_end(chart.mesh.to_vertex_handle(h)));
-}
-
 /// Makes the outer loop of the chart also the outer loop of the sewn chart. After merging vertices, another loop may
 /// turn more.
 void keep_outer_loop(const Chart& chart, SewnChart& sewn) {
@@ -75,6 +69,12 @@ void keep_outer_loop(const Chart& chart, SewnChart& sewn) {
 }
 
 }  // namespace
+
+HalfedgeHandle sewn_half_edge(const Chart& chart, const SewnChart& sewn, HalfedgeHandle h) {
+  const auto sewn_end = [&](VertexHandle v) { return VertexHandle(sewn.vertex[v.idx()]); };
+  return sewn.chart.mesh.find_halfedge(sewn_end(chart.mesh.from_vertex_handle(h)),
+                                       sewn_end(chart.mesh.to_vertex_handle(h)));
+}
 
 std::optional<Slit> as_slit(const Chart& chart, const HalfEdgeChain& loop) {
   Slit slit{loop, {}};

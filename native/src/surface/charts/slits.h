@@ -27,6 +27,9 @@ struct SewnChart {
   std::vector<int> vertex;  // vertex of the sewn chart for each vertex of the open chart
 };
 
+/// Returns the half-edge of the sewn chart for a half-edge of the open chart; not valid if there is none.
+HalfedgeHandle sewn_half_edge(const Chart& chart, const SewnChart& sewn, HalfedgeHandle h);
+
 /// Sews slits. Each becomes a rigid wire, after other wire parts and before elastic parts of the boundary. The outer
 /// loop stays the outer loop. Returns nullopt if the sewn surface is not a chart. Slits that consist of one edge must
 /// all be sewn.

@@ -26,6 +26,13 @@ inline double length_of(const HalfEdgeMesh& mesh, const std::vector<HalfedgeHand
   return length;
 }
 
+/// Returns the vertices of a chain of edges, in order.
+inline std::vector<VertexHandle> vertices_along(const HalfEdgeMesh& mesh, const std::vector<HalfedgeHandle>& chain) {
+  std::vector<VertexHandle> vertices{mesh.from_vertex_handle(chain.front())};
+  for (const HalfedgeHandle h : chain) vertices.push_back(mesh.to_vertex_handle(h));
+  return vertices;
+}
+
 /// Returns the angle of h's face at the vertex that h leaves, radians in (0, pi).
 inline double corner_angle(const HalfEdgeMesh& mesh, HalfedgeHandle h) {
   const auto origin = mesh.point(mesh.from_vertex_handle(h));

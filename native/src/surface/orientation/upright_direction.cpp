@@ -53,8 +53,7 @@ Eigen::Vector2d long_side_of_smallest_box(const std::vector<Eigen::Vector2d>& po
 
 std::vector<Eigen::Vector2d> points_along(const Chart& chart, const HalfEdgeChain& chain, const Positions2& uv) {
   std::vector<Eigen::Vector2d> points;
-  points.push_back(uv.row(chart.mesh.from_vertex_handle(chain.front()).idx()));
-  for (const HalfedgeHandle h : chain) points.push_back(uv.row(chart.mesh.to_vertex_handle(h).idx()));
+  for (const VertexHandle v : vertices_along(chart.mesh, chain)) points.push_back(uv.row(v.idx()));
   return points;
 }
 

@@ -14,11 +14,8 @@ std::vector<PlacedHelperWire> list_helper_wires(const Chart& prepared, std::size
   for (std::size_t part = first_part; part < prepared.wire_parts.size(); ++part) {
     const HalfEdgeChain& chain = prepared.wire_parts[part].half_edges;
     PlacedHelperWire helper;
-    helper.vertices.push_back(mesh.from_vertex_handle(chain.front()).idx());
-    for (const HalfedgeHandle h : chain) {
-      helper.vertices.push_back(mesh.to_vertex_handle(h).idx());
-      helper.wire.length_3d += edge_length(mesh, h);
-    }
+    for (const VertexHandle v : vertices_along(mesh, chain)) helper.vertices.push_back(v.idx());
+    helper.wire.length_3d = length_of(mesh, chain);
     helper.wire.points_3d.resize(static_cast<Eigen::Index>(helper.vertices.size()), 3);
     for (int k = 0; k < helper.wire.points_3d.rows(); ++k) {
       const auto point = mesh.point(VertexHandle(helper.vertices[k]));
