@@ -17,7 +17,7 @@ from tools.package import BUILD_APT
 
 CORE_APT = (*BUILD_APT, "libopenmesh-dev")
 NATIVE_APT = (*CORE_APT, "libgtest-dev", "libnlopt-dev")
-FUZZ_APT = (*CORE_APT, "clang", "libclang-rt-14-dev")
+FUZZ_APT = (*CORE_APT, "clang", "libclang-rt-dev")
 ATHERIS = ("atheris==3.0.0", "numpy==1.26.4")  # atheris is libFuzzer for Python
 FEW_CASES, MANY_CASES = 1_000, 10_000
 TEST_SECONDS = 1500  # a part takes half a minute of one core under the sanitizers; the last test in the output hangs

@@ -22,13 +22,14 @@ from tools.environment import (
     say,
     venv,
 )
-from tools.native import NATIVE_APT
+from tools.native import FUZZ_APT, NATIVE_APT
 from tools.package import PYBIND11
 
-TIDY_APT = (*NATIVE_APT, "libbenchmark-dev")
+TIDY_APT = (*NATIVE_APT, *FUZZ_APT, "libbenchmark-dev")
 TOOLS = ("clang-tidy==23.1.4", PYBIND11)
 FOLDER = BUILD / "tidy"
 NATIVE_TEST = re.compile(r"/wirewarp_tests\.dir/|/tests/native/")
+INCLUDED = ("native/include", "native/src", "tests/judge", "tests/random_cases", "/usr/include/eigen3")
 # clang-tidy treats the sources as headers, because one file includes them.
 OPTIONS = ("--quiet", "-p", FOLDER, "--header-filter=/(native|tests)/", "--checks=-bugprone-suspicious-include")
 
@@ -50,11 +51,19 @@ def check(with_tests: bool) -> None:
     entries = json.loads((FOLDER / "compile_commands.json").read_text())
     every = [entry["file"] for entry in entries]
     sources = [source for source in every if with_tests or not NATIVE_TEST.search(source)]
+    check_fuzzer()
     say(f"clang-tidy on {len(sources)} of {len(every)} sources")
     with ThreadPoolExecutor(CORES) as pool:
         clean = list(pool.map(lambda source: is_clean(program, source), sources))
     if not all(clean):
         raise StepError(f"clang-tidy has findings in {clean.count(False)} sources")
+
+
+def check_fuzzer() -> None:
+    """Compile the fuzzer without output: it needs clang, and only `./dev fuzz` builds it, which few changes need."""
+    folders = [f"-I{folder}" for folder in INCLUDED]
+    command = ["clang++", "-std=c++17", "-fsyntax-only", *folders, "tests/fuzz/fuzz_flatten.cpp"]
+    run_quietly("compiling the fuzzer", command)
 
 
 def is_clean(program: Path, source: str) -> bool:
