@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "check_errors.h"
-
 #include <Eigen/Geometry>
 
-#include "check_unfolding.h"
+#include "checks.h"
 #include "judge.h"
 #include "planar_overlap.h"
 

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "check_lengths.h"
-
 #include <algorithm>
 #include <limits>
 #include <set>
 
-#include "check_stretch.h"
+#include "checks.h"
 
 namespace wirewarp::test {
 namespace {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "check_layout.h"
+#include "checks.h"
 
 namespace wirewarp::test {
 namespace {

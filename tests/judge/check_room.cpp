@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "check_layout.h"
+#include "checks.h"
 
 namespace wirewarp::test {
 namespace {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "check_stretch.h"
+// Checks the lengths for a fabric that is stretched when worn, which depend on the directions without the stretch.
+#include "checks.h"
 
 namespace wirewarp::test {
 namespace {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "check_unfolding.h"
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -9,6 +7,7 @@
 #include <queue>
 #include <utility>
 
+#include "checks.h"
 #include "planar_overlap.h"
 
 namespace wirewarp::test {

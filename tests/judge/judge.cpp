@@ -4,12 +4,7 @@
 #include <algorithm>
 #include <regex>
 
-#include "check_errors.h"
-#include "check_layout.h"
-#include "check_lengths.h"
-#include "check_stretch.h"
-#include "check_unfolding.h"
-#include "judged.h"
+#include "checks.h"
 #include "planar_overlap.h"
 
 namespace wirewarp::test {

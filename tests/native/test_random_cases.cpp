@@ -2,7 +2,7 @@
 // Random input of every topology, legal and not, keeps all guarantees. The step `random` runs more of it.
 #include <gtest/gtest.h>
 
-#include "judge_random_case.h"
+#include "random_case.h"
 
 namespace wirewarp::test_random_cases {
 namespace {

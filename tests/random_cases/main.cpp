@@ -14,7 +14,7 @@
 #include <exception>
 #include <string>
 
-#include "judge_random_case.h"
+#include "random_case.h"
 
 namespace wirewarp::test {
 namespace {

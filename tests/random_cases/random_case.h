@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Random input of flatten(): legal, with any topology and quality, or with one known fault.
+// Random input of flatten(): legal, with any topology and quality, or with one known fault. Judges the result.
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "flatten.h"
 
@@ -19,5 +21,20 @@ struct RandomCase {
 
 /// Returns the case of a seed, the same on every system.
 RandomCase make_random_case(std::uint64_t seed);
+
+using Counts = std::map<std::string, int>;
+
+struct Outcome {
+  std::string name;  // "flat", or the code of the error
+  std::vector<std::string> broken;
+  Counts starts = {};  // number of pieces without an error, by their start
+
+  void add(std::vector<std::string> sentences) {
+    for (std::string& sentence : sentences) broken.push_back(std::move(sentence));
+  }
+};
+
+/// Returns the verdict, and a sentence for each broken guarantee or missing error.
+Outcome judge(const RandomCase& random_case);
 
 }  // namespace wirewarp::test

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "random_cloth.h"
-
 #include <algorithm>
 #include <limits>
 #include <map>
 #include <set>
 #include <vector>
 
+#include "random_input.h"
 #include "random_network.h"
 
 namespace wirewarp::test {

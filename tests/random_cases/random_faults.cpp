@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "random_faults.h"
-
 #include <Eigen/Geometry>
 #include <cmath>
 #include <limits>
 #include <set>
+
+#include "random_input.h"
 
 namespace wirewarp::test {
 namespace {

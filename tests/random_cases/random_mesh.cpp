@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "random_mesh.h"
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -8,6 +6,7 @@
 #include <functional>
 #include <numeric>
 
+#include "random_input.h"
 #include "rough_sheet.h"
 
 namespace wirewarp::test {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "touching_parts.h"
-
 #include <algorithm>
 #include <queue>
 #include <set>
+
+#include "random_input.h"
 
 namespace wirewarp::test {
 namespace {

@@ -1,17 +1,57 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A run starts one thread for each core that it may use, and works with fewer threads if the system refuses more.
+#include <dlfcn.h>
 #include <gtest/gtest.h>
+#include <pthread.h>
 #include <sched.h>
 
 #include <algorithm>
+#include <atomic>
+#include <cerrno>
 
 #include "base/cpu_quota.h"
 #include "base/in_threads.h"
-#include "refuse_threads.h"
 #include "test_meshes.h"
 
 namespace wirewarp::test_cores {
 namespace {
+
+std::atomic<bool> refuses_threads{false};
+std::atomic<int> num_refused_threads{0};
+
+}  // namespace
+}  // namespace wirewarp::test_cores
+
+/// Replaces the system's pthread_create for every library that this program loads.
+extern "C" __attribute__((visibility("default"))) int create_or_refuse(pthread_t* thread,
+                                                                       const pthread_attr_t* attributes,
+                                                                       void* (*work)(void*), void* argument) noexcept
+    __asm__("pthread_create");
+
+int create_or_refuse(pthread_t* thread, const pthread_attr_t* attributes, void* (*work)(void*),
+                     void* argument) noexcept {
+  if (wirewarp::test_cores::refuses_threads) {
+    ++wirewarp::test_cores::num_refused_threads;
+    return EAGAIN;
+  }
+  static const auto create = reinterpret_cast<decltype(&pthread_create)>(dlsym(RTLD_NEXT, "pthread_create"));
+  return create(thread, attributes, work, argument);
+}
+
+namespace wirewarp::test_cores {
+namespace {
+
+/// While an object of this class exists, the system starts no more threads.
+class RefuseThreads {
+ public:
+  RefuseThreads() {
+    num_refused_threads = 0;
+    refuses_threads = true;
+  }
+  ~RefuseThreads() { refuses_threads = false; }
+  RefuseThreads(const RefuseThreads&) = delete;
+  RefuseThreads& operator=(const RefuseThreads&) = delete;
+};
 
 /// While an object of this class exists, this thread may use only the first few of its cores.
 class FirstCores {
@@ -46,11 +86,11 @@ TEST(Cores, AreThoseThatTheThreadMayUse) {
 TEST(Cores, IfTheSystemRefusesThreadsTheOthersDoTheWork) {
   for (const FlattenInput& input : {test::sphere_of_gores(12, 4, 16), test::quarter_sphere(40)}) {
     const FlattenResult expected = flatten(input);
-    const test::RefuseThreads refuse;
+    const RefuseThreads refuse;
     const FlattenResult result = flatten(input);
     EXPECT_EQ(result.corner_uv, expected.corner_uv);  // bit for bit
     for (const Piece& piece : result.pieces) EXPECT_FALSE(piece.error) << piece.error->what();
-    EXPECT_EQ(refuse.num_refused() > 0, num_cores() > 1);
+    EXPECT_EQ(num_refused_threads > 0, num_cores() > 1);
   }
 }
 
@@ -58,9 +98,9 @@ TEST(Cores, ChartsThatKeepAllCoresBusyStartNoThreadsOfTheirOwn) {
   const FirstCores two(2);  // fewer cores than charts
   if (num_cores() < 2) GTEST_SKIP() << "one core starts no threads at all";
   const FlattenInput input = test::sphere_of_gores(12, 4, 16);
-  const test::RefuseThreads refuse;
+  const RefuseThreads refuse;
   flatten(input);
-  EXPECT_EQ(refuse.num_refused(), 1);  // the only thread that the run starts, which is for all charts
+  EXPECT_EQ(num_refused_threads, 1);  // the only thread that the run starts, which is for all charts
 }
 
 }  // namespace

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "random_stream.h"
+#include "wirewarp/flatten.h"
+
+namespace wirewarp::test {
+
+/// Returns a legal mesh of one to three separate parts. Each is a sheet, a sheet with holes, a rough sheet, a tube, a
+/// ball, a ring, a fan or a single triangle. A part may have even or uneven faces, slivers, any size and any place,
+/// with vertices and faces in any order. Appends a description.
+FlattenInput random_mesh(RandomStream& random, std::string& description);
+
+/// Moves one part of a legal mesh so that it touches another part, and makes both share a vertex there. Adds a wire
+/// through this vertex unless other wires are there. Returns false, with the input unchanged, if the two random
+/// vertices belong to one part.
+bool let_parts_touch(RandomStream& random, FlattenInput& input);
+
+/// Adds a fabric that is stretched when worn to legal input of the refined method, with or without wires along seams,
+/// and with eases of wires and sides. Appends a description.
+void add_random_stretch(RandomStream& random, FlattenInput& input, Options& options, std::string& description);
+
+/// Adds one fault to a legal input, and returns the error that must result.
+ErrorCode add_random_fault(RandomStream& random, FlattenInput& input, Options& options);
+
+}  // namespace wirewarp::test
