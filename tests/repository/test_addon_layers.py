@@ -1,18 +1,51 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The add-on consists of a few packages. Each states which others it may import.
+"""The add-on consists of a few packages. Each states which others it may import, and whether it runs without Blender.
 
 A contract in pyproject.toml, which `./dev test lint` checks, forbids circular imports.
 """
 
 import ast
 import re
+from collections.abc import Iterator
+from pathlib import Path
 
 import pytest
-from addon_imports import ADDON, own_imports, room_of
 
+ADDON = Path(__file__).resolve().parents[2] / "addon" / "wirewarp"
 MOST_PACKAGES = 10
 GROUND = {"core", "issues", "names"}  # modules of the root that packages may import, and that import no package
 ROOF = {"__init__", "properties", "registration", "without_library"}  # modules that connect the packages
+BLENDER = {"bpy", "bpy_extras", "bmesh", "mathutils", "gpu", "gpu_extras", "blf"}
+SAYS_SO = "Does not use Blender"
+
+
+def imported(file: Path) -> Iterator[Path | str]:
+    """Yield files for our own modules and top-level names for others, including imports inside functions."""
+    for node in ast.walk(ast.parse(file.read_text())):
+        if isinstance(node, ast.Import):
+            yield from (alias.name.split(".")[0] for alias in node.names)
+        elif isinstance(node, ast.ImportFrom) and node.level == 0:
+            yield node.module.split(".")[0]
+        elif isinstance(node, ast.ImportFrom):
+            base = file.parents[node.level - 1].joinpath(*(node.module or "").split("."))
+            yield from (_module_file(base, alias.name) for alias in node.names)
+
+
+def own_imports(file: Path) -> set[Path]:
+    """Return the imported modules that are our own."""
+    return {each for each in imported(file) if isinstance(each, Path)}
+
+
+def room_of(file: Path) -> str:
+    """Return the name of the package that contains the file; for a file in the root, the name of the file."""
+    first = file.relative_to(ADDON).parts[0]
+    return first.removesuffix(".py")
+
+
+def _module_file(base: Path, name: str) -> Path:
+    """Return the module for `from base import name`: the one with this name, or the one that defines the name."""
+    choices = [base / f"{name}.py", base / name / "__init__.py", base.with_suffix(".py"), base / "__init__.py"]
+    return next(choice for choice in choices if choice.is_file())
 
 
 def packages() -> list[str]:
@@ -49,3 +82,38 @@ def test_a_package_imports_exactly_the_packages_that_it_names(package: str) -> N
 @pytest.mark.parametrize("module", sorted(GROUND))
 def test_modules_of_the_ground_import_no_package(module: str) -> None:
     assert {room_of(each) for each in own_imports(ADDON / f"{module}.py")} <= GROUND
+
+
+def says_so(file: Path) -> bool:
+    """Return whether the file states that it does not use Blender. The __init__ of a package states it for all its
+    modules."""
+    files = [file, file.parent / "__init__.py"]
+    return any(SAYS_SO in (ast.get_docstring(ast.parse(each.read_text())) or "") for each in files)
+
+
+def claiming() -> list[str]:
+    return [str(file.relative_to(ADDON)) for file in sorted(ADDON.rglob("*.py")) if says_so(file)]
+
+
+def way_to_blender(file: Path, seen: set[Path]) -> list[str]:
+    """Return the chain of modules from this one to one that imports Blender; empty if there is none."""
+    seen.add(file)
+    for each in imported(file):
+        if each in BLENDER:
+            return [file.stem, str(each)]
+        if isinstance(each, Path) and each not in seen:
+            way = way_to_blender(each, seen)
+            if way:
+                return [file.stem, *way]
+    return []
+
+
+def test_imports_of_blender_are_found() -> None:
+    assert way_to_blender(ADDON / "marks" / "mark_operators.py", set())[-1] in {"bpy", "bmesh"}
+    assert way_to_blender(ADDON / "flatten" / "read.py", set())[-1] == "bpy"
+    assert "solve/report.py" in claiming()
+
+
+@pytest.mark.parametrize("module", claiming())
+def test_a_module_that_states_it_imports_no_blender(module: str) -> None:
+    assert way_to_blender(ADDON / module, set()) == []
