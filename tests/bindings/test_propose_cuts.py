@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Darts and seams proposed through Python; native tests test which ones. Strains are those of the report."""
+"""Darts and seams proposed or left out through Python; native tests test which. Strains are those of the report."""
 
 import json
 import pickle
@@ -7,9 +7,10 @@ import pickle
 import numpy as np
 import pytest
 import trimesh
-from surfaces import column_chain, spherical_patch, tetrahedron
+from surfaces import chain_edges, column_chain, spherical_patch, tetrahedron
 from wirewarp import (
     Cloth,
+    Ease,
     ErrorCode,
     FlattenError,
     Options,
@@ -19,12 +20,15 @@ from wirewarp import (
     plan_cuts,
     propose_darts,
     propose_seams,
+    simplify_seams,
+    start_simplify,
 )  # fmt: skip
 from wirewarp.pattern import has_room
 from wirewarp.report.make import make_report
 
 DOME = spherical_patch(8, 8)
 MIDDLE = column_chain(8, 8, 4)[2:5]
+COLUMNS = np.concatenate([chain_edges(column_chain(8, 8, column)) for column in (2, 4, 6)])
 
 
 @pytest.mark.parametrize(
@@ -151,3 +155,41 @@ def test_a_plan_keeps_to_its_limits():
         assert cut.length <= 1.0 and not taken & {frozenset(pair) for pair in cut.edges.tolist()}
     cuts = plan_cuts(*DOME, kind="seam", strain=0.0, most=2)
     assert len(flatten(*DOME, seams=np.concatenate([cut.edges for cut in cuts])).pieces) == 3  # a part is cut again
+
+
+def undirected(edges):
+    return {frozenset(pair) for pair in np.asarray(edges).tolist()}
+
+
+def test_fewer_seams_keep_to_the_arguments_and_have_the_figures_of_a_run():
+    eased = chain_edges(column_chain(8, 8, 4))
+    arguments = {"seams": COLUMNS, "eases": [Ease(eased, 0.02)], "options": Options(thickness=0.05)}
+    fewer = simplify_seams(*DOME, **arguments, strain=0.5)
+    assert undirected(fewer.edges) == undirected(eased)  # they remain, because they have an ease
+    assert undirected(fewer.edges) | undirected(fewer.opened) == undirected(COLUMNS)
+    for seams, energy, count in (
+        (COLUMNS, fewer.energy_before, fewer.num_pieces_before),
+        (fewer.edges, fewer.energy, fewer.num_pieces),
+    ):
+        pieces = flatten(*DOME, **arguments | {"seams": seams}).pieces
+        areas, energies = zip(*((piece.metrics.area_3d, piece.metrics.arap_energy) for piece in pieces), strict=True)
+        assert energy == pytest.approx(np.average(energies, weights=areas), rel=1e-6)
+        assert count == len(pieces)
+    assert fewer.strain <= max(0.5, fewer.strain_before) and not fewer.was_stopped
+
+
+def test_fewer_seams_are_plain_values_and_jobs_find_the_same():
+    fewer = simplify_seams(*DOME, seams=COLUMNS, strain=0.1)
+    assert json.loads(json.dumps(fewer.to_dict()))["edges"] == fewer.edges.tolist()
+    assert pickle.loads(pickle.dumps(fewer)).to_dict() == fewer.to_dict()
+    assert start_simplify(*DOME, seams=COLUMNS, strain=0.1).result().to_dict() == fewer.to_dict()
+
+
+def test_a_stopped_search_returns_the_fewest_seams_found_by_then():
+    fewer = simplify_seams(*DOME, seams=COLUMNS, strain=0.1, progress=lambda _, fraction: fraction < 0.5)
+    assert fewer.was_stopped and undirected(fewer.edges) | undirected(fewer.opened) == undirected(COLUMNS)
+    with pytest.raises(FlattenError) as raised:
+        simplify_seams(*DOME, seams=COLUMNS, progress=lambda *_: False)
+    assert raised.value.code is ErrorCode.cancelled
+    with pytest.raises(FlattenError, match="it must be 0 or more"):
+        simplify_seams(*DOME, seams=COLUMNS, strain=-1)
