@@ -10,7 +10,6 @@
 #include "base/planar.h"
 #include "newton/minimize.h"
 #include "newton/sewn_problem.h"
-#include "surface/charts/isoperimetric.h"
 #include "surface/mesh/geometry.h"
 #include "surface/mesh/overlap.h"
 
@@ -73,21 +72,14 @@ bool touches(const Chart& chart, const Slit& slit, const std::vector<int>& faces
 
 }  // namespace
 
-Solution open_slits(Problem& problem, const Stage& stage, const std::function<Solution(Problem& sewn)>& solve_sewn,
-                    const Control& control) {
+Solution open_slits(Problem& problem, const Stage& stage, const Solution& shut, const Control& control) {
   const Chart& chart = problem.chart();
-  const std::unique_ptr<SewnProblem> all_shut = sew_slits(problem, stage, problem.slits());
-  if (!all_shut || is_outline_too_short(all_shut->problem().chart())) return {};
-  const Solution whole = solve_sewn(all_shut->problem());
-  if (!whole.is_exact()) return {};
-  Solution best = all_shut->as_open(whole);
-  if (!best.is_exact()) return best;
-
-  std::vector<Slit> shut, open;
-  for (const Slit& slit : problem.slits()) (slit.rims.size() == 2 ? shut : open).push_back(slit);
+  Solution best = shut;
+  std::vector<Slit> sewn_slits, open;
+  for (const Slit& slit : problem.slits()) (slit.rims.size() == 2 ? sewn_slits : open).push_back(slit);
   const auto may_go_on = [&] { return control.budget.allows() && !control.stop.is_stopped(); };
   while (!open.empty() && may_go_on()) {
-    const std::unique_ptr<SewnProblem> sewn = sew_slits(problem, stage, shut);
+    const std::unique_ptr<SewnProblem> sewn = sew_slits(problem, stage, sewn_slits);
     if (!sewn) return best;
     Shape start{best.shape.uv, {}, best.shape.multipliers};
     for (const Slit& slit : open) open_a_little(chart, slit, start.uv);
@@ -100,7 +92,7 @@ Solution open_slits(Problem& problem, const Stage& stage, const std::function<So
     const auto crossed = std::stable_partition(
         open.begin(), open.end(), [&](const Slit& slit) { return !touches(chart, slit, overlapping_faces); });
     if (crossed == open.end()) return best;
-    shut.insert(shut.end(), crossed, open.end());
+    sewn_slits.insert(sewn_slits.end(), crossed, open.end());
     open.erase(crossed, open.end());
   }
   if (!open.empty()) best.status = SolutionStatus::stalled;

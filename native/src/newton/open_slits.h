@@ -10,18 +10,14 @@
 //   3. Sew the slits whose rims passed through each other, and repeat step 2 until no rims do.
 #pragma once
 
-#include <functional>
-
 #include "newton/control.h"
 #include "newton/problem.h"
 #include "newton/solution.h"
 
 namespace wirewarp {
 
-/// Returns the less distorted one of the shapes after step 1 and after step 3. It is not exact if no flat shape of the
-/// sewn chart is found. The chart must have a slit. solve_sewn: finds the least distorted shape of a chart from
-/// scratch.
-Solution open_slits(Problem& problem, const Stage& stage, const std::function<Solution(Problem& sewn)>& solve_sewn,
-                    const Control& control);
+/// Returns the less distorted one of the shapes before step 2 and after step 3. shut: the exact shape of step 1. The
+/// chart must have a slit.
+Solution open_slits(Problem& problem, const Stage& stage, const Solution& shut, const Control& control);
 
 }  // namespace wirewarp

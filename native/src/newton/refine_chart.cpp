@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "newton/refine_chart.h"
 
+#include <memory>
+
 #include "base/attempt.h"
 #include "newton/injective_shape.h"
 #include "newton/minimize.h"
 #include "newton/open_slits.h"
 #include "newton/refine_cloth.h"
+#include "newton/sewn_problem.h"
 #include "newton/starts.h"
 #include "newton/unfold.h"
 #include "surface/charts/folded_faces.h"
@@ -50,10 +53,15 @@ Solution refine_with_slits(Problem& problem, const Stage& stage, std::size_t lar
     unfolded.start = kStarts.front().name;
     if (unfolded.is_converged()) return unfolded;
   }
-  const auto solve_sewn = [&](Problem& sewn) { return try_starts(sewn, stage, large_chart, control); };
-  Solution opened = open_slits(problem, stage, solve_sewn, control.in("shape"));
-  opened.start = opened.is_exact() ? "sewn" : "";
-  return opened;
+  const std::unique_ptr<SewnProblem> sewn = sew_slits(problem, stage, problem.slits());
+  if (!sewn || is_outline_too_short(sewn->problem().chart())) return {};
+  const Solution whole = try_starts(sewn->problem(), stage, large_chart, control);
+  if (!whole.is_exact()) return {};
+  Solution found = sewn->as_open(whole);
+  if (!found.is_exact()) return found;
+  found = open_slits(problem, stage, found, control.in("shape"));
+  found.start = "sewn";
+  return found;
 }
 
 }  // namespace

@@ -76,12 +76,10 @@ Eigen::VectorXd NeededStretch::of_faces(const Piece& piece) const {
 double NeededStretch::of(const Piece& piece) const {
   std::vector<double> areas;
   for (const int f : piece.source_face) areas.push_back(areas_[f]);
-  const auto [least, most] = range_of_eases(piece);
-  const double wanted_stretch = 1 / (1 + least), wanted_compression = 1 + most;
-  const Metrics& metrics = piece.metrics;
-  if (!has_cloth_) return widespread(areas, worst_direction(metrics, wanted_stretch, wanted_compression));
+  if (!has_cloth_) return widespread(areas, of_faces(piece));
+  const double wanted_stretch = 1 / (1 + range_of_eases(piece).first);
   double needed = 0;
-  for (const Eigen::VectorXd* threads : {&metrics.face_weft_strain, &metrics.face_warp_strain}) {
+  for (const Eigen::VectorXd* threads : {&piece.metrics.face_weft_strain, &piece.metrics.face_warp_strain}) {
     needed = std::max(needed, (1 + widespread(areas, as_numbers(*threads))) / wanted_stretch - 1);
   }
   return needed;

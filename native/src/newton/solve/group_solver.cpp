@@ -24,14 +24,10 @@ GroupSolver::GroupSolver(const std::vector<GroupMember>& group, const Run& run, 
   for (const GroupMember& member : group) before_.push_back(member.solved);
 }
 
-GroupSolver::Outcome GroupSolver::solve_together() {
-  std::vector<std::size_t> all(group_.size());
-  std::iota(all.begin(), all.end(), std::size_t{0});
-  return solve(all, std::all_of(group_.begin(), group_.end(), [](const auto& member) { return member.is_nominal; }));
-}
-
-GroupSolver::Outcome GroupSolver::solve(const std::vector<std::size_t>& members, bool keeps_good) {
+GroupSolver::Outcome GroupSolver::solve(std::optional<std::size_t> alone) {
   if (!stop_.may_go_on()) return {};
+  std::vector<std::size_t> members(alone ? 1 : group_.size());
+  std::iota(members.begin(), members.end(), alone.value_or(0));
   std::vector<int> left;
   for (const std::size_t k : members) {
     left.push_back(run_.options.max_factorizations - (renews_limit_ ? 0 : group_[k].solved.report.factorizations));
@@ -48,8 +44,8 @@ GroupSolver::Outcome GroupSolver::solve(const std::vector<std::size_t>& members,
     outcome.ran_out = outcome.ran_out || own.ran_out();
   }
   const bool is_any_folded = std::count(outcome.is_folded.begin(), outcome.is_folded.end(), 1) > 0;
-  const auto was_this_good = [&](std::size_t k) { return was_good(k); };
-  outcome.is_solved = !(is_any_folded && keeps_good && std::all_of(members.begin(), members.end(), was_this_good));
+  const auto was_good_at_ease = [&](std::size_t k) { return group_[k].is_nominal && was_good(k); };
+  outcome.is_solved = alone || !is_any_folded || !std::all_of(members.begin(), members.end(), was_good_at_ease);
   for (const std::size_t k : members) {
     SolvedChart& one = group_[k].solved;
     if (!outcome.is_solved) {

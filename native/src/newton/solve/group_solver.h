@@ -8,6 +8,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "energy/target_lengths.h"
@@ -41,12 +42,9 @@ class GroupSolver {
   GroupSolver(const std::vector<GroupMember>& group, const Run& run, const StopToken& stop, bool renews_limit,
               RefineInjective refine_injective);
 
-  /// Finds the common lengths and the shapes. Keeps the shapes from before if all charts are nominal and a chart is
-  /// folded although no chart was folded before.
-  Outcome solve_together();
-
-  /// Solves a chart alone.
-  Outcome solve_alone(std::size_t member) { return solve({member}, false); }
+  /// Finds the common lengths and the shapes of all charts, or the shape of one chart alone. Together, keeps the shapes
+  /// from before if all charts are nominal and a chart is folded although no chart was folded before.
+  Outcome solve(std::optional<std::size_t> alone = std::nullopt);
 
   /// Returns the chart as it was before the stage.
   const SolvedChart& before(std::size_t member) const { return before_[member]; }
@@ -55,7 +53,6 @@ class GroupSolver {
   bool was_good(std::size_t member) const;
 
  private:
-  Outcome solve(const std::vector<std::size_t>& members, bool keeps_good);
   bool take_common_shapes(const std::vector<std::size_t>& members, Budget& budget);
   bool replace_folded(std::size_t member, Budget& budget);
 

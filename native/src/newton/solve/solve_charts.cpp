@@ -45,7 +45,7 @@ void free_elastic_seams(const std::vector<GroupMember>& group, const Run& run, c
     Problem problem(group[k].chart, run.options.fairness);
     return refine_chart(problem, run.options, {budget, in_shape});
   });
-  const GroupSolver::Outcome common = solver.solve_together();
+  const GroupSolver::Outcome common = solver.solve();
   for (std::size_t k = 0; k < group.size(); ++k) {
     const GroupMember& member = group[k];
     if (common.is_solved) {
@@ -62,7 +62,7 @@ void free_elastic_seams(const std::vector<GroupMember>& group, const Run& run, c
       if (!solved.error) report_fixed_seams(solved.report);
       continue;
     }
-    if (!solver.solve_alone(k).is_solved && in_shape.is_stopped()) {
+    if (!solver.solve(k).is_solved && in_shape.is_stopped()) {
       report_cancelled(solved.report);
       continue;
     }

@@ -34,7 +34,7 @@ class StretchedGroup {
 
   /// Solves the group, whose charts must have no flipped triangles.
   void solve() {
-    const GroupSolver::Outcome common = solver_.solve_together();
+    const GroupSolver::Outcome common = solver_.solve();
     for (std::size_t k = 0; k < group_.size(); ++k) {
       if (common.is_solved) {
         finish(k, common.is_folded[k] != 0);
@@ -80,7 +80,7 @@ class StretchedGroup {
     GroupSolver::Outcome alone;
     if (group_[k].is_nominal) {
       const FixedSeams fixed(group_[k].chart);
-      alone = solver_.solve_alone(k);
+      alone = solver_.solve(k);
     }
     ran_out = ran_out || alone.ran_out;
     if (alone.is_solved) {
