@@ -2,16 +2,7 @@
 """Builds and tests the core, with expected input and with random input."""
 
 from tools import core_coverage
-from tools.environment import (
-    BUILD,
-    CORES,
-    DEBIAN_PYTHON,
-    ROOT,
-    require_apt,
-    run,
-    run_quietly,
-    venv,
-)
+from tools.environment import BUILD, CORES, DEBIAN_PYTHON, ROOT, require_apt, run, run_quietly, venv
 from tools.old_glibc import openmesh_source
 from tools.package import BUILD_APT
 

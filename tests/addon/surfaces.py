@@ -39,11 +39,11 @@ def select_only(*targets: bpy.types.Object) -> None:
     bpy.context.view_layer.update()
 
 
-def grid(name: str, shape: Callable, size: int = 8, faces: str = "quads") -> bpy.types.Object:
+def grid(name: str, shape: Callable, size: int = 8, faces: str = "quads", **marked: Callable) -> bpy.types.Object:
     """Return a grid at shape(x, y) over the square from -1 to 1, with size by size cells of quads, triangles or n-gons.
 
     The n-gons are pairs of cells. Their corners on the outline must not be collinear, because a triangle would have
-    zero area.
+    zero area. marked: the lines `seam` and `wire`.
     """
     steps = [2 * i / size - 1 for i in range(size + 1)]
     vertices = [shape(x, y) for y in steps for x in steps]
@@ -54,7 +54,10 @@ def grid(name: str, shape: Callable, size: int = 8, faces: str = "quads") -> bpy
         "ngons": lambda i: [[i, i + 1, i + 2, i + row + 2, i + row + 1, i + row]] if i % row % 2 == 0 else [],
     }[faces]
     polygons = [face for y in range(size) for x in range(size) for face in cells(y * row + x)]
-    return make_object(name, vertices, polygons)
+    target = make_object(name, vertices, polygons)
+    for kind, line in marked.items():
+        {"seam": mark_seam, "wire": mark}[kind](target, line)
+    return target
 
 
 def join_cube(target: bpy.types.Object) -> None:

@@ -107,8 +107,7 @@ def test_models_whose_patterns_would_be_one_file_are_refused(answer_of):
 
 
 def test_warnings_of_the_export_are_in_the_answer(answer_of):
-    sheet = grid("Bag", bump)
-    mark(sheet, on_line(1, 0.0))
+    sheet = grid("Bag", bump, wire=on_line(1, 0.0))
     mesh = bmesh.new()
     mesh.from_mesh(sheet.data)
     mesh.faces.ensure_lookup_table()

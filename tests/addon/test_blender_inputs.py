@@ -5,7 +5,7 @@ import bpy
 import numpy as np
 import pytest
 from everything import answer
-from surfaces import bump, flat_of, grid, mark, mark_seam, on_line, read, select_only, wire_marks
+from surfaces import bump, flat_of, grid, mark, on_line, read, select_only, wire_marks
 from test_flatten import assert_true_lengths
 
 pytestmark = pytest.mark.api
@@ -123,8 +123,7 @@ def test_hidden_faces_are_flattened_too():
 
 @pytest.mark.parametrize("scale", [(-2, 1, 1), (3, 0.5, -1), (-1, -1, -1), (1e-4, 1e-4, 1e-4), (1e5, 1e5, 1e5)])
 def test_lengths_are_true_at_any_scale_and_under_a_shearing_parent(scale):
-    source = grid("Bump", bump)
-    mark(source, WIRE)
+    source = grid("Bump", bump, wire=WIRE)
     source.scale = scale
     assert answer(FLATTEN) == DONE
     assert_true_lengths(source, WIRE, tolerance=1e-5)
@@ -146,9 +145,7 @@ def test_lengths_are_true_at_any_scale_and_under_a_shearing_parent(scale):
     ],
 )
 def test_modifiers_that_make_other_faces_go_to_the_flat_object_only(addon, kind, settings, faces):
-    source = grid("Bump", bump, size=4)
-    mark_seam(source, on_line(0, 0.0))
-    mark(source, on_line(1, 0.0))
+    source = grid("Bump", bump, size=4, seam=on_line(0, 0.0), wire=on_line(1, 0.0))
     modifier = source.modifiers.new("Modifier", kind)
     for name, value in settings.items():
         setattr(modifier, name, value)

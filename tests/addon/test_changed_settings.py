@@ -7,15 +7,14 @@ from unittest.mock import MagicMock
 import bpy
 import pytest
 from everything import draw_panels
-from surfaces import bump, flat_of, flatten_fails, grid, mark, on_line
+from surfaces import bump, flat_of, flatten_fails, grid, on_line
 
 SENTENCE = "Settings changed since ({}). Flatten again to apply."
 
 
 @pytest.fixture
 def source():
-    target = grid("Bump", bump, size=4)
-    mark(target, on_line(1, 0.0))
+    target = grid("Bump", bump, size=4, wire=on_line(1, 0.0))
     bpy.ops.object.wirewarp_flatten()
     return target
 

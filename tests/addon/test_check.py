@@ -7,7 +7,7 @@ import bmesh
 import bpy
 import numpy as np
 import pytest
-from surfaces import bump, flat_of, grid, make_object, mark, mark_seam, on_line, read, select_only, wire_marks
+from surfaces import bump, flat_of, grid, make_object, on_line, read, select_only, wire_marks
 
 pytestmark = pytest.mark.api
 
@@ -121,9 +121,7 @@ def test_after_a_merge_only_faces_with_the_same_vertices_are_duplicates(addon):
 
 
 def test_a_repair_keeps_seams_wires_and_maps(addon):
-    source = grid("Bump", bump, size=4)
-    mark_seam(source, on_line(0, 0.0))
-    mark(source, on_line(1, 0.0))
+    source = grid("Bump", bump, size=4, seam=on_line(0, 0.0), wire=on_line(1, 0.0))
     source.data.uv_layers.new(name="Own")
     source.data.vertices.add(1)  # loose
 

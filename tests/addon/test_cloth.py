@@ -7,7 +7,7 @@ import bpy
 import numpy as np
 import pytest
 from everything import draw_panels
-from surfaces import bump, flat_of, flat_places, flat_sources, grid, half_cylinder, mark, on_line, read
+from surfaces import bump, flat_of, flat_places, flat_sources, grid, half_cylinder, on_line, read
 
 THREADS = ("weft_strain", "warp_strain", "shear_angle")
 
@@ -15,8 +15,7 @@ THREADS = ("weft_strain", "warp_strain", "shear_angle")
 @pytest.fixture
 def source():
     """Return one piece of triangles with a wire along its middle."""
-    target = grid("Bump", bump, faces="triangles")
-    mark(target, on_line(0, 0.0))
+    target = grid("Bump", bump, faces="triangles", wire=on_line(0, 0.0))
     return target
 
 
@@ -98,8 +97,7 @@ def box(source):
 
 def test_stretched_fabric_is_cut_smaller(addon):
     """For a half cylinder with the grain along its axis, the width is divided by 1.2 and the height by 1.1."""
-    target = grid("Half", half_cylinder, size=16)
-    mark(target, on_line(0, 0.0))
+    target = grid("Half", half_cylinder, size=16, wire=on_line(0, 0.0))
     bpy.ops.object.wirewarp_flatten(orientation="UP", cloth="SWIM")
     ((_, wire),) = addon.state.identities.listed_wires(target)
     bpy.ops.mesh.wirewarp_grain_wire(edge=wire.edges[0])

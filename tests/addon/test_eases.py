@@ -183,8 +183,7 @@ def test_an_ease_that_was_copied_to_the_other_side_is_reported_until_it_is_marke
 
 def test_an_ease_of_one_side_at_a_mirror_reports_what_to_do(addon):
     """Both sides of the middle are one face and its mirror image, which only the applied modifier distinguishes."""
-    half = grid("Half", lambda x, y: (x + 1, y, 0))
-    mark_seam(half, SEAM)
+    half = grid("Half", lambda x, y: (x + 1, y, 0), seam=SEAM)
     half.modifiers.new("Mirror", "MIRROR")
     ease(half, SEAM, sides="ONE", ease_percent=5.0)
     with pytest.raises(RuntimeError, match="8 edges .*modifiers copied.*Apply them and mark it again, or mark it on"):

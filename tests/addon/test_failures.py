@@ -70,8 +70,7 @@ def test_select_issues_selects_the_elements_of_the_error():
         bpy.ops.object.mode_set(mode="OBJECT")
         return set(np.flatnonzero(read(getattr(source.data, elements), "select", bool)))
 
-    source = grid("Bump", bump)
-    mark(source, on_line(1, 0.0))
+    source = grid("Bump", bump, wire=on_line(1, 0.0))
     source.data.attributes["wirewarp_tolerance"].data.foreach_set("value", [math.nan] * len(source.data.edges))
     flatten_fails("tolerance")
     assert selected("vertices") == {v.index for v in source.data.vertices if abs(v.co.y) < 1e-6}

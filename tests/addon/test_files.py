@@ -31,10 +31,7 @@ def test_patterns_and_reports_go_to_folders_of_any_name(tmp_path, addon, name):
     assert written == {f"{name}.blend", f"{name}.json", f"{name}{ending}", f"beside {name}{ending}"}
 
 
-@pytest.mark.parametrize(
-    ("name", "made"),
-    [("Front/Back", "Front_Back"), ("/etc", "_etc"), ('a:b\\"c', "a_b__c")],
-)
+@pytest.mark.parametrize(("name", "made"), [("Front/Back", "Front_Back"), ("/etc", "_etc"), ('a:b\\"c', "a_b__c")])
 def test_the_name_proposed_for_a_pattern_is_a_possible_file_name(addon, name, made):
     assert addon.blender.files.file_name(name, " Pattern.svg") == f"{made} Pattern.svg"
     long = addon.blender.files.file_name("ä" * 300, " Pattern.svg")

@@ -136,9 +136,7 @@ def test_attributes_of_the_flat_object():
 
 
 def test_the_flat_pieces_carry_the_seams_and_wires_of_the_model():
-    source = grid("Bump", bump)
-    mark_seam(source, on_line(0, 0.0))
-    mark(source, on_line(1, 0.0))
+    source = grid("Bump", bump, seam=on_line(0, 0.0), wire=on_line(1, 0.0))
     mark(source, on_line(1, 0.5), kind="ELASTIC", tolerance=0.02)
     source.data.wirewarp_names[0].name = "Bust"
     bpy.ops.object.wirewarp_flatten()
@@ -253,8 +251,7 @@ def test_a_run_leaves_edit_mode_if_it_hides_the_shape_and_returns(shape):
 
 
 def test_only_pieces_that_changed_are_solved_again(addon):
-    source = grid("Bump", bump)
-    mark_seam(source, on_line(0, 0.0))
+    source = grid("Bump", bump, seam=on_line(0, 0.0))
 
     def reused_pieces():
         bpy.ops.object.wirewarp_flatten()

@@ -7,7 +7,7 @@ import bpy
 import numpy as np
 import pytest
 from mathutils import Matrix
-from surfaces import bump, flat_of, flatten, grid, mark, mark_seam, on_line
+from surfaces import bump, flat_of, flatten, grid, mark, on_line
 from two_sided import made
 from view_context import look
 
@@ -96,9 +96,7 @@ def test_a_seam_names_the_joined_pieces_if_there_is_room_and_selected_names_are_
 
 @pytest.fixture
 def source():
-    target = grid("Bump", bump)
-    mark_seam(target, on_line(0, 0.0))
-    mark(target, on_line(1, 0.0))
+    target = grid("Bump", bump, seam=on_line(0, 0.0), wire=on_line(1, 0.0))
     flatten(target)
     return target
 
@@ -185,10 +183,8 @@ def test_pieces_whose_record_was_changed_or_that_are_gone_have_no_arrows(addon, 
 
 def test_a_flat_object_seen_edge_on_and_a_thin_strap_have_room_for_names(addon):
     """Half their length, where their area alone would hide all names."""
-    strap = grid("Strap", lambda x, y: (x, 0.01 * y, 0.0))
-    mark(strap, on_line(1, 0.0))
-    sheet = grid("Sheet", lambda x, y: (x, y, 0.0))
-    mark(sheet, on_line(1, 1.0))
+    strap = grid("Strap", lambda x, y: (x, 0.01 * y, 0.0), wire=on_line(1, 0.0))
+    sheet = grid("Sheet", lambda x, y: (x, y, 0.0), wire=on_line(1, 1.0))
     for target, eye in ((strap, (0, 0, 10)), (sheet, (0, 10, 0))):
         (name,) = look(addon, target, eye, (0, 0, 0), perspective=False).values()
         assert name.room == pytest.approx(100, abs=1)  # half of the length of 200 pixels

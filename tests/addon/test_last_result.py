@@ -8,7 +8,7 @@ import bpy
 import numpy as np
 import pytest
 from everything import answer, draw_panels
-from surfaces import bump, flat_of, flatten_fails, grid, mark_seam, on_line, read, select_only, uv_of
+from surfaces import bump, flat_of, flatten_fails, grid, on_line, read, select_only, uv_of
 from test_failures import cube
 
 pytestmark = pytest.mark.api
@@ -19,8 +19,7 @@ READY, AGAIN = "Ready to cut", '"Bump" has no flat pieces. Flatten it again'
 @pytest.fixture
 def source():
     """Return two pieces."""
-    target = grid("Bump", bump, size=4)
-    mark_seam(target, on_line(0, 0.0))
+    target = grid("Bump", bump, size=4, seam=on_line(0, 0.0))
     bpy.ops.object.wirewarp_flatten()
     return target
 

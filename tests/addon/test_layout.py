@@ -60,8 +60,7 @@ def test_one_row_is_on_a_line():
 
 def two_wires():
     """Return wires across a half cylinder: along x at y = 0.5, the wire in front, and along y at x = 0."""
-    source = grid("Half Cylinder", half_cylinder)
-    mark(source, on_line(1, 0.5))
+    source = grid("Half Cylinder", half_cylinder, wire=on_line(1, 0.5))
     mark(source, on_line(0, 0.0))
     return source
 
@@ -149,8 +148,7 @@ def test_pieces_of_models_flattened_together_are_at_one_height_and_not_under_a_m
 def gap_of_two(size, meters, mark_widths=lambda _: None):
     """Return the space between two pieces 50 mm apart, in meters. mark_widths: marks allowances on the model."""
     bpy.context.scene.unit_settings.scale_length = meters
-    source = grid("Plane", lambda x, y: (size * x, size * y, 0))
-    mark_seam(source, on_line(0, 0.0))
+    source = grid("Plane", lambda x, y: (size * x, size * y, 0), seam=on_line(0, 0.0))
     mark_widths(source)
     flatten(source, spacing=50.0)
     (low, high), (other_low, other_high) = boxes_of(source)
@@ -209,8 +207,7 @@ def test_the_gap_counts_from_the_widest_allowance_on_an_outline(mark_widths, wid
 
 
 def test_another_allowance_alone_moves_no_piece():
-    source = grid("Plane", lambda x, y: (x, y, 0))
-    mark_seam(source, on_line(0, 0.0))
+    source = grid("Plane", lambda x, y: (x, y, 0), seam=on_line(0, 0.0))
     flatten(source)
     before = read(flat_of(source).data.vertices, "co", np.float32, 3)
     bpy.context.scene.wirewarp.allowance = 40.0

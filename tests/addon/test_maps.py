@@ -15,7 +15,6 @@ from surfaces import (
     grid,
     half_cylinder,
     mark,
-    mark_seam,
     on_line,
     read,
     select_edges,
@@ -28,8 +27,7 @@ pytestmark = pytest.mark.api
 @pytest.fixture
 def source():
     """Return two pieces of triangles with a wire that changes its length."""
-    target = grid("Bump", bump, faces="triangles")
-    mark_seam(target, on_line(0, 0.0))
+    target = grid("Bump", bump, faces="triangles", seam=on_line(0, 0.0))
     mark(target, on_line(1, 0.0), kind="SUPER_ELASTIC")
     bpy.ops.object.wirewarp_flatten()
     return target
@@ -118,8 +116,7 @@ def test_lines_with_their_target_length_have_no_change(addon):
 
 def printed():
     """Return two pieces of different materials, each with its own map from above."""
-    source = grid("Bump", bump)
-    mark_seam(source, on_line(0, 0.0))
+    source = grid("Bump", bump, seam=on_line(0, 0.0))
     for name in ("Stripes", "Dots"):
         source.data.materials.append(bpy.data.materials.new(name))
     for face in source.data.polygons:

@@ -6,7 +6,7 @@ import math
 import bmesh
 import bpy
 import pytest
-from surfaces import bump, flat_of, grid, mark, mark_seam, on_line, select_edges, select_only, wire_marks
+from surfaces import bump, flat_of, grid, mark, on_line, select_edges, select_only, wire_marks
 
 pytestmark = pytest.mark.api
 
@@ -26,8 +26,7 @@ def names(target):
     ],
 )
 def test_a_line_becomes_one_wire_of_its_kind(kind, tolerance, line):
-    target = grid("Bump", bump)
-    mark_seam(target, NORTH_SOUTH)
+    target = grid("Bump", bump, seam=NORTH_SOUTH)
     mark(target, line, kind=kind, tolerance=0.05)
     (((wire, found), count),) = wire_marks(target.data).items()
     assert found == pytest.approx(tolerance, rel=1e-6) and count == 8
@@ -67,8 +66,7 @@ def test_marking_a_whole_wire_again_changes_its_kind_and_keeps_its_id_and_name()
 
 
 def test_marking_a_part_of_a_wire_makes_a_wire_of_its_own():
-    target = grid("Bump", bump)
-    mark(target, EAST_WEST)
+    target = grid("Bump", bump, wire=EAST_WEST)
     mark(target, lambda a, b: EAST_WEST(a, b) and a.x + b.x > 0, kind="ELASTIC")
     assert sorted(wire_marks(target.data).values()) == [4, 4]
     assert len({wire for wire, _ in wire_marks(target.data)}) == 2

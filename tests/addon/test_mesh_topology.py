@@ -7,7 +7,7 @@ import bmesh
 import bpy
 import numpy as np
 import pytest
-from surfaces import grid, mark, mark_seam, on_line, read, round_bump, select_edges
+from surfaces import grid, on_line, read, round_bump, select_edges
 
 pytestmark = pytest.mark.api
 
@@ -26,8 +26,7 @@ READERS = {
 @pytest.fixture(params=["OBJECT", "EDIT", "no faces", "nothing"])
 def mesh(addon, request):
     """Return the present mesh. In Edit Mode, it has the changes that Blender has not written to the mesh yet."""
-    target = grid("Bump", round_bump, faces="ngons")
-    mark_seam(target, on_line(0, 0.0))
+    target = grid("Bump", round_bump, faces="ngons", seam=on_line(0, 0.0))
     if request.param == "EDIT":
         select_edges(target, on_line(1, 0.0))
         bpy.ops.mesh.mark_seam()
@@ -61,8 +60,7 @@ def test_all_data_is_read(addon, mesh):
 
 
 def test_in_edit_mode_the_mesh_is_as_it_is_edited(addon):
-    target = grid("Bump", round_bump)
-    mark(target, on_line(0, 0.0))
+    target = grid("Bump", round_bump, wire=on_line(0, 0.0))
     select_edges(target, on_line(1, 0.0))
     bpy.ops.mesh.mark_seam()
     bpy.ops.mesh.wirewarp_mark()

@@ -6,16 +6,14 @@ import bpy
 import numpy as np
 import pytest
 from mathutils import Euler, Matrix, Vector
-from surfaces import bump, flat_of, flatten, grid, mark, mark_seam, on_line, select_edges, select_only
+from surfaces import bump, flat_of, flatten, grid, on_line, select_edges, select_only
 
 LINE, OTHER = on_line(1, 0.0), on_line(0, 0.0)
 
 
 @pytest.fixture
 def source():
-    target = grid("Bump", bump)
-    mark_seam(target, OTHER)
-    mark(target, LINE)
+    target = grid("Bump", bump, seam=OTHER, wire=LINE)
     flatten(target)
     return target
 
@@ -161,8 +159,7 @@ def test_an_attribute_of_another_type_is_a_change(source, has_changed):
 @pytest.fixture
 def smooth():
     """Return a model flattened with a modifier, beside a mirror that a second modifier uses."""
-    target = grid("Bump", bump)
-    mark(target, LINE)
+    target = grid("Bump", bump, wire=LINE)
     mirror = bpy.data.objects.new("Mirror", None)
     bpy.context.scene.collection.objects.link(mirror)
     mirror.location.x = 3

@@ -43,8 +43,7 @@ def test_proposed_seams_are_marked_and_flattened_with_one_click(addon, mode):
 
 
 def contradiction():
-    source = grid("Saddle", lambda x, y: (x, y, 0.25 * x * y), size=4, faces="triangles")
-    mark(source, inside)
+    source = grid("Saddle", lambda x, y: (x, y, 0.25 * x * y), size=4, faces="triangles", wire=inside)
     return source
 
 

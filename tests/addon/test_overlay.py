@@ -60,12 +60,7 @@ def edges_of(lines):
 def test_lines_of_each_kind_lie_on_their_edges_on_the_model_and_on_the_pieces(addon, source):
     wires = {"rigid": 8, "elastic": 8, "free": 8}
     assert edges_of(lines_of(addon, source)) == {"seam": 8, "outline": 32, **wires}
-    assert edges_of(lines_of(addon, flat_of(source))) == {
-        "seam": 16,
-        "outline": 32,
-        "default grain": 2 * 3,
-        **wires,
-    }
+    assert edges_of(lines_of(addon, flat_of(source))) == {"seam": 16, "outline": 32, "default grain": 2 * 3, **wires}
     places = lines_of(addon, source).places
     assert np.all(np.abs(places["seam"][:, 0]) < 1e-6)
     for kind, y in (("rigid", 0.0), ("elastic", 0.5), ("free", -0.5)):
@@ -225,8 +220,7 @@ def test_names_are_written_where_their_lines_are_seen(addon, source, perspective
 @pytest.mark.parametrize("perspective", [True, False])
 def test_names_behind_another_part_of_the_model_are_not_written(addon, perspective):
     """A sheet with a wire is below a larger sheet, and both are one object."""
-    source = grid("Low", lambda x, y: (x, y, 0.0))
-    mark(source, on_line(1, 0.0))
+    source = grid("Low", lambda x, y: (x, y, 0.0), wire=on_line(1, 0.0))
     high = grid("High", lambda x, y: (3 * x, 3 * y, 1.0))
     select_only(source, high)
     bpy.context.view_layer.objects.active = source
@@ -255,8 +249,7 @@ def test_names_behind_another_part_of_the_model_are_not_written(addon, perspecti
 
 
 def test_all_names_of_the_piece_that_is_chosen_in_the_list_are_written(addon):
-    source = grid("Bump", bump)
-    mark_seam(source, on_line(0, 0.0))
+    source = grid("Bump", bump, seam=on_line(0, 0.0))
     bpy.ops.object.wirewarp_flatten()
     flat = flat_of(source)
     eye = sum((Vector(corner) for corner in flat.bound_box), Vector()) / 8 + Vector((0, 0, 20))
@@ -323,8 +316,7 @@ def test_edit_mode_of_flat_pieces_is_not_a_change(source, notes):
 
 
 def test_failed_elements_are_drawn_on_model_pieces_and_map(addon, notes):
-    source = grid("Spike", lambda x, y: (x, y, 2 * (1 - x * x) * (1 - y * y)))
-    mark(source, on_line(0, 0.0))
+    source = grid("Spike", lambda x, y: (x, y, 2 * (1 - x * x) * (1 - y * y)), wire=on_line(0, 0.0))
     mark(source, on_line(1, 0.0))
     flatten_fails("flipped", method="WIREWARPING")
     faces = {face for issue in addon.state.reports.last_report(source).issues for face in issue.faces}

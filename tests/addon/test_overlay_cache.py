@@ -5,7 +5,7 @@ from types import SimpleNamespace
 
 import bpy
 import pytest
-from surfaces import bump, flat_of, flatten_fails, grid, mark, mark_seam, on_line, select_edges
+from surfaces import bump, flat_of, flatten_fails, grid, mark, on_line, select_edges
 from view_context import view_context
 
 pytestmark = pytest.mark.api
@@ -16,9 +16,7 @@ SEAM, RIGID, ELASTIC, FREE = on_line(0, 0.0), on_line(1, 0.0), on_line(1, 0.5), 
 @pytest.fixture
 def source():
     """Return two pieces with one wire of each kind."""
-    target = grid("Bump", bump)
-    mark_seam(target, SEAM)
-    mark(target, RIGID)
+    target = grid("Bump", bump, seam=SEAM, wire=RIGID)
     mark(target, ELASTIC, kind="ELASTIC", tolerance=0.05)
     mark(target, FREE, kind="SUPER_ELASTIC")
     bpy.ops.object.wirewarp_flatten()

@@ -6,7 +6,7 @@ from types import SimpleNamespace
 import bpy
 import numpy as np
 import pytest
-from surfaces import bump, flat_of, grid, mark, mark_seam, on_line, select_only
+from surfaces import bump, flat_of, grid, mark, on_line, select_only
 
 pytestmark = pytest.mark.api
 
@@ -16,9 +16,7 @@ SEAM, RIGID, ELASTIC = on_line(0, 0.0), on_line(1, 0.0), on_line(1, 0.5)
 @pytest.fixture
 def source():
     """Return two pieces with a rigid and an elastic wire through both."""
-    target = grid("Bump", bump)
-    mark_seam(target, SEAM)
-    mark(target, RIGID)
+    target = grid("Bump", bump, seam=SEAM, wire=RIGID)
     mark(target, ELASTIC, kind="ELASTIC", tolerance=0.05)
     target.data.wirewarp_names[0].name = "Waist"
     bpy.ops.object.wirewarp_flatten()

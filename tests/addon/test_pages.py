@@ -9,7 +9,7 @@ import bpy
 import numpy as np
 import pytest
 from everything import AnyLayout, draw_panels, sidebar
-from surfaces import flat_of, flat_places, grid, mark_seam, on_line, select_edges, select_only
+from surfaces import flat_of, flat_places, grid, on_line, select_edges, select_only
 from two_sided import two_pieces
 from view_context import view_context
 
@@ -65,8 +65,7 @@ def test_the_preview_has_as_many_pages_as_the_file(addon, source, tmp_path, pape
 def test_copies_are_drawn_once_in_file_and_preview(addon, at_once, tmp_path, arrangement):
     """A flat square of 200 mm is divided in the middle; only half of one piece is drawn."""
     bpy.context.scene.unit_settings.scale_length = 0.1
-    source = grid("Flat", lambda x, y: (x, y, 0.0))
-    mark_seam(source, on_line(0, 0.0))
+    source = grid("Flat", lambda x, y: (x, y, 0.0), seam=on_line(0, 0.0))
     bpy.ops.object.wirewarp_flatten(spacing=50.0)
     pages = preview(addon, source, arrangement=arrangement, pairs=True, on_fold=True)
     path = tmp_path / "a.pdf"
@@ -87,8 +86,7 @@ def test_copies_are_drawn_once_in_file_and_preview(addon, at_once, tmp_path, arr
 
 def test_the_list_of_pieces_does_not_change_what_is_drawn_once(addon):
     """The list names copies and folds although only copies are drawn once."""
-    source = grid("Flat", lambda x, y: (x, y, 0.0))
-    mark_seam(source, on_line(0, 0.0))
+    source = grid("Flat", lambda x, y: (x, y, 0.0), seam=on_line(0, 0.0))
     bpy.ops.object.wirewarp_flatten()
     bpy.context.scene.wirewarp.pairs, bpy.context.scene.wirewarp.on_fold = True, False
     one, other = (piece.name for piece in source.wirewarp_pieces)
@@ -101,8 +99,7 @@ def test_the_list_of_pieces_does_not_change_what_is_drawn_once(addon):
 def test_the_list_of_pieces_makes_no_pattern_until_names_or_marked_allowances_change(addon, at_once, monkeypatch):
     made, cut_lines = [], addon.overlay.shown.cut_lines
     monkeypatch.setattr(addon.overlay.shown, "cut_lines", lambda *a, **b: (made.append(b), cut_lines(*a, **b))[1])
-    source = grid("Flat", lambda x, y: (x, y, 0.0))
-    mark_seam(source, on_line(0, 0.0))
+    source = grid("Flat", lambda x, y: (x, y, 0.0), seam=on_line(0, 0.0))
     bpy.ops.object.wirewarp_flatten()
     one, other = (piece.name for piece in source.wirewarp_pieces)
     given = view_context(), source, flat_of(source)

@@ -17,9 +17,7 @@ SEAM, WIRE = on_line(0, 0.0), on_line(1, 0.0)
 def source():
     """Return two pieces with wires of each kind through both; a Blender unit is 100 mm."""
     bpy.context.scene.unit_settings.scale_length = 0.1
-    target = grid("Bump", bump)
-    mark_seam(target, SEAM)
-    mark(target, WIRE)
+    target = grid("Bump", bump, seam=SEAM, wire=WIRE)
     mark(target, on_line(1, 0.5), kind="ELASTIC", tolerance=0.02)
     mark(target, on_line(1, -0.5), kind="SUPER_ELASTIC")
     return target

@@ -46,8 +46,7 @@ def rename(source, old, new):
 @pytest.fixture
 def source():
     """Return two pieces, at -x and +x."""
-    target = grid("Bump", bump)
-    mark_seam(target, on_line(0, 0.0))
+    target = grid("Bump", bump, seam=on_line(0, 0.0))
     return target
 
 
@@ -172,8 +171,7 @@ def test_more_than_two_pieces_on_one_side_are_numbered():
 
 @pytest.mark.parametrize("kind", ["group", "material", "attribute"])
 def test_two_pieces_of_one_region_are_named_by_it_and_their_side(kind):
-    target = grid("Bump", bump)
-    mark_seam(target, on_line(0, -0.5))
+    target = grid("Bump", bump, seam=on_line(0, -0.5))
     mark_seam(target, on_line(0, 0.5))
     if kind == "group":
         fill_group(target, "Sleeve", lambda co: abs(co.x) > 0.49)

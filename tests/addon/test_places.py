@@ -35,8 +35,7 @@ NEAR = 1e-5  # tolerance for coordinates of about 10 in single precision
 @pytest.fixture
 def source():
     """Return two flattened pieces."""
-    target = grid("Bump", bump)
-    mark_seam(target, SEAM)
+    target = grid("Bump", bump, seam=SEAM)
     bpy.ops.object.wirewarp_flatten()
     return target
 
@@ -192,8 +191,7 @@ def test_a_failed_piece_returns_to_its_place_or_beside_a_piece_that_is_there_now
 
 @pytest.mark.parametrize("is_selected", [True, False])
 def test_only_the_active_model_is_rearranged(source, is_selected):
-    other = grid("Other", bump)
-    mark_seam(other, SEAM)
+    other = grid("Other", bump, seam=SEAM)
     flatten(other)
     laid_out = places_of(source)
     for each in (source, other):

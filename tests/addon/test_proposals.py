@@ -147,8 +147,7 @@ def test_a_proposed_diagonal_becomes_the_shorter_way_around_its_face(addon):
 @pytest.fixture
 def loosen(addon):
     """Return a model with two wires, and the library's proposal of a tolerance for the first."""
-    source = grid("Bump", bump)
-    mark(source, WIRE)
+    source = grid("Bump", bump, wire=WIRE)
     mark(source, on_line(1, 0.5), kind="ELASTIC", tolerance=0.2)
     source.data.wirewarp_names[0].name = "Bust"
     bpy.ops.object.wirewarp_flatten()
@@ -216,8 +215,7 @@ def test_tolerances_of_mirror_images_are_widened_at_once(addon):
 
 def test_a_wire_that_must_be_free_is_proposed_as_free(addon, tmp_path):
     """Rigid lines over a steep peak contradict one another beyond any tolerance."""
-    source = grid("Peak", lambda x, y: (x, y, 3 * (1 - x * x) * (1 - y * y)), size=6, faces="triangles")
-    mark(source, inside)
+    source = grid("Peak", lambda x, y: (x, y, 3 * (1 - x * x) * (1 - y * y)), size=6, faces="triangles", wire=inside)
     flatten_fails("can be flattened with", report_path=str(tmp_path / "report.json"))
     (entry,) = json.loads((tmp_path / "report.json").read_text())["objects"]
     (issue,) = entry["issues"]

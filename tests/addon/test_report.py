@@ -11,17 +11,7 @@ import bpy
 import numpy as np
 import pytest
 from everything import draw_panels
-from surfaces import (
-    bump,
-    edge_lengths,
-    edge_vertices,
-    flat_of,
-    flatten_fails,
-    grid,
-    mark,
-    mark_seam,
-    on_line,
-)
+from surfaces import bump, edge_lengths, edge_vertices, flat_of, flatten_fails, grid, mark, mark_seam, on_line
 
 WIRE, SEAM = on_line(1, 0.0), on_line(0, 0.0)
 
@@ -34,9 +24,7 @@ def flatten_with_report(tmp_path, **settings):
 
 @pytest.fixture
 def source():
-    target = grid("Bump", bump)
-    mark_seam(target, SEAM)
-    mark(target, WIRE)
+    target = grid("Bump", bump, seam=SEAM, wire=WIRE)
     return target
 
 
@@ -258,8 +246,7 @@ def test_the_table_for_spreadsheets_is_in_the_scenes_units(addon, source, capfd)
 
 
 def test_the_list_of_pieces_has_the_worst_first(addon):
-    source = grid("Bump", bump)
-    mark_seam(source, on_line(0, 0.5))
+    source = grid("Bump", bump, seam=on_line(0, 0.5))
     bpy.ops.object.wirewarp_flatten()
     listed = bpy.types.WIREWARP_UL_pieces
     this = SimpleNamespace(filter_name="", bitflag_filter_item=1 << 30, use_filter_sort_alpha=False)

@@ -11,7 +11,7 @@ import bpy
 import numpy as np
 import pytest
 from everything import draw_panels
-from surfaces import bump, flat_of, flatten, flatten_fails, grid, mark, mark_seam, on_line, read, select_only
+from surfaces import bump, flat_of, flatten, flatten_fails, grid, mark_seam, on_line, read, select_only
 
 
 def read_models(addon, *sources):
@@ -183,8 +183,7 @@ def test_exceptions_of_the_work_are_raised_with_the_result(addon, begun, work, e
 
 @pytest.fixture
 def source():
-    target = grid("Bump", bump)
-    mark(target, on_line(1, 0.0))
+    target = grid("Bump", bump, wire=on_line(1, 0.0))
     bpy.ops.object.wirewarp_flatten()
     select_only(target)
     return target

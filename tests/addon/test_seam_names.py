@@ -19,8 +19,7 @@ def at(x):
 
 @pytest.fixture
 def source():
-    target = grid("Bump", bump)
-    mark_seam(target, at(0.5))
+    target = grid("Bump", bump, seam=at(0.5))
     flatten(target)
     return target
 

@@ -91,8 +91,7 @@ def test_the_active_map_is_read_and_a_missing_map_is_refused(capfd):
         bpy.ops.mesh.wirewarp_seams_from_uv_islands()
     bpy.ops.object.mode_set(mode="OBJECT")
     assert seam_edges(target.data) == set()  # edges are seams in both or in neither
-    other = grid("Bump", bump)
-    mark_seam(other, CUT)
+    other = grid("Bump", bump, seam=CUT)
     flatten(other)
     select_edges(other)
     bpy.ops.mesh.select_all(action="SELECT")

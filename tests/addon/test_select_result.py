@@ -6,7 +6,7 @@ from functools import partial
 import bpy
 import numpy as np
 import pytest
-from surfaces import bump, edge_lengths, edge_vertices, flat_of, grid, mark, mark_seam, on_line, read, select_only
+from surfaces import bump, edge_lengths, edge_vertices, flat_of, grid, mark, on_line, read, select_only
 
 pytestmark = pytest.mark.api
 
@@ -15,8 +15,7 @@ SEAM = on_line(0, 0.0)
 
 @pytest.fixture
 def source():
-    target = grid("Bump", bump)
-    mark_seam(target, SEAM)
+    target = grid("Bump", bump, seam=SEAM)
     select_only(target)
     bpy.ops.object.wirewarp_flatten()
     return target
@@ -91,8 +90,7 @@ def test_a_changed_model_is_reported(source):
 
 
 def test_with_modifiers_the_flat_pieces_are_shown():
-    target = grid("Other", bump)
-    mark_seam(target, SEAM)
+    target = grid("Other", bump, seam=SEAM)
     target.modifiers.new("Finer", "SUBSURF").levels = 1
     bpy.ops.object.wirewarp_flatten(use_modifiers=True)
     bpy.ops.mesh.wirewarp_select_result(what="SEAM", index=0)

@@ -4,18 +4,7 @@
 import bpy
 import numpy as np
 import pytest
-from surfaces import (
-    bump,
-    edge_vertices,
-    flat_of,
-    flatten_fails,
-    grid,
-    mark,
-    mark_seam,
-    on_line,
-    read,
-    select_only,
-)
+from surfaces import bump, edge_vertices, flat_of, flatten_fails, grid, mark, mark_seam, on_line, read, select_only
 from two_sided import ease
 
 pytestmark = pytest.mark.api
@@ -31,8 +20,7 @@ def sewing_of(source):
 @pytest.fixture
 def source():
     """Return two pieces, the right one with a dart."""
-    target = grid("Bump", bump)
-    mark_seam(target, SEAM)
+    target = grid("Bump", bump, seam=SEAM)
     mark_seam(target, lambda a, b: on_line(1, 0.0)(a, b) and a.x + b.x > 0 and max(a.x, b.x) < 0.8)
     mark(target, on_line(1, 0.5))
     ease(target, on_line(1, 0.5), sides="ALL", ease_percent=2.0)

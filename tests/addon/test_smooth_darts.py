@@ -7,7 +7,7 @@ import pytest
 from everything import draw_panels
 from mathutils import Vector
 from suggesting import SUGGEST, choose_smooth, found, places
-from surfaces import bump, flat_of, grid, mark, on_line, round_bump
+from surfaces import bump, flat_of, grid, on_line, round_bump
 from test_smooth_lines import seam_places, surface
 from test_suggestions import two_hills
 
@@ -150,8 +150,7 @@ def test_lines_that_cross_in_a_face_meet_there(addon, scale):
 
 
 def test_a_piece_that_no_dart_helps_is_reported_in_one_sentence(addon, monkeypatch):
-    source = grid("Bump", bump)
-    mark(source, on_line(0, -0.75))
+    source = grid("Bump", bump, wire=on_line(0, -0.75))
     bpy.ops.object.wirewarp_flatten()
     source.wirewarp_pieces[0].name = "Front"
     library = addon.core.library()

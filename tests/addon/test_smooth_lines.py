@@ -5,7 +5,7 @@ import bpy
 import numpy as np
 import pytest
 from suggesting import add_layers, check_layers, pairs, places
-from surfaces import bump, edge_vertices, flat_of, grid, mark, mark_seam, on_line, read, round_bump, select_edges
+from surfaces import bump, edge_vertices, flat_of, grid, mark_seam, on_line, read, round_bump, select_edges
 from test_proposals import seams_of
 
 pytestmark = pytest.mark.api
@@ -102,8 +102,7 @@ def test_the_new_line_is_selected_and_the_old_one_is_not_a_seam():
 
 
 def test_wires_other_seams_and_eases_are_met_at_the_same_places(addon):
-    source = grid("Bump", bump)
-    mark(source, on_line(0, 0.25))
+    source = grid("Bump", bump, wire=on_line(0, 0.25))
     mark_seam(source, on_line(1, 0.5))
     source.data.attributes.new("wirewarp_side_ease", "FLOAT", "CORNER")
     edges = read(source.data.loops, "edge_index", np.int32)

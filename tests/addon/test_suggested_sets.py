@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from everything import draw_panels
 from suggesting import SUGGEST, found, needed, pairs
-from surfaces import bump, flat_of, grid, join_cube, mark_seam, on_line, read
+from surfaces import bump, flat_of, grid, join_cube, on_line, read
 from test_proposals import seams_of
 from view_context import view_context
 
@@ -314,8 +314,7 @@ def test_a_row_is_marked_with_all_earlier_ones_and_leaves_its_stretch(addon, set
 
 
 def test_figures_of_the_model_are_those_of_its_worst_piece(addon, settings):
-    source = grid("Bump", bump)
-    mark_seam(source, on_line(0, 0.25))
+    source = grid("Bump", bump, seam=on_line(0, 0.25))
     bpy.ops.object.wirewarp_flatten()
     settings.aim_cuts = 1
     apart = []

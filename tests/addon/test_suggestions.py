@@ -8,19 +8,7 @@ import numpy as np
 import pytest
 from everything import draw_panels
 from suggesting import SUGGEST, are_mirrored, found, needed, pairs
-from surfaces import (
-    bump,
-    edge_vertices,
-    flat_of,
-    grid,
-    half_cylinder,
-    make_object,
-    mark,
-    mark_seam,
-    on_line,
-    read,
-    tube,
-)
+from surfaces import bump, edge_vertices, flat_of, grid, half_cylinder, make_object, mark, on_line, read, tube
 from test_proposals import seams_of
 from view_context import view_context
 
@@ -75,8 +63,7 @@ def test_mirror_images_are_one_suggestion_and_the_least_strain_is_first(addon):
 
 
 def test_the_list_belongs_to_the_chosen_piece_and_is_cleared_when_the_model_changes(addon, capfd):
-    source = grid("Bump", bump, size=6)
-    mark_seam(source, on_line(0, 0.0))
+    source = grid("Bump", bump, size=6, seam=on_line(0, 0.0))
     bpy.ops.object.wirewarp_flatten()
     source.wirewarp_pieces[1].name = "Left Half"
     buttons = []
@@ -168,8 +155,7 @@ def test_a_model_that_became_a_curve_gets_no_suggestion(addon):
 
 
 def test_other_settings_are_reported(addon, capfd):
-    source = grid("Bump", bump, size=6)
-    mark(source, on_line(0, 0.0))
+    source = grid("Bump", bump, size=6, wire=on_line(0, 0.0))
     settings = bpy.context.scene.wirewarp
     SUGGEST["DARTS"]()
     assert "suggested; for Piece 1: stretch" in capfd.readouterr().out  # the piece has no name yet

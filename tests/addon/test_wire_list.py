@@ -17,8 +17,7 @@ EAST_WEST, NORTH_SOUTH = on_line(1, 0.0), on_line(0, 0.0)
 @pytest.fixture
 def source():
     """Return two crossing wires, Bust (rigid) and Middle (elastic)."""
-    target = grid("Bump", bump)
-    mark(target, EAST_WEST)
+    target = grid("Bump", bump, wire=EAST_WEST)
     mark(target, NORTH_SOUTH, kind="ELASTIC", tolerance=0.05)
     for entry, name in zip(target.data.wirewarp_names, ("Bust", "Middle"), strict=True):
         entry.name = name

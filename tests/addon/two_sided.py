@@ -4,7 +4,7 @@
 import bmesh
 import bpy
 import numpy as np
-from surfaces import bump, edge_vertices, flat_of, grid, mark_seam, on_line, read, select_edges, select_only
+from surfaces import bump, edge_vertices, flat_of, grid, on_line, read, select_edges, select_only
 
 SEAM, HEM = on_line(0, 0.0), on_line(1, -1.0)
 
@@ -12,8 +12,7 @@ SEAM, HEM = on_line(0, 0.0), on_line(1, -1.0)
 def two_pieces():
     """Return a model with pieces to the left and right of a seam; a Blender unit is 100 mm."""
     bpy.context.scene.unit_settings.scale_length = 0.1
-    target = grid("Bump", bump)
-    mark_seam(target, SEAM)
+    target = grid("Bump", bump, seam=SEAM)
     return target
 
 

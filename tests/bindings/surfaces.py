@@ -32,11 +32,7 @@ def spherical_patch(columns: int = 8, rows: int = 8) -> Mesh:
 
     def point(u: float, v: float) -> tuple[float, float, float]:
         longitude, latitude = math.pi / 2 * (u - 0.5), math.pi / 2 * (v - 0.5)
-        return (
-            math.cos(latitude) * math.cos(longitude),
-            math.cos(latitude) * math.sin(longitude),
-            math.sin(latitude),
-        )
+        return (math.cos(latitude) * math.cos(longitude), math.cos(latitude) * math.sin(longitude), math.sin(latitude))
 
     return grid(columns, rows, point)
 

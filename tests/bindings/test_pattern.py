@@ -231,8 +231,7 @@ def test_an_inward_corner_is_clipped():
 def test_a_gap_filled_by_allowance_has_no_clips():
     across, up = (0, 100, 112, 212), (0, 100, 300)  # a piece with a gap of 12 mm from the top
     result = quads(
-        [(x, y) for y in up for x in across],
-        [(0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (4, 5, 9, 8), (6, 7, 11, 10)],
+        [(x, y) for y in up for x in across], [(0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (4, 5, 9, 8), (6, 7, 11, 10)]
     )
     clips = {}
     for allowance in (4.0, 10.0):

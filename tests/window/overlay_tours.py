@@ -13,7 +13,7 @@ from mathutils import Vector
 sys.path.insert(0, str(Path(__file__).parent.parent / "addon"))
 
 import wirewarp_addon
-from surfaces import bump, flat_of, grid, mark, mark_seam, on_line, select_edges, select_only
+from surfaces import bump, flat_of, grid, mark, on_line, select_edges, select_only
 
 STYLES = wirewarp_addon.overlay.lines.STYLES
 # left out, because Blender's own letters and shadows are also white and black
@@ -23,9 +23,7 @@ COLORFUL = {"outline", "rigid", "elastic", "free"}
 def marked() -> bpy.types.Object:
     """Return two pieces with a wire of each kind, in an empty scene."""
     bpy.data.batch_remove(list(bpy.data.objects))
-    source = grid("Bump", bump)
-    mark_seam(source, on_line(0, 0.0))
-    mark(source, on_line(1, 0.0))
+    source = grid("Bump", bump, seam=on_line(0, 0.0), wire=on_line(1, 0.0))
     mark(source, on_line(1, 0.5), kind="ELASTIC", tolerance=0.05)
     mark(source, on_line(1, -0.5), kind="SUPER_ELASTIC")
     return source

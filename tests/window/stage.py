@@ -12,7 +12,7 @@ import drive
 sys.path.insert(0, str(Path(__file__).parent.parent / "addon"))
 
 import wirewarp_addon
-from surfaces import bump, grid, mark, on_line
+from surfaces import bump, grid, on_line
 
 window_run = wirewarp_addon.ui.window_run
 
@@ -53,8 +53,7 @@ def redo() -> drive.Tour:
 
 def marked_bump() -> bpy.types.Object:
     """Return a bump with a wire along its middle."""
-    source = grid("Bump", bump)
-    mark(source, on_line(1, 0.0))
+    source = grid("Bump", bump, wire=on_line(1, 0.0))
     remember()
     return source
 

@@ -5,7 +5,7 @@ import bmesh
 import bpy
 import drive
 from stage import contents, flatten, marked_bump, redo, remember, undo, window_run
-from surfaces import bump, flat_of, grid, mark, mark_seam, on_line, select_edges
+from surfaces import bump, flat_of, grid, on_line, select_edges
 
 
 def panel_button() -> drive.Tour:
@@ -124,8 +124,7 @@ def settings_can_be_adjusted_after_a_run() -> drive.Tour:
 def report_shows_the_place() -> drive.Tour:
     """A button of the report selects elements in Edit Mode and moves the view there, on the model and on flat
     pieces."""
-    source = grid("Bump", bump)
-    mark_seam(source, on_line(0, 0.0))
+    source = grid("Bump", bump, seam=on_line(0, 0.0))
     remember()
     yield from flatten()
     view = drive.view_area().spaces.active.region_3d
@@ -142,8 +141,7 @@ def report_shows_the_place() -> drive.Tour:
 
 def report_turns_the_view_to_elements_on_the_back() -> drive.Tour:
     """If everything is visible, the view does not change. Flat pieces are seen from above."""
-    source = grid("Bump", bump)
-    mark_seam(source, on_line(0, 0.0))
+    source = grid("Bump", bump, seam=on_line(0, 0.0))
     remember()
     yield from flatten()
     view = drive.view_area().spaces.active.region_3d
@@ -170,8 +168,7 @@ def report_turns_the_view_to_elements_on_the_back() -> drive.Tour:
 
 def copies_the_report() -> drive.Tour:
     """Copy a table to the clipboard, which does not exist without a window."""
-    source = grid("Bump", bump)
-    mark(source, on_line(1, 0.0))
+    grid("Bump", bump, wire=on_line(1, 0.0))
     yield from flatten()
     with drive.in_view():
         bpy.ops.object.wirewarp_copy_report("INVOKE_DEFAULT", True)

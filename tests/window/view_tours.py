@@ -6,13 +6,12 @@ import drive
 import wirewarp_addon
 from mathutils import Vector
 from stage import flatten
-from surfaces import bump, flat_of, grid, mark, on_line, select_only
+from surfaces import bump, flat_of, grid, on_line, select_only
 
 
 def pieces_are_seen_in_local_view() -> drive.Tour:
     """If the model is in local view, its earlier pieces are added to the view, but other objects are not."""
-    source = grid("Bump", bump)
-    mark(source, on_line(1, 0.0))
+    source = grid("Bump", bump, wire=on_line(1, 0.0))
     yield from flatten()
     select_only(source)
     with drive.in_view():

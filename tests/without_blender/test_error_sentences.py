@@ -111,10 +111,7 @@ def test_broken_guarantees_are_reported_together(said):
     [
         ({"reason": "strain", "strain": 0.021, "limit": 1.0}, "its stretch is 2.1%, and 100% is accepted."),
         ({"reason": "too_long", "length": 1.5, "limit": 1.0}, "with seams of 1.5 m, but no more than 1 m are"),
-        (
-            {"reason": "no_room", "kind": "dart", "is_restricted": False},
-            "no room for a dart: no line along edges",
-        ),
+        ({"reason": "no_room", "kind": "dart", "is_restricted": False}, "no room for a dart: no line along edges"),
         (
             {"reason": "no_gain", "kind": "dart", "strain": 0.149, "wires": [BUST]},
             'No dart helps the piece, which needs 14.9% of stretch: loosen wire "Bust" or divide the piece by a seam.',

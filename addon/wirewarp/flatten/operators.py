@@ -24,15 +24,7 @@ from ..ui.editing import reporting_refusals
 from ..ui.settings import draw_settings
 from ..ui.window_run import WindowSteps, fault_sentence
 from .models import Model, Outcome, failed_report, solve_models
-from .read import (
-    active_target,
-    check_current,
-    check_sources,
-    find_source,
-    in_suitable_mode,
-    mesh_targets,
-    read_models,
-)
+from .read import active_target, check_current, check_sources, find_source, in_suitable_mode, mesh_targets, read_models
 from .write import write_results
 
 # Events during a run that only move the view.

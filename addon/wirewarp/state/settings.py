@@ -312,11 +312,7 @@ class TargetSettings:
         description="Where suggested darts and sets of seams run. Seams across one piece, and cuts up to a target, "
         "follow edges of the mesh",
         items=[
-            (
-                "SMOOTH",
-                "Smooth",
-                "Straight or gently curved lines across faces. Marking a cut adds vertices and edges",
-            ),
+            ("SMOOTH", "Smooth", "Straight or gently curved lines across faces. Marking a cut adds vertices and edges"),
             ("EDGES", "Along Edges", "Along edges and diagonals of faces. Marking a cut adds no vertices"),
         ],
         default="SMOOTH",
