@@ -226,7 +226,12 @@ void flatten_and_judge(const Asked& asked) {
   const Progress progress = [&](const std::string&, double) { return steps++ < asked.steps_until_cancelled; };
   try {
     const FlattenResult result = flatten_with(asked.input, asked.options, progress);
-    demand_none(broken_guarantees(asked.input, asked.options, result));
+    std::vector<std::string> broken = broken_guarantees(asked.input, asked.options, result);
+    if (steps > asked.steps_until_cancelled) {  // the search for fixes ends, too
+      const auto misses_fix = [](const std::string& s) { return s.find(" is proposed") != std::string::npos; };
+      broken.erase(std::remove_if(broken.begin(), broken.end(), misses_fix), broken.end());
+    }
+    demand_none(broken);
     demand_none(differences_of_measure(asked, result));
   } catch (const FlattenError& error) {
     demand_none(faults_of_error(error, asked.input));
