@@ -92,8 +92,7 @@ TEST(Bugs, TheErrorOfARingProposesEveryRemedy) {
   const int inside = test::nearest_vertex(input, {0, 2, 0});
   const int begin = test::nearest_vertex(input, {0, -1, 0}), end = test::nearest_vertex(input, {0, -1.5, 0});
   test::add_wire(input, {begin, end}, 0, "spoke");
-  const Charts charts = test::charts_of(input);
-  const Chart& chart = charts.charts.at(0);
+  const Chart chart = test::chart_of(input);
   const WireNetwork network = build_wire_network(chart);
   Positions2 uv = test::planar_positions(chart);
   uv(inside, 1) -= 0.7;  // moved onto the next ring

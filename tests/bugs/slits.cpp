@@ -111,8 +111,7 @@ FlattenInput dome(int n, double height) {
 
 /// Returns f over the area of the best shape with all slits closed.
 double shut_objective(const FlattenInput& input, const Options& options) {
-  const Charts charts = test::charts_of(input);
-  const Chart& chart = charts.charts.at(0);
+  const Chart chart = test::chart_of(input);
   const SewnChart sewn = *sew(chart, find_slits(chart));
   const Solution shut = refine_chart(sewn.chart, options);
   EXPECT_TRUE(shut.is_exact() && shut.is_converged());

@@ -175,8 +175,7 @@ TEST(Prolong, FlipsNoTriangleOfAJitteredSheet) {
 
 /// Expects that the coarse shape leads to the same minimum as a start from scratch, in few factorizations.
 void expect_same_minimum(const FlattenInput& input, double fairness = 0.3, int max_factorizations = 2) {
-  const Charts charts = test::charts_of(input);
-  const Chart& chart = charts.charts.at(0);
+  const Chart chart = test::chart_of(input);
   Problem problem(chart, fairness);
   Budget coarse_budget(100), budget(100);
   const std::optional<Shape> start = start_from_coarse(problem, {coarse_budget});
@@ -242,16 +241,14 @@ TEST(CoarseStart, IsRejectedIfTheCoarseChartHasNoExactLengths) {
   for (int e = 0; e < edges.num_edges(); ++e) {
     if (edges.num_sides(e) == 2) test::add_wire(input, {edges.vertices(e)[0], edges.vertices(e)[1]});
   }
-  const Charts charts = test::charts_of(input);
-  const Chart& chart = charts.charts.at(0);
+  const Chart chart = test::chart_of(input);
   Budget budget(100);
   EXPECT_FALSE(start_from_coarse({chart, 1}, {budget}));
 }
 
 /// With little fairness, wires may have waves of a few edges, which a coarser chart cannot represent.
 TEST(CoarseStart, IsRejectedIfWiresMayHaveShortWaves) {
-  const Charts charts = test::charts_of(with_cross(jittered_grid(24, 0.2, dome), 24));
-  const Chart& chart = charts.charts.at(0);
+  const Chart chart = test::chart_of(with_cross(jittered_grid(24, 0.2, dome), 24));
   Budget budget(100);
   EXPECT_FALSE(start_from_coarse({chart, 0.01}, {budget}));
 }
@@ -259,8 +256,7 @@ TEST(CoarseStart, IsRejectedIfWiresMayHaveShortWaves) {
 /// The start has multipliers, as if it were near the minimum, but all its vertices coincide.
 TEST(Minimize, RejectsAStartThatIsNotNearTheMinimum) {
   const int n = 24;
-  const Charts charts = test::charts_of(with_cross(jittered_grid(n, 0.2, dome), n));
-  const Chart& chart = charts.charts.at(0);
+  const Chart chart = test::chart_of(with_cross(jittered_grid(n, 0.2, dome), n));
   const Problem problem(chart, 0.1);
   const Positions2 point = Positions2::Constant(static_cast<Eigen::Index>(chart.mesh.n_vertices()), 2, 1.0);
   Budget budget(100);

@@ -162,8 +162,7 @@ TEST(InfeasibleWires, FeasibleNetsAreNotRefused) {
 TEST(RelaxedLengths, NoLengthChangesIfAllCanBeKept) {
   FlattenInput input = test::saddle(8, 0.4);
   add_lines(input, 8, 0);
-  const Charts charts = test::charts_of(input);
-  const Chart& chart = charts.charts.at(0);
+  const Chart chart = test::chart_of(input);
   const Problem problem(chart, 0.1);
   Budget relax_budget(kMaxRelaxFactorizations);
   RelaxedShape relaxed = relax_lengths(problem, free_boundary_arap(chart, 30).uv, {relax_budget});
@@ -196,8 +195,7 @@ TEST(RelaxedLengths, TolerancesOfSingleEdgesCostNothing) {
 }
 
 TEST(RelaxedLengths, StopsWhenAsked) {
-  const Charts charts = test::charts_of(test::quarter_sphere(4));
-  const Chart& chart = charts.charts.at(0);
+  const Chart chart = test::chart_of(test::quarter_sphere(4));
   const Positions2 start = free_boundary_arap(chart, 30).uv;
   int asked = 0;
   // Answers yes to the first two polls, those of the first system.

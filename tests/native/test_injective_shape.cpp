@@ -47,8 +47,7 @@ Solution refine(const FlattenInput& input) { return refine_chart(test::charts_of
 
 TEST(InjectiveShape, NothingFlipsOrOverlapsIfAnInjectiveShapeExists) {
   for (const FlattenInput& input : {finger(), saddle_with_vent(), spiral_on_a_saddle()}) {
-    const Charts charts = test::charts_of(input);
-    const Chart& chart = charts.charts.at(0);
+    const Chart chart = test::chart_of(input);
     const Solution found = refine(input);
     ASSERT_TRUE(found.is_exact());
     EXPECT_LT(found.length_error, 1e-10);
@@ -58,8 +57,7 @@ TEST(InjectiveShape, NothingFlipsOrOverlapsIfAnInjectiveShapeExists) {
 }
 
 TEST(InjectiveShape, InjectiveShapesDoNotChange) {
-  const Charts charts = test::charts_of(test::quarter_sphere(12));
-  const Chart& chart = charts.charts.at(0);
+  const Chart chart = test::chart_of(test::quarter_sphere(12));
   const Solution found = refine(test::quarter_sphere(12));
   Budget budget(100);
   Solution same = found;

@@ -68,8 +68,7 @@ class NewtonSystemOnASaddle : public testing::Test {
     return test::eigenvalues(reduced_hessian(multipliers, convexity))[0];
   }
 
-  const Charts charts = test::charts_of(input());
-  const Chart& chart = charts.charts.at(0);
+  const Chart chart = test::chart_of(input());
   const HeldNetwork network = build_held_network(chart);
   const LengthConstraints constraints{chart, network};
   FairShapeError objective{chart, network, 0.1};

@@ -52,8 +52,7 @@ double gap(const Chart& chart, const Slit& slit, const Positions2& uv) {
 
 TEST(OpenSlits, OneSlitOpensAndOneStaysShut) {
   const FlattenInput input = bump_with_slits();
-  const Charts charts = test::charts_of(input);
-  const Chart& chart = charts.charts.at(0);
+  const Chart chart = test::chart_of(input);
   Problem problem(chart, Options{}.fairness);
   Budget budget(15);
   const Solution found = refine_chart(problem, Options{}, {budget});
@@ -69,8 +68,7 @@ TEST(OpenSlits, OneSlitOpensAndOneStaysShut) {
 }
 
 TEST(OpenSlits, StopAtAnyBudgetWithExactLengths) {
-  const Charts charts = test::charts_of(bump_with_slits());
-  const Chart& chart = charts.charts.at(0);
+  const Chart chart = test::chart_of(bump_with_slits());
   Problem problem(chart, Options{}.fairness);
   Budget unlimited(100);
   const Solution whole = refine_chart(problem, Options{}, {unlimited});
@@ -148,8 +146,7 @@ TEST(OpenSlits, OpenEquallyFarOnFineAndCoarseMeshes) {
     std::vector<int> slit;
     for (int j = n / 2 - n / 12; j <= n - n / 12; ++j) slit.push_back(n / 2 + (n + 1) * j);
     test::add_seam(input, slit);
-    const Charts charts = test::charts_of(input);
-    const Chart& chart = charts.charts.at(0);
+    const Chart chart = test::chart_of(input);
     Problem problem(chart, Options{}.fairness);
     Budget budget(8);  // enough factorizations only if no face flips
     const Solution found = refine_chart(problem, Options{}, {budget});

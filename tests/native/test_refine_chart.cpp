@@ -20,8 +20,7 @@ namespace wirewarp::test_refine_chart {
 namespace {
 
 TEST(RefineChart, CountsStartsThatFail) {
-  const Charts charts = test::charts_of(test::saddle_of_wires(4, 1e-4));
-  const Chart& chart = charts.charts.at(0);
+  const Chart chart = test::chart_of(test::saddle_of_wires(4, 1e-4));
   Problem problem(chart, Options{}.fairness);
   Budget unlimited(1000);
   const Solution whole = refine_chart(problem, Options{}, {unlimited});
@@ -119,8 +118,7 @@ TEST(RefineChart, LeavesASaddleUnderANetOfWires) {
     test::add_wire(input, test::grid_row(n, i));
     test::add_wire(input, test::grid_column(n, n, i));
   }
-  const Charts charts = test::charts_of(input);
-  const Chart& chart = charts.charts.at(0);
+  const Chart chart = test::chart_of(input);
   Problem problem(chart, Options{}.fairness);
   Budget budget(100);
   std::optional<Shape> start = flatten_wires_first(problem, {budget});

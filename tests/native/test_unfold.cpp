@@ -52,8 +52,7 @@ TEST(Unfold, AnUnfoldedChartNeedsNoFactorization) {
   FlattenInput input = test::cylinder_patch(20, 8, 1, kPi, 3);
   test::add_wire(input, test::grid_row(20, 4));
   test::add_wire(input, test::grid_column(20, 8, 7), 0.05);
-  const Charts charts = test::charts_of(input);
-  const Solution found = refine_chart(charts.charts.at(0), Options{});
+  const Solution found = refine_chart(test::chart_of(input), Options{});
   EXPECT_TRUE(found.is_exact() && found.is_converged());
   EXPECT_EQ(found.factorizations, 0);
   EXPECT_LE(found.objective, 1e-20);

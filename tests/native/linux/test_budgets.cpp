@@ -107,8 +107,7 @@ struct RefinementCost {
 };
 
 RefinementCost cost_of_refinement(const FlattenInput& input) {
-  const Charts charts = test::charts_of(input);
-  const Chart& chart = charts.charts.at(0);
+  const Chart chart = test::chart_of(input);
   const Positions2 start = free_boundary_arap(chart, 30).uv;
   const FrontCounts before = count_fronts();
   Budget budget(100);

@@ -29,8 +29,7 @@ struct WorkBetweenQuestions {
 
 /// Returns the number of fronts of one Newton system.
 long fronts_of(const FlattenInput& input) {
-  const Charts charts = test::charts_of(input);
-  const Chart& chart = charts.charts.at(0);
+  const Chart chart = test::chart_of(input);
   const Positions2 start = free_boundary_arap(chart, kFreeSteps).uv;
   const long before = count_fronts().factored;
   Budget one(1);
