@@ -231,6 +231,17 @@ TEST(PartSets, DivideRoundModelsWithoutNecks) {
   }
 }
 
+TEST(PartSets, KeepTheBestSetIfNoneKeepsTheLimit) {
+  const FlattenInput input = dumbbell(8, 4);  // its triangles are so large that no plane helps
+  CutOptions cut_options;
+  cut_options.strain = 0.2;
+  cut_options.is_smooth = true;
+  const std::vector<DartProposal> sets = sets_of_parts(input, cut_options);
+  ASSERT_EQ(sets.size(), 1U);
+  EXPECT_GT(sets.front().strain, 2 * *cut_options.strain);  // the largest strain that the search divides for
+  expect_figures_of_a_run(input, sets.front());
+}
+
 TEST(PartSets, LeaveTheSeamsOfAnOctahedronOnItsEdges) {
   const FlattenInput input =
       test::mesh_of({{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}},

@@ -164,8 +164,10 @@ class PartSearch {
       for (std::size_t i = 0; i < limits.size(); ++i) {
         const auto count = static_cast<double>(limits.size()), first = static_cast<double>(i) / count;
         progress_.enter(kNecksFound + (1 - kNecksFound) * first, kNecksFound + (1 - kNecksFound) * (first + 1 / count));
-        if (!divide(mesh, kMargin * limits[i])) break;
+        const Division reached = divide(mesh, kMargin * limits[i]);
+        if (reached == Division::no_shape || (reached == Division::strained && !sets.empty())) break;
         add_joined(mesh, limits[i], sets);
+        if (reached == Division::strained) break;
       }
     });
     if (stopped && sets.empty()) throw Stopped();
@@ -180,7 +182,10 @@ class PartSearch {
     Plane plane;
   };
 
-  bool divide(CutMesh& mesh, double limit) const;
+  /// How a division ends: with all parts within the limit, with more strain in some, or with parts without a shape.
+  enum class Division { within_limit, strained, no_shape };
+
+  Division divide(CutMesh& mesh, double limit) const;
   Choice best_plane(const FlatPiece& part, bool is_symmetric, double limit) const;
   double price_of(const FlatPiece& part, const Plane& plane, double limit) const;
   std::size_t partner_of(const FlatPieces& parts, std::size_t part) const;
@@ -200,23 +205,24 @@ class PartSearch {
   std::optional<Plane> mirror_;
 };
 
-/// Divides parts by planes until each has at most this strain. Returns false if there are too many parts, or if some
-/// part has no flat shape then.
-bool PartSearch::divide(CutMesh& mesh, double limit) const {
+/// Divides parts by planes until each has at most this strain, or until there are too many parts.
+PartSearch::Division PartSearch::divide(CutMesh& mesh, double limit) const {
   for (int round = 0;; ++round) {
     const CutModel model(mesh, mesh.edges, exact_);
     const FlatPieces& parts = model.pieces();
-    if (parts.size() > kMostParts) return false;
     const auto is_bad = [&](const auto& part) { return part->error || part->strain > limit; };
-    if (round == kMostRounds || std::none_of(parts.begin(), parts.end(), is_bad))
-      return std::none_of(parts.begin(), parts.end(), [](const auto& part) { return part->error.has_value(); });
+    if (std::none_of(parts.begin(), parts.end(), is_bad)) return Division::within_limit;
+    if (round == kMostRounds || parts.size() > kMostParts) {
+      const auto has_error = [](const auto& part) { return part->error.has_value(); };
+      return std::any_of(parts.begin(), parts.end(), has_error) ? Division::no_shape : Division::strained;
+    }
     std::vector<SurfacePath> paths;
     for (std::size_t i = 0; i < parts.size(); ++i) {
       const std::size_t partner = partner_of(parts, i);
       const bool has_bad_partner = partner < parts.size() && is_bad(parts[partner]);
       if (partner < i || !(is_bad(parts[i]) || has_bad_partner)) continue;
       const Choice best = best_plane(*parts[i], partner == i && mirror_, limit);
-      if (std::isinf(best.price)) return false;
+      if (std::isinf(best.price)) return Division::no_shape;
       const auto add = [&](const Chart& part, const Plane& plane) {
         add_lines(model.input(), part, distances_from(plane, part.mesh), 0, paths);
       };
@@ -282,7 +288,7 @@ double PartSearch::price_of(const FlatPiece& part, const Plane& plane, double li
 }
 
 /// Adds the set along the cuts of a mesh after its parts are joined, unless it has too many pieces, is too long or has
-/// more strain than allowed.
+/// more strain than allowed. A first set may have more.
 void PartSearch::add_joined(const CutMesh& mesh, double limit, std::vector<DartProposal>& sets) const {
   const CutModel model(mesh, {}, exact_);
   const Chart chart = in_canonical_order(model.pieces().front()->chart, exact_.stop());
@@ -290,6 +296,7 @@ void PartSearch::add_joined(const CutMesh& mesh, double limit, std::vector<DartP
   const std::vector<VertexHandle> image = mirror_image(chart, exact_.stop());
   const MirroredCuts mirrored(chart, image);
   const FlatPieces parts = model.exact().with_cut(model.pieces(), mesh.edges);
+  std::optional<DartProposal> best;
   double joined_for = kMargin * limit;
   for (int i = 0; i < kRepeats; ++i) {
     SectionMerger merger({cut, parts}, chart, mirrored, model.exact(), cut_options_.narrowest, kPartSolidity);
@@ -300,13 +307,13 @@ void PartSearch::add_joined(const CutMesh& mesh, double limit, std::vector<DartP
       joined_for *= kMargin;
       continue;
     }
-    if (set->strain <= limit) {
-      const bool is_useful = set->num_pieces <= kMostPieces && set->strain < kMostStrain;
-      if (is_useful && set->length <= cut_options_.longest) sets.push_back(*set);
-      return;
-    }
+    if (set->num_pieces > kMostPieces) break;
+    const bool is_useful = set->strain < kMostStrain && set->length <= cut_options_.longest;
+    if (is_useful && !(best && best->strain <= set->strain)) best = set;
+    if (set->strain <= limit) break;
     joined_for *= kMargin * limit / set->strain;
   }
+  if (best && (best->strain <= limit || sets.empty())) sets.push_back(*best);
 }
 
 /// Returns the set along lines, with its exact figures; smoother if it needs no more strain than allowed. Returns none
