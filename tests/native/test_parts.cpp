@@ -224,7 +224,7 @@ TEST(PartSets, DivideRoundModelsWithoutNecks) {
     const std::vector<DartProposal> sets = sets_of_parts(input, {});
     ASSERT_FALSE(sets.empty());
     for (const DartProposal& set : sets) {
-      EXPECT_LE(set.num_pieces, 24);
+      EXPECT_LE(set.num_pieces, 30);
       EXPECT_LE(set.strain, 0.2);
       expect_figures_of_a_run(input, set);
     }

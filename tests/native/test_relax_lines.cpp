@@ -10,6 +10,7 @@
 #include "base/planar.h"
 #include "cuts/feasibility/cut_mask.h"
 #include "cuts/propose/relax_lines.h"
+#include "surface/mesh/geometry.h"
 #include "test_meshes.h"
 #include "warp/topology/straight_walk.h"
 
@@ -34,6 +35,23 @@ TEST(LineNetwork, DoesNotFollowBarriers) {
   const LineNetwork network(chart.mesh, lines_along(chart, {}, cut_along(chart.mesh, chain)).lines, barriers);
   EXPECT_TRUE(network.relax({network.steps_for(1)}, StopToken()).front().has_value());
   EXPECT_FALSE(network.relax({network.steps_for(8)}, StopToken()).front().has_value());  // tight around the barrier
+}
+
+TEST(LineNetwork, MovesAJunctionToAnEdgeOnlyIfItsLinesMove) {
+  const Chart chart = test::chart_of(test::flat_rectangle(6, 6, 6, 6));
+  const HalfedgeHandle first = chart.mesh.halfedge_handle(FaceHandle(20));
+  const FaceHandle face = chart.mesh.face_handle(first);
+  const Planar a(0), b(edge_length(chart.mesh, first)), junction = 0.54 * b + 0.04 * apex_over(chart.mesh, first);
+  std::vector<SurfaceLine> lines(2);
+  lines[0] = {0, 1, {{face, junction, a, VertexHandle(), chart.mesh.from_vertex_handle(first), EdgeHandle()}}};
+  lines[1] = {0, 2, {{face, junction, b, VertexHandle(), chart.mesh.to_vertex_handle(first), EdgeHandle()}}};
+  const CutMask no_barriers(chart.mesh.n_edges(), 0);
+  const LineNetwork network(chart.mesh, lines, no_barriers);
+  const auto junction_after = [&](const std::vector<int>& steps) {
+    return network.relax(steps, StopToken()).front()->start.place;
+  };
+  EXPECT_EQ(junction_after({1, 0}), junction);
+  EXPECT_EQ(junction_after({1, 1}).imag(), 0);
 }
 
 /// A sheet of 6 by 6 in 12 by 12 quads.

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "cuts/propose/cut_again.h"
 #include "cuts/propose/flat_pieces.h"
 #include "cuts/propose/mirror_image.h"
 #include "cuts/propose/surface_lines.h"
@@ -87,6 +88,31 @@ TEST(SurfaceLines, OfACutMeshCutTheInputAtTheSamePlaces) {
   for (const auto& vertex : cut.vertices.rowwise()) {
     EXPECT_LT((second.vertices.rowwise() - vertex).rowwise().norm().minCoeff(), 1e-9);
   }
+}
+
+TEST(SurfaceLines, MeetAtTheEndsOfALineThatIsLeftOut) {
+  SurfaceLines all{{{1, 2, {}}, {2, 3, {}}, {3, 4, {}}, {5, 3, {}}, {4, 1, {}}}, {0, 2, 1, 4, 3}, true};
+  const SurfaceLines kept = selected(all, {1, 0, 1, 1, 1});
+  ASSERT_EQ(kept.lines.size(), 4U);
+  EXPECT_EQ(kept.lines[0].last, kept.lines[1].first);
+  EXPECT_EQ(kept.lines[0].last, kept.lines[2].last);
+  EXPECT_NE(kept.lines[0].first, kept.lines[0].last);
+  EXPECT_EQ(kept.images, (std::vector<std::size_t>{0, 1, 3, 2}));  // the second one has lost its image
+  EXPECT_FALSE(kept.is_symmetric);
+  all.images = {0, 1, 2, 4, 3};
+  EXPECT_TRUE(selected(all, {1, 0, 1, 1, 1}).is_symmetric);
+}
+
+TEST(SurfaceLines, CollapseIfCutMeshWouldMoveThemToOneVertex) {
+  const FlattenInput sheet = mirrored_sheet();
+  const std::vector<SurfacePath> paths{
+      path_through(sheet, {{2, 2}, {2.01, 2.01}}),
+      path_through(sheet, {{2.01, 2.01}, {2.6, 2.4}, {3, 3}}),
+  };
+  const std::vector<char> kept = not_collapsed(sheet.faces, static_cast<int>(sheet.vertices.rows()), paths);
+  EXPECT_EQ(kept, (std::vector<char>{0, 1}));
+  EXPECT_THROW(cut_mesh(sheet.vertices, sheet.faces, paths), FlattenError);
+  EXPECT_NO_THROW(cut_mesh(sheet.vertices, sheet.faces, selected(paths, kept)));
 }
 
 TEST(PathMirror, MakesPairsExactAndPutsOtherPathsOnThePlane) {

@@ -29,10 +29,9 @@ CutMesh uncut(const FlattenInput& input) {
   return mesh;
 }
 
-CutMesh cut_again(const CutMesh& before, std::vector<SurfacePath> paths) {
-  const auto num_vertices = static_cast<int>(before.vertices.rows());
-  CutMesh after = cut_mesh(before.vertices, before.faces,
-                           without_collapsed(before.faces, num_vertices, std::move(paths)), kCutSnap);
+CutMesh cut_again(const CutMesh& before, const std::vector<SurfacePath>& paths) {
+  const std::vector<char> kept = not_collapsed(before.faces, static_cast<int>(before.vertices.rows()), paths);
+  CutMesh after = cut_mesh(before.vertices, before.faces, selected(paths, kept), kCutSnap);
   std::map<VertexPair, std::vector<int>> divided;
   for (const std::vector<int>& along : after.sources.divided_edges)
     divided[ordered(along.front(), along.back())] = along;
@@ -56,22 +55,33 @@ CutMesh cut_again(const CutMesh& before, std::vector<SurfacePath> paths) {
   return after;
 }
 
-std::vector<SurfacePath> without_collapsed(const Triangles& faces, int num_vertices, std::vector<SurfacePath> paths) {
+std::vector<char> not_collapsed(const Triangles& faces, int num_vertices, const std::vector<SurfacePath>& paths) {
   const EdgeTable edges(faces, num_vertices);
+  std::vector<char> kept(paths.size(), 1);
   while (true) {
     PathSites sites(faces, edges, num_vertices, kCutSnap);
-    const auto is_collapsed = [&](const SurfacePath& path) {
+    bool is_fewer = false;
+    for (std::size_t p = 0; p < paths.size(); ++p) {
+      if (kept[p] == 0) continue;
       std::set<int> passed;
-      for (std::size_t i = 0; i < path.faces.size(); ++i) {
-        const auto row = path.coordinates.row(static_cast<Eigen::Index>(i));
-        passed.insert(sites.add(path.faces[i], {row[0], row[1], row[2]}));
+      for (std::size_t i = 0; i < paths[p].faces.size(); ++i) {
+        const auto row = paths[p].coordinates.row(static_cast<Eigen::Index>(i));
+        passed.insert(sites.add(paths[p].faces[i], {row[0], row[1], row[2]}));
       }
-      return passed.size() < 2;
-    };
-    const auto kept = std::remove_if(paths.begin(), paths.end(), is_collapsed);
-    if (kept == paths.end()) return paths;
-    paths.erase(kept, paths.end());  // other points may move elsewhere without these
+      if (passed.size() > 1) continue;
+      kept[p] = 0;
+      is_fewer = true;
+    }
+    if (!is_fewer) return kept;  // otherwise points may move elsewhere without the collapsed paths
   }
+}
+
+std::vector<SurfacePath> selected(const std::vector<SurfacePath>& paths, const std::vector<char>& flags) {
+  std::vector<SurfacePath> kept;
+  for (std::size_t p = 0; p < paths.size(); ++p) {
+    if (flags[p] != 0) kept.push_back(paths[p]);
+  }
+  return kept;
 }
 
 }  // namespace wirewarp

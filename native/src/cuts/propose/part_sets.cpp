@@ -33,9 +33,10 @@ namespace {
 constexpr int kMostRounds = 8;
 
 /// A model with more parts than this is not divided further, and sets with more pieces than the second number are not
-/// proposed: more than a plush maker would sew. A rabbit has 32 parts, which are joined to 12 pieces.
+/// proposed: more than a plush maker would sew. A rabbit has 32 parts, which are joined to 12 pieces; a bear of 24 cm
+/// needs up to 29 pieces.
 constexpr std::size_t kMostParts = 64;
-constexpr int kMostPieces = 24;
+constexpr int kMostPieces = 30;
 
 /// Strains above count as this strain, so that one bad part does not outweigh all others.
 constexpr double kWorst = 2;
@@ -158,7 +159,7 @@ class PartSearch {
       add_lines(own_, alone_, neck.distance, neck.level, loops);
     if (loops.empty() && sharp_length(chart_.mesh) > kSharp * size_) return {};
     CutMesh mesh = uncut(own_);
-    if (!loops.empty()) mesh = cut_again(mesh, std::move(loops));
+    if (!loops.empty()) mesh = cut_again(mesh, loops);
     std::vector<DartProposal> sets;
     const bool stopped = was_stopped([&] {
       for (std::size_t i = 0; i < limits.size(); ++i) {
@@ -190,7 +191,7 @@ class PartSearch {
   double price_of(const FlatPiece& part, const Plane& plane, double limit) const;
   std::size_t partner_of(const FlatPieces& parts, std::size_t part) const;
   void add_joined(const CutMesh& mesh, double limit, std::vector<DartProposal>& sets) const;
-  std::optional<DartProposal> smooth_set(const SurfaceLines& lines, double limit) const;
+  std::optional<DartProposal> smooth_set(const SurfaceLines& all, double limit) const;
 
   const FlatPieces& pieces_;
   const std::size_t piece_;
@@ -229,7 +230,7 @@ PartSearch::Division PartSearch::divide(CutMesh& mesh, double limit) const {
       add(parts[i]->chart, best.plane);
       if (partner < parts.size() && partner > i) add(parts[partner]->chart, best.plane.mirrored(*mirror_));
     }
-    mesh = cut_again(mesh, std::move(paths));
+    mesh = cut_again(mesh, paths);
   }
 }
 
@@ -272,7 +273,7 @@ double PartSearch::price_of(const FlatPiece& part, const Plane& plane, double li
   std::vector<SurfacePath> paths;
   add_lines(input, own, distances_from(plane, own.mesh), 0, paths);
   if (paths.empty()) return std::numeric_limits<double>::infinity();
-  const CutMesh mesh = cut_again(uncut(input), std::move(paths));
+  const CutMesh mesh = cut_again(uncut(input), paths);
   const CutModel model(mesh, mesh.edges, exact_);
   const double length = level_length(own.mesh, distances_from(plane, own.mesh), 0);
   double strained = 0, area = 0, price = kLengthPrice * length / std::sqrt(surface_area(own.mesh));
@@ -316,20 +317,23 @@ void PartSearch::add_joined(const CutMesh& mesh, double limit, std::vector<DartP
   if (best && (best->strain <= limit || sets.empty())) sets.push_back(*best);
 }
 
-/// Returns the set along lines, with its exact figures; smoother if it needs no more strain than allowed. Returns none
-/// if it has no flat shape.
-std::optional<DartProposal> PartSearch::smooth_set(const SurfaceLines& lines, double limit) const {
+/// Returns the set along those of the lines that do not collapse, with its exact figures; smoother if it needs no more
+/// strain than allowed. Returns none if it has no flat shape.
+std::optional<DartProposal> PartSearch::smooth_set(const SurfaceLines& all, double limit) const {
   const FlattenInput& given = exact_.surface().given();
+  std::vector<SurfacePath> paths;
+  for (const SurfaceLine& line : all.lines) paths.push_back(path_of(given, chart_, line));
+  const std::vector<char> kept = not_collapsed(given.faces, static_cast<int>(given.vertices.rows()), paths);
+  const SurfaceLines lines = selected(all, kept);
   DartProposal set;
-  for (const SurfaceLine& line : lines.lines) set.paths.push_back(path_of(given, chart_, line));
-  set.paths = without_collapsed(given.faces, static_cast<int>(given.vertices.rows()), std::move(set.paths));
+  set.paths = selected(paths, kept);
   const CutMesh cut = cut_mesh(given.vertices, given.faces, set.paths);
   const CutSurface surface(pieces_, piece_, exact_, cut);
   const PieceFigures figures = figures_of(surface.after(), surface.before()[piece_]->chart);
   if (figures.error) return std::nullopt;
   set_figures(surface, figures, set);
   set.energy_before = set.strain_before = std::numeric_limits<double>::infinity();
-  if (set.strain > limit || set.paths.size() < lines.lines.size()) return set;
+  if (set.strain > limit) return set;
   SmoothLimits limits{limit};
   limits.num_narrow = count_narrow(surface.after(), surface.before()[piece_]->chart, cut_options_.narrowest);
   return smooth_lines(set, lines, limits, {pieces_, piece_, chart_, image_}, cut_options_, exact_).value_or(set);

@@ -305,7 +305,7 @@ std::vector<std::optional<RelaxedLine>> LineNetwork::relax(const std::vector<int
     }
   }
   for (std::size_t p = 0; p < points_.size(); ++p) {
-    if (points_[p].lines.size() > 1 && !points_[p].is_fixed) places[p] = snapped(places[p]);
+    if (points_[p].lines.size() > 1 && most[p] > 0) places[p] = snapped(places[p]);
   }
   std::vector<std::optional<RelaxedLine>> relaxed(lines_.size());
   for (std::size_t l = 0; l < lines_.size(); ++l) {

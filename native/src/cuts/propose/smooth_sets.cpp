@@ -47,7 +47,7 @@ constexpr double kMostGrowth = 2;
 /// Smaller strains are rounding errors.
 constexpr double kFlatFigure = 1e-6;
 
-/// Returns V - E of the lines and their number of ends, which show whether they meet elsewhere than before.
+/// Returns V - E of edges or lines and their number of free ends, which show whether lines meet elsewhere than before.
 std::array<int, 2> count_ends(const std::vector<VertexPair>& edges) {
   std::map<int, int> count;
   for (const VertexPair& edge : edges) {
@@ -89,9 +89,8 @@ class SmoothSet {
       start_.push_back(path_of(given_, chart_, line));
       ends_.push_back({line.first, line.last});
     }
-    const CutMesh cut = cut_mesh(given_.vertices, given_.faces, start_);
-    num_bends_before_ = num_bends(cut);
-    num_ends_before_ = count_ends(cut.edges);
+    num_bends_before_ = num_bends(cut_mesh(given_.vertices, given_.faces, start_));
+    num_ends_before_ = count_ends(ends_);
   }
 
   std::optional<DartProposal> find() {
@@ -129,8 +128,8 @@ class SmoothSet {
   const bool is_symmetric_;                 // whether all lines are
   const PathMirror mirror_;
   const LineNetwork network_;
-  std::vector<SurfacePath> start_;        // the lines before
-  std::vector<std::array<int, 2>> ends_;  // of each line
+  std::vector<SurfacePath> start_;  // the lines before
+  std::vector<VertexPair> ends_;    // of each line
   int num_bends_before_ = 0;
   std::array<int, 2> num_ends_before_{};
   std::vector<int> levels_;   // of each line: how smooth it is; 0: as before

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <utility>
 
 #include "cuts/propose/cut_chains.h"
@@ -119,6 +120,38 @@ SurfaceLines lines_across(const FlattenInput& input, const Chart& chart, const C
       section.edge = chart.mesh.edge_handle(chart.mesh.find_halfedge(section.vertex_from, section.vertex_to));
     return section;
   });
+}
+
+SurfaceLines selected(const SurfaceLines& lines, const std::vector<char>& flags) {
+  std::map<int, int> renamed;  // ends that are now the same as another one
+  const auto name_of = [&](int end) {
+    for (auto found = renamed.find(end); found != renamed.end(); found = renamed.find(end)) end = found->second;
+    return end;
+  };
+  std::vector<std::size_t> new_index(lines.lines.size());
+  SurfaceLines result;
+  for (std::size_t i = 0; i < lines.lines.size(); ++i) {
+    new_index[i] = result.lines.size();
+    const SurfaceLine& line = lines.lines[i];
+    const int first = name_of(line.first), last = name_of(line.last);
+    if (flags[i] != 0) {
+      result.lines.push_back(line);
+    } else if (first != last) {
+      renamed[last] = first;
+    }
+  }
+  for (SurfaceLine& line : result.lines) {
+    line.first = name_of(line.first);
+    line.last = name_of(line.last);
+  }
+  result.is_symmetric = lines.is_symmetric;
+  for (std::size_t i = 0; i < lines.lines.size(); ++i) {
+    if (flags[i] == 0) continue;
+    const bool has_image = flags[lines.images[i]] != 0;
+    result.images.push_back(new_index[has_image ? lines.images[i] : i]);
+    result.is_symmetric = result.is_symmetric && has_image;
+  }
+  return result;
 }
 
 WeightedPoint on_input(const FlattenInput& input, const Chart& chart, FaceHandle face, Planar place) {

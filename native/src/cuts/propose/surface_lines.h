@@ -40,6 +40,9 @@ SurfaceLines lines_along(const Chart& chart, const std::vector<VertexHandle>& im
 SurfaceLines lines_across(const FlattenInput& input, const Chart& chart, const CutMesh& mesh, const Chart& cut_chart,
                           const std::vector<VertexHandle>& image, const CutMask& cut);
 
+/// Returns the lines whose flag is not 0. The ends of each other line become one end.
+SurfaceLines selected(const SurfaceLines& lines, const std::vector<char>& flags);
+
 /// Returns a point on a chart as face of the input and weights of its corners.
 struct WeightedPoint {
   int face;
