@@ -21,7 +21,7 @@ namespace {
 CutState merge_sections(const CutState& state, const Chart& chart, const ExactEvaluation& exact, double most_strain,
                         double narrowest = 0, double least_solidity = 0) {
   const MirroredCuts mirrored(chart, {});
-  SectionMerger merger(state, chart, mirrored, exact, narrowest, least_solidity);
+  SectionMerger merger(state, chart, mirrored, exact, {narrowest, least_solidity, narrowest});
   merger.run(most_strain, [](double) {});
   return merger.state();
 }
@@ -141,6 +141,74 @@ TEST(MergeSections, MakesNoPieceWithLongArms) {
   for (const std::shared_ptr<const FlatPiece>& half : halves.pieces) EXPECT_GT(solidity(*half), whole + 0.05);
   EXPECT_EQ(num_merged(whole - 1e-6), 1U);
   EXPECT_EQ(num_merged(whole + 1e-6), 2U);
+}
+
+/// A strip of two squares of side 2 and a square of side 1, which are separate pieces.
+struct ThreeSquares : CutSurface {
+  ThreeSquares()
+      : CutSurface(test::keep_faces(test::flat_rectangle(10, 4, 5, 2),
+                                    [](const Eigen::Vector3d& p) { return p.x() < 4 || p.y() < 1; })) {}
+
+  std::vector<VertexPair> across(double x, double end) const {
+    std::vector<VertexPair> edges;
+    const auto at = [&](double y) { return test::nearest_vertex(input, {x, y, 0}); };
+    for (double y = 0; y < end; y += 0.5) edges.push_back({at(y), at(y + 0.5)});
+    return edges;
+  }
+
+  CutState separate() const {
+    std::vector<VertexPair> edges = across(2, 2);
+    for (const VertexPair& edge : across(4, 1)) edges.push_back(edge);
+    return with(edges);
+  }
+
+  bool is_cut(const CutState& state, const std::vector<VertexPair>& edges) const {
+    CutMask mask = PartMap(chart).mask_of(edges);
+    return std::equal(mask.begin(), mask.end(), state.cut.begin(), [](char a, char b) { return a == 0 || b != 0; });
+  }
+};
+
+TEST(MergeSections, DoesNotMakeAPieceAgainThatWasUndone) {
+  const ThreeSquares strip;
+  const MirroredCuts mirrored(strip.chart, {});
+  SectionMerger merger(strip.separate(), strip.chart, mirrored, strip.exact);
+  const auto run = [&] { merger.run(1e-6, [](double) {}); };
+  EXPECT_FALSE(merger.undo(merger.state().pieces));  // there is nothing before the first state
+  run();
+  ASSERT_EQ(merger.state().pieces.size(), 1U);
+  EXPECT_TRUE(merger.undo(merger.state().pieces));
+  for (int i = 0; i < 2; ++i) {
+    run();
+    EXPECT_EQ(merger.state().pieces.size(), 2U);
+    EXPECT_TRUE(strip.is_cut(merger.state(), strip.across(4, 1)));  // the longer section was opened first
+    merger.restart(0);
+    EXPECT_EQ(merger.state().pieces.size(), 3U);
+  }
+}
+
+TEST(MergeSections, OpensSectionsBesideSmallPiecesFirst) {
+  const ThreeSquares strip;
+  const MirroredCuts mirrored(strip.chart, {});
+  SectionMerger merger(strip.separate(), strip.chart, mirrored, strip.exact);
+  merger.run(1e-6, [](double) {});
+  merger.undo(merger.state().pieces);  // now only two squares can be joined
+  for (const auto& [first, is_small_joined] : {std::pair(0.0, false), std::pair(1.5, true), std::pair(0.0, false)}) {
+    merger.restart(first);
+    merger.run(1e-6, [](double) {});
+    EXPECT_EQ(strip.is_cut(merger.state(), strip.across(2, 2)), is_small_joined);
+    EXPECT_EQ(strip.is_cut(merger.state(), strip.across(4, 1)), !is_small_joined);
+  }
+}
+
+TEST(FlatPieces, HaveCounterpartsWithinTheStrain) {
+  const CutSurface sheet(bump(8));
+  const FlatPieces pieces = sheet.with(across(8)).pieces;
+  ASSERT_EQ(pieces.size(), 2U);
+  const double most = most_strain(pieces);
+  EXPECT_TRUE(without_counterpart(pieces, pieces, most).empty());
+  EXPECT_EQ(without_counterpart(pieces, pieces, most / 2), pieces);
+  EXPECT_EQ(without_counterpart(pieces, {pieces[1]}, most), FlatPieces{pieces[0]});
+  EXPECT_EQ(without_counterpart(pieces, {pieces[0], pieces[1], pieces[1]}, most), FlatPieces{pieces[1]});
 }
 
 TEST(MergeSections, JoinsPiecesThatAreEquallyNarrow) {

@@ -231,15 +231,15 @@ TEST(PartSets, DivideRoundModelsWithoutNecks) {
   }
 }
 
-TEST(PartSets, KeepTheBestSetIfNoneKeepsTheLimit) {
+TEST(PartSets, KeepTheBestOfTheFirstSetsIfNoneKeepsTheLimit) {
   const FlattenInput input = dumbbell(8, 4);  // its triangles are so large that no plane helps
   CutOptions cut_options;
   cut_options.strain = 0.2;
   cut_options.is_smooth = true;
   const std::vector<DartProposal> sets = sets_of_parts(input, cut_options);
-  ASSERT_EQ(sets.size(), 1U);
-  EXPECT_GT(sets.front().strain, 2 * *cut_options.strain);  // the largest strain that the search divides for
-  expect_figures_of_a_run(input, sets.front());
+  ASSERT_FALSE(sets.empty());
+  EXPECT_GT(sets.back().strain, 2 * *cut_options.strain);  // the largest strain that the search divides for
+  for (const DartProposal& set : sets) expect_figures_of_a_run(input, set);
 }
 
 TEST(PartSets, LeaveTheSeamsOfAnOctahedronOnItsEdges) {

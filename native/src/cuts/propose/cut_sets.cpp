@@ -278,8 +278,8 @@ void CutSetSearch::add_more_cuts(std::vector<CutSet>& sets) {
 /// Adds sets with fewer sections than the last set: first for the same allowed strain, then for higher strains. Throws
 /// Stopped; sets added by then remain.
 void CutSetSearch::add_merged(std::vector<CutSet>& sets) {
-  SectionMerger merger({sets.back().cut, sets.back().pieces}, chart_, mirrored_, exact_, cut_options_.narrowest,
-                       kLeastSolidity);
+  SectionMerger merger({sets.back().cut, sets.back().pieces}, chart_, mirrored_, exact_,
+                       {cut_options_.narrowest, kLeastSolidity, cut_options_.narrowest});
   const std::vector<double> allowed = allowed_strains(std::max(target_, sets.back().proposal.strain), target_);
   const auto count = static_cast<double>(allowed.size());
   for (std::size_t i = 0; i < allowed.size(); ++i) {

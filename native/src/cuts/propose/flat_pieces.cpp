@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "cuts/parts/part_planes.h"
 #include "cuts/propose/cut_faces.h"
 #include "flatten.h"
 #include "newton/solve/stretched_lengths.h"
@@ -79,11 +80,35 @@ PieceFigures figures_of(const FlatPieces& pieces) {
   return figures;
 }
 
-PieceFigures figures_of(const FlatPieces& pieces, const Chart& chart) {
+FlatPieces parts_of(const FlatPieces& pieces, const Chart& chart) {
   FlatPieces parts;
   std::copy_if(pieces.begin(), pieces.end(), std::back_inserter(parts),
                [&](const std::shared_ptr<const FlatPiece>& piece) { return is_part_of(piece->chart, chart); });
-  return figures_of(parts);
+  return parts;
+}
+
+PieceFigures figures_of(const FlatPieces& pieces, const Chart& chart) { return figures_of(parts_of(pieces, chart)); }
+
+std::size_t nearest_to(const Eigen::Vector3d& point, const FlatPieces& pieces) {
+  std::vector<double> distances;
+  for (const std::shared_ptr<const FlatPiece>& piece : pieces)
+    distances.push_back((centroid_of(piece->chart.mesh) - point).norm());
+  return static_cast<std::size_t>(std::min_element(distances.begin(), distances.end()) - distances.begin());
+}
+
+FlatPieces without_counterpart(const FlatPieces& pieces, const FlatPieces& others, double most_strain) {
+  std::vector<int> counterparts(pieces.size(), 0);
+  std::vector<char> has_failed(pieces.size(), 0);
+  for (const std::shared_ptr<const FlatPiece>& other : others) {
+    const std::size_t nearest = nearest_to(centroid_of(other->chart.mesh), pieces);
+    ++counterparts[nearest];
+    if (other->error || other->strain > most_strain) has_failed[nearest] = 1;
+  }
+  FlatPieces failed;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    if (has_failed[i] != 0 || counterparts[i] != 1) failed.push_back(pieces[i]);
+  }
+  return failed;
 }
 
 double most_strain(const FlatPieces& pieces) {

@@ -40,6 +40,9 @@ struct PieceFigures {
   std::optional<FlattenError> error;  // error of any part
 };
 
+/// Returns the pieces that are parts of a chart.
+FlatPieces parts_of(const FlatPieces& pieces, const Chart& chart);
+
 /// Returns the figures of all pieces together. If a piece has no flat shape, energy and strain are infinite.
 PieceFigures figures_of(const FlatPieces& pieces);
 
@@ -50,6 +53,13 @@ PieceFigures figures_of(const FlatPieces& pieces, const Chart& chart);
 /// before. This is possible because elastic seams and stretched fabric couple the lengths of neighbors. before, after:
 /// all pieces of the input.
 bool spoils_others(const FlatPieces& before, const FlatPieces& after, const Chart& chart);
+
+/// Returns the index of the piece whose centroid is nearest to a point.
+std::size_t nearest_to(const Eigen::Vector3d& point, const FlatPieces& pieces);
+
+/// Returns the pieces to which not exactly one of other pieces is nearest, or only one with more strain than that or
+/// without a flat shape. others: the same pieces, on another mesh.
+FlatPieces without_counterpart(const FlatPieces& pieces, const FlatPieces& others, double most_strain);
 
 /// Returns the largest strain of the pieces with a flat shape; 0 if there are none.
 double most_strain(const FlatPieces& pieces);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <numeric>
 #include <optional>
@@ -146,20 +147,60 @@ std::vector<HalfEdgeChain> sorted_by_length(const HalfEdgeMesh& mesh, std::vecto
 }  // namespace
 
 SectionMerger::SectionMerger(CutState state, const Chart& chart, const MirroredCuts& mirrored,
-                             const ExactEvaluation& exact, double narrowest, double least_solidity)
+                             const ExactEvaluation& exact, const MergeRules& rules)
     : state_(std::move(state)),
       chart_(chart),
       mirrored_(mirrored),
       has_other_measure_(exact.options().cloth.has_value() || has_eases(exact.surface().given())),
       exact_(exact),
       quick_(exact.surface(), without_long_runs(exact.options()), exact.stop()),
-      narrowest_(narrowest),
-      least_solidity_(least_solidity) {}
+      rules_(rules) {}
 
 void SectionMerger::run(double most_strain, const std::function<void(double)>& report) {
   most_strain_ = most_strain;
   report_ = report;
   while (open_one(false) || open_one(true)) continue;
+}
+
+void SectionMerger::restart(double first) {
+  rules_.first = first;
+  is_narrow_.clear();
+  if (earlier_.empty()) return;
+  state_ = std::move(earlier_.front());
+  earlier_.clear();
+}
+
+bool SectionMerger::undo(const FlatPieces& unwanted) {
+  const auto has_unwanted = [&](const CutState& state) {
+    return std::any_of(state.pieces.begin(), state.pieces.end(), [&](const auto& piece) {
+      return std::find(unwanted_.begin(), unwanted_.end(), piece) != unwanted_.end();
+    });
+  };
+  for (const std::shared_ptr<const FlatPiece>& piece : unwanted) {
+    const FlatPieces& first = earlier_.empty() ? state_.pieces : earlier_.front().pieces;
+    if (std::find(first.begin(), first.end(), piece) == first.end()) unwanted_.push_back(piece);
+  }
+  for (auto& [mask, trials] : known_) {
+    for (Replacement& trial : trials) {
+      if (std::any_of(trial.after.begin(), trial.after.end(),
+                      [&](const auto& each) { return is_unwanted(each->chart); }))
+        trial.strain = kNoFlatShape;
+    }
+  }
+  const std::size_t count = earlier_.size();
+  while (has_unwanted(state_)) {
+    state_ = std::move(earlier_.back());
+    earlier_.pop_back();
+  }
+  return earlier_.size() < count;
+}
+
+/// Returns whether a chart contains an unwanted piece.
+bool SectionMerger::is_unwanted(const Chart& chart) const {
+  return std::any_of(unwanted_.begin(), unwanted_.end(), [&](const auto& piece) {
+    const std::vector<int>&all = chart.source_face, &part = piece->chart.source_face;
+    return std::includes(all.begin(), all.end(), part.begin(), part.end());
+  });
 }
 
 /// Removes one more section or part of a section. Returns false if no section can be removed. Evaluates several
@@ -175,17 +216,61 @@ bool SectionMerger::open_one(bool is_half) {
                      [&](std::size_t i) { tried[i] = try_without(candidates[first + i]); });
     for (std::size_t i = 0; i < tried.size(); ++i) {
       const CutMask& mask = candidates[first + i];
-      const FlatPieces pieces = beside(mask);
-      const double allowed = allowed_beside(pieces);
-      if (is_allowed(tried[i].strain, allowed) && !tried[i].is_final) tried[i] = without(mask, allowed, exact_);
-      if (is_allowed(tried[i].strain, allowed)) {
-        state_ = std::move(tried[i].after);
-        return true;
+      const double allowed = allowed_beside(beside(mask));
+      if (is_allowed(tried[i].strain, allowed) && !tried[i].is_final) {
+        tried[i] = without(mask, allowed, exact_);
+        tried[i].is_final = true;
       }
-      rejected_[mask] = {pieces, tried[i].strain};
+      remember(mask, tried[i]);
+      if (!is_allowed(tried[i].strain, allowed)) continue;
+      earlier_.push_back(std::exchange(state_, std::move(tried[i].after)));
+      return true;
     }
   }
   return false;
+}
+
+/// Returns the last trial of a section whose pieces are all in the state; nullptr if there is none.
+const SectionMerger::Replacement* SectionMerger::known(const CutMask& mask) const {
+  const auto trials = known_.find(mask);
+  if (trials == known_.end()) return nullptr;
+  const FlatPieces pieces = beside(mask);
+  const auto has = [](const FlatPieces& all, const FlatPieces& some) {
+    return std::all_of(some.begin(), some.end(),
+                       [&](const auto& piece) { return std::find(all.begin(), all.end(), piece) != all.end(); });
+  };
+  const auto found = std::find_if(trials->second.rbegin(), trials->second.rend(), [&](const Replacement& trial) {
+    return has(trial.before, pieces) && has(state_.pieces, trial.before);
+  });
+  return found == trials->second.rend() ? nullptr : &*found;
+}
+
+SectionMerger::Trial SectionMerger::replaced(const CutMask& mask, const Replacement& replacement) const {
+  Trial trial{replacement.strain, {state_.cut, {}}, replacement.is_final};
+  const FlatPieces& before = replacement.before;
+  for (std::size_t e = 0; e < mask.size(); ++e) trial.after.cut[e] = state_.cut[e] != 0 && mask[e] == 0;
+  FlatPieces& after = trial.after.pieces;
+  std::copy_if(state_.pieces.begin(), state_.pieces.end(), std::back_inserter(after),
+               [&](const auto& piece) { return std::find(before.begin(), before.end(), piece) == before.end(); });
+  after.insert(after.end(), replacement.after.begin(), replacement.after.end());
+  return trial;
+}
+
+void SectionMerger::remember(const CutMask& mask, const Trial& trial) {
+  if (const Replacement* same = known(mask); same != nullptr && same->is_final == trial.is_final) return;
+  Replacement replacement{{}, {}, trial.strain, trial.is_final};
+  const FlatPieces &before = state_.pieces, &after = trial.after.pieces;
+  const auto difference = [](const FlatPieces& all, const FlatPieces& others, FlatPieces& result) {
+    std::copy_if(all.begin(), all.end(), std::back_inserter(result),
+                 [&](const auto& piece) { return std::find(others.begin(), others.end(), piece) == others.end(); });
+  };
+  if (after.empty()) {
+    replacement.before = beside(mask);
+  } else {
+    difference(before, after, replacement.before);
+    difference(after, before, replacement.after);
+  }
+  known_[mask].push_back(std::move(replacement));
 }
 
 /// Returns symmetric candidates. Those beside narrow pieces come first, because they can be joined only as long as
@@ -203,14 +288,12 @@ std::vector<CutMask> SectionMerger::list_candidates(bool are_halves) {
   for (const HalfEdgeChain& section : sorted_by_length(chart_.mesh, std::move(sections))) {
     CutMask mask = mirrored_.with_image(cut_along(chart_.mesh, section));
     for (std::size_t e = 0; e < mask.size(); ++e) mask[e] = mask[e] != 0 && state_.cut[e] != 0;
-    const auto known = rejected_.find(mask);
-    if (known != rejected_.end() && known->second.beside == beside(mask) &&
-        !is_allowed(known->second.strain, allowed_beside(known->second.beside)))
-      continue;
+    const Replacement* trial = known(mask);
+    if (trial != nullptr && !is_allowed(trial->strain, allowed_beside(beside(mask)))) continue;
     if (std::find(candidates.begin(), candidates.end(), mask) == candidates.end())
       candidates.push_back(std::move(mask));
   }
-  if (narrowest_ == 0) return candidates;
+  if (rules_.first == 0) return candidates;
   std::stable_partition(candidates.begin(), candidates.end(), [&](const CutMask& mask) {
     const FlatPieces pieces = beside(mask);
     return std::any_of(pieces.begin(), pieces.end(), [&](const auto& piece) { return is_narrow(piece); });
@@ -236,6 +319,7 @@ double SectionMerger::least_strain_without(const CutMask& mask, double allowed) 
   const FlatPieces joined = beside(mask);
   for (const Chart& chart : exact_.changed_charts(state_.pieces, {}, edges_of(chart_, mask))) {
     if (!is_part_of(chart, joined) && had_error(chart)) continue;
+    if (is_unwanted(chart)) return kNoFlatShape;
     const double least = least_strain(chart, exact_.stop());
     if (least == kNoFlatShape || !has_other_measure_) needed = std::max(needed, least);
     if (!is_allowed(needed, allowed)) break;
@@ -245,27 +329,27 @@ double SectionMerger::least_strain_without(const CutMask& mask, double allowed) 
 
 bool SectionMerger::is_narrow(const std::shared_ptr<const FlatPiece>& piece) {
   const auto [found, is_new] = is_narrow_.try_emplace(piece, false);
-  if (is_new) found->second = piece->error || flat_width(piece->chart.mesh, piece->uv, narrowest_) < narrowest_;
+  if (is_new) found->second = piece->error || flat_width(piece->chart.mesh, piece->uv, rules_.first) < rules_.first;
   return found->second;
 }
 
 /// Returns whether a piece is too narrow, and clearly narrower than each narrow piece that it joins.
 bool SectionMerger::is_too_narrow(const FlatPiece& piece, const FlatPieces& old) const {
-  if (narrowest_ == 0) return false;
-  const double width = flat_width(piece.chart.mesh, piece.uv, narrowest_);
-  return width < narrowest_ && std::none_of(old.begin(), old.end(), [&](const auto& part) {
+  if (rules_.narrowest == 0) return false;
+  const double width = flat_width(piece.chart.mesh, piece.uv, rules_.narrowest);
+  return width < rules_.narrowest && std::none_of(old.begin(), old.end(), [&](const auto& part) {
            if (!wirewarp::is_part_of(part->chart, piece.chart)) return false;
            if (part->error) return true;
-           const double before = flat_width(part->chart.mesh, part->uv, narrowest_);
-           return before < narrowest_ && before <= width + kWidthError * narrowest_;
+           const double before = flat_width(part->chart.mesh, part->uv, rules_.narrowest);
+           return before < rules_.narrowest && before <= width + kWidthError * rules_.narrowest;
          });
 }
 
 /// Returns whether a piece has too little solidity, and less than each piece that it joins.
 bool SectionMerger::has_long_arms(const FlatPiece& piece, const FlatPieces& old) const {
-  if (least_solidity_ == 0) return false;
+  if (rules_.least_solidity == 0) return false;
   const double share = solidity(piece);
-  return share < least_solidity_ && std::none_of(old.begin(), old.end(), [&](const auto& part) {
+  return share < rules_.least_solidity && std::none_of(old.begin(), old.end(), [&](const auto& part) {
            return wirewarp::is_part_of(part->chart, piece.chart) &&
                   (part->error || solidity(*part) <= share + kSameSolidity);
          });
@@ -290,8 +374,10 @@ SectionMerger::Trial SectionMerger::without(const CutMask& mask, double allowed,
   return trial;
 }
 
-/// Flattens the new pieces only if their free maps need no more than the allowed strain.
+/// Flattens the new pieces only if they are not known, and if their free maps need no more than the allowed strain.
 SectionMerger::Trial SectionMerger::try_without(const CutMask& mask) const {
+  const Replacement* trial = known(mask);
+  if (trial != nullptr && !trial->after.empty()) return replaced(mask, *trial);
   const double allowed = allowed_beside(beside(mask)), least = least_strain_without(mask, allowed);
   return is_allowed(least, allowed) ? without(mask, allowed, quick_) : Trial{least, {}, false};
 }

@@ -19,6 +19,18 @@ struct CutState {
   FlatPieces pieces;
 };
 
+/// Without the lines that merging removes, the final mesh is coarser, so some pieces may need more strain than they
+/// needed while they were merged, mostly on a mesh of a few hundred triangles. Then others are merged, at most this
+/// many times: enough for a cow, which needs five.
+inline constexpr int kMostMerges = 6;
+
+/// The pieces that a merger may make, and its order.
+struct MergeRules {
+  double narrowest = 0;       // least width of a new piece, scene units, unless an old piece is as narrow
+  double least_solidity = 0;  // least solidity of a new piece, unless an old piece has as little
+  double first = 0;           // sections beside pieces that are narrower than this come first
+};
+
 /// Removes sections of seams from a cut, the longest first, until no more can be removed. If no whole section can be
 /// removed, it tries halves, and the parts before and after the sharpest corner. A section and its mirror image are
 /// removed together, after an exact evaluation of the pieces beside them. The new pieces must have a flat shape with at
@@ -26,15 +38,20 @@ struct CutState {
 /// ignored.
 class SectionMerger {
  public:
-  /// chart, mirrored and exact are kept by reference. state: a cut of the chart, and the pieces with it. narrowest,
-  /// least_solidity: the least width (scene units) and solidity of a new piece, unless one of the old pieces has as
-  /// little.
+  /// chart, mirrored and exact are kept by reference. state: a cut of the chart, and the pieces with it.
   SectionMerger(CutState state, const Chart& chart, const MirroredCuts& mirrored, const ExactEvaluation& exact,
-                double narrowest = 0, double least_solidity = 0);
+                const MergeRules& rules = {});
 
   /// Continues from the state. report: called with the share of candidates that were tried. Throws Stopped; then the
   /// state is the last accepted one.
   void run(double most_strain, const std::function<void(double)>& report);
+
+  /// Returns to the first state, and sets MergeRules::first. Unwanted pieces stay unwanted.
+  void restart(double first);
+
+  /// Returns to the last state without these pieces of the state, and makes none of them again, nor pieces that contain
+  /// one. Ignores pieces of the first state. Returns whether the state has changed.
+  bool undo(const FlatPieces& unwanted);
 
   /// The state, evaluated exactly.
   const CutState& state() const { return state_; }
@@ -47,9 +64,12 @@ class SectionMerger {
     bool is_final;   // whether FlatPiece::is_final is true for all new pieces
   };
 
-  struct Rejected {
-    FlatPieces beside;
-    double strain;  // as in Trial
+  /// A trial in other words: opening a section replaces these pieces, whatever the other pieces of the state are.
+  struct Replacement {
+    FlatPieces before;  // all that change; those beside the section if they were not flattened
+    FlatPieces after;   // empty if they were not flattened
+    double strain;      // as in Trial
+    bool is_final;      // as in Trial
   };
 
   bool open_one(bool is_half);
@@ -57,12 +77,16 @@ class SectionMerger {
   FlatPieces beside(const CutMask& mask) const { return pieces_beside(state_.pieces, edges_of(chart_, mask)); }
   double allowed_beside(const FlatPieces& pieces) const;
   bool had_error(const Chart& chart) const;
+  bool is_unwanted(const Chart& chart) const;
   bool is_narrow(const std::shared_ptr<const FlatPiece>& piece);
   bool is_too_narrow(const FlatPiece& piece, const FlatPieces& old) const;
   bool has_long_arms(const FlatPiece& piece, const FlatPieces& old) const;
   double least_strain_without(const CutMask& mask, double allowed) const;
   Trial without(const CutMask& mask, double allowed, const ExactEvaluation& exact) const;
   Trial try_without(const CutMask& mask) const;
+  const Replacement* known(const CutMask& mask) const;
+  Trial replaced(const CutMask& mask, const Replacement& replacement) const;
+  void remember(const CutMask& mask, const Trial& trial);
 
   CutState state_;
   const Chart& chart_;
@@ -70,10 +94,12 @@ class SectionMerger {
   const bool has_other_measure_;  // strain is measured in threads or beyond eases, so free maps cannot estimate it
   const ExactEvaluation& exact_;
   const ExactEvaluation quick_;  // limited to fewer factorizations
-  const double narrowest_, least_solidity_;
+  MergeRules rules_;
+  std::vector<CutState> earlier_;  // all states before
+  FlatPieces unwanted_;            // see undo()
   double most_strain_ = 0;
   std::function<void(double)> report_;
-  std::map<CutMask, Rejected> rejected_;
+  std::map<CutMask, std::vector<Replacement>> known_;           // all trials of each section
   std::map<std::shared_ptr<const FlatPiece>, bool> is_narrow_;  // pieces that were measured
 };
 

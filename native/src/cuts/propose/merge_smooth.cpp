@@ -19,11 +19,6 @@ namespace {
 /// keep their zigzags.
 constexpr double kFineGrowth = 2;
 
-/// Without the lines that merging removes, the mesh is coarser, so a set may need more strain than its pieces needed
-/// while they were merged, mostly on a mesh of a few hundred triangles. If it needs too much, pieces are merged again
-/// for less, as a share of the strain before, but not for less than the least share of the strain that is allowed.
-constexpr double kLessShare = 0.85, kLeastShare = 0.5;
-
 /// Strains that differ by less than this factor are equal.
 constexpr double kRoundedFigure = 1 + 1e-6;
 
@@ -47,47 +42,50 @@ bool SmoothMerger::start(const DartProposal& set, const CutMask& cut, double mos
   return true;
 }
 
-DartProposal SmoothMerger::evaluate(std::vector<SurfacePath> paths) const {
+FlatPieces SmoothMerger::evaluate(std::vector<SurfacePath> paths, DartProposal& set) const {
   const FlattenInput& given = exact_.surface().given();
   const CutMesh cut = cut_mesh(given.vertices, given.faces, paths);
   const CutSurface surface(piece_.pieces, piece_.index, unstopped_, cut);
-  const PieceFigures figures = figures_of(surface.after(), surface.before()[piece_.index]->chart);
-  DartProposal set = set_;
+  const FlatPieces own = parts_of(surface.after(), surface.before()[piece_.index]->chart);
   set.edges.clear();
   if (cut.vertices.rows() == given.vertices.rows()) set.edges = cut.edges;
   set.paths = std::move(paths);
-  set_figures(surface, figures, set);
-  return set;
+  set_figures(surface, figures_of(own), set);
+  return own;
 }
 
 bool SmoothMerger::merge(double share, double most_strain, const std::function<void(double)>& report) {
   const FlattenInput& given = exact_.surface().given();
   const CutMesh mesh = cut_mesh(given.vertices, given.faces, set_.paths);
   const CutSurface surface(piece_.pieces, piece_.index, exact_, mesh);
-  const Chart chart = in_canonical_order(surface.before()[piece_.index]->chart, exact_.stop());
+  const Chart& uncut = surface.before()[piece_.index]->chart;
+  const Chart chart = in_canonical_order(uncut, exact_.stop());
   const std::vector<VertexHandle> image =
       piece_.image.empty() ? std::vector<VertexHandle>() : mirror_image(chart, normal_);
   const MirroredCuts mirrored(chart, image);
   const CutMask cut = PartMap(chart).mask_of(mesh.edges);
   const double allowed = std::max(most_strain, set_.strain);
-  for (; share > kLeastShare; share *= kLessShare) {
-    SectionMerger merger({cut, surface.after()}, chart, mirrored, surface.exact(), cut_options_.narrowest,
-                         least_solidity_);
+  SectionMerger merger({cut, surface.after()}, chart, mirrored, surface.exact(),
+                       {cut_options_.narrowest, least_solidity_, cut_options_.narrowest});
+  for (int i = 0; i < kMostMerges; ++i) {
     const bool stopped = was_stopped([&] { merger.run(share * most_strain, report); });
     SurfaceLines lines = lines_across(given, piece_.chart, mesh, chart, image, merger.state().cut);
     std::vector<SurfacePath> paths;
     for (const SurfaceLine& line : lines.lines) paths.push_back(path_of(given, piece_.chart, line));
-    DartProposal merged = evaluate(std::move(paths));
+    DartProposal merged = set_;
+    const FlatPieces pieces = evaluate(std::move(paths), merged);
+    const FlatPieces joined = parts_of(merger.state().pieces, uncut);
     if (merged.strain <= allowed * kRoundedFigure) {
       set_ = std::move(merged);
       lines_ = std::move(lines);
-      num_narrow_ = count_narrow(merger.state().pieces, chart, cut_options_.narrowest);
+      num_narrow_ = count_narrow(joined, uncut, cut_options_.narrowest);
       return !stopped;
     }
     if (stopped) return false;
+    if (!merger.undo(without_counterpart(joined, pieces, allowed))) break;
   }
   lines_ = lines_across(given, piece_.chart, mesh, chart, image, cut);
-  num_narrow_ = count_narrow(surface.after(), chart, cut_options_.narrowest);
+  num_narrow_ = count_narrow(surface.after(), uncut, cut_options_.narrowest);
   return true;
 }
 

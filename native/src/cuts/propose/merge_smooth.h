@@ -36,7 +36,7 @@ class SmoothMerger {
   const DartProposal& set() const { return set_; }
 
  private:
-  DartProposal evaluate(std::vector<SurfacePath> paths) const;
+  FlatPieces evaluate(std::vector<SurfacePath> paths, DartProposal& set) const;
 
   const PieceToCut& piece_;
   const double least_solidity_;

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numeric>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 #include "base/attempt.h"
@@ -35,8 +36,7 @@ constexpr int kMostRounds = 8;
 /// A model with more parts than this is not divided further, and sets with more pieces than the second number are not
 /// proposed: more than a plush maker would sew. A rabbit has 32 parts, which are joined to 12 pieces; a bear of 24 cm
 /// needs up to 29 pieces.
-constexpr std::size_t kMostParts = 64;
-constexpr int kMostPieces = 30;
+constexpr std::size_t kMostParts = 64, kMostPieces = 30;
 
 /// Strains above count as this strain, so that one bad part does not outweigh all others.
 constexpr double kWorst = 2;
@@ -49,6 +49,10 @@ constexpr double kLengthPrice = 0.02, kPartPrice = 0.01, kNarrowPrice = 0.1;
 /// do not.
 constexpr double kPartSolidity = 0.85;
 
+/// Parts are joined twice: the narrow ones first, then those that are narrower than this multiple of the least width.
+/// The set with fewer pieces is proposed. A banana's caps are joined to its sides only if they come first.
+constexpr double kSmall = 2;
+
 /// Parts are not divided for less strain, because the number of parts grows with its inverse.
 constexpr double kLeastStrain = 0.02;
 
@@ -57,10 +61,9 @@ constexpr double kLeastStrain = 0.02;
 constexpr double kSharpCosine = 0.7, kSharp = 0.5;
 
 /// Parts are divided and joined for this share of the allowed strain, because the final mesh has other triangles beside
-/// the lines, which changes most strains by up to 2%. If a strain changes more, parts are joined again for less strain.
-/// They are joined at most kRepeats times.
+/// the lines, which changes most strains by up to 2%. If a piece has too much strain there, its parts are joined
+/// otherwise.
 constexpr double kMargin = 0.97;
-constexpr int kRepeats = 3;
 
 /// Parts are mirror images of each other if their centroids differ by less than this share of the model's size.
 constexpr double kMirrored = 1e-3;
@@ -183,6 +186,14 @@ class PartSearch {
     Plane plane;
   };
 
+  /// A set, with its lines and the pieces that they make.
+  struct CutSet {
+    DartProposal set;
+    SurfaceLines lines;
+    FlatPieces pieces;
+    int num_narrow = 0;  // see count_narrow()
+  };
+
   /// How a division ends: with all parts within the limit, with more strain in some, or with parts without a shape.
   enum class Division { within_limit, strained, no_shape };
 
@@ -191,7 +202,8 @@ class PartSearch {
   double price_of(const FlatPiece& part, const Plane& plane, double limit) const;
   std::size_t partner_of(const FlatPieces& parts, std::size_t part) const;
   void add_joined(const CutMesh& mesh, double limit, std::vector<DartProposal>& sets) const;
-  std::optional<DartProposal> smooth_set(const SurfaceLines& all, double limit) const;
+  CutSet set_along(const SurfaceLines& lines) const;
+  DartProposal smooth_set(const CutSet& made, double limit) const;
 
   const FlatPieces& pieces_;
   const std::size_t piece_;
@@ -239,15 +251,8 @@ std::size_t PartSearch::partner_of(const FlatPieces& parts, std::size_t part) co
   if (!mirror_) return part;
   const Plane at{centroid_of(parts[part]->chart.mesh), Eigen::Vector3d::Zero()};
   const Eigen::Vector3d there = at.mirrored(*mirror_).point;
-  std::size_t nearest = parts.size();
-  double least = kMirrored * size_;
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    const double apart = (centroid_of(parts[i]->chart.mesh) - there).norm();
-    if (apart >= least) continue;
-    least = apart;
-    nearest = i;
-  }
-  return nearest;
+  const std::size_t nearest = nearest_to(there, parts);
+  return (centroid_of(parts[nearest]->chart.mesh) - there).norm() < kMirrored * size_ ? nearest : parts.size();
 }
 
 PartSearch::Choice PartSearch::best_plane(const FlatPiece& part, bool is_symmetric, double limit) const {
@@ -296,47 +301,63 @@ void PartSearch::add_joined(const CutMesh& mesh, double limit, std::vector<DartP
   const CutMask cut = PartMap(chart).mask_of(mesh.edges);
   const std::vector<VertexHandle> image = mirror_image(chart, exact_.stop());
   const MirroredCuts mirrored(chart, image);
-  const FlatPieces parts = model.exact().with_cut(model.pieces(), mesh.edges);
-  std::optional<DartProposal> best;
-  double joined_for = kMargin * limit;
-  for (int i = 0; i < kRepeats; ++i) {
-    SectionMerger merger({cut, parts}, chart, mirrored, model.exact(), cut_options_.narrowest, kPartSolidity);
-    merger.run(joined_for, [](double) {});
-    const SurfaceLines lines = lines_across(own_, alone_, mesh, chart, image, merger.state().cut);
-    const std::optional<DartProposal> set = smooth_set(lines, limit);
-    if (!set || set->num_pieces != static_cast<int>(merger.state().pieces.size())) {  // a new piece is a sliver
-      joined_for *= kMargin;
-      continue;
+  std::optional<CutSet> best;
+  const auto is_better = [&](const CutSet& other) {
+    if (!best) return true;
+    if (other.set.strain > limit || best->set.strain > limit) return other.set.strain < best->set.strain;
+    const auto rank = [](const CutSet& each) {
+      return std::tuple(each.num_narrow, each.set.num_pieces, each.set.length);
+    };
+    return rank(other) < rank(*best);
+  };
+  const double narrowest = cut_options_.narrowest;
+  SectionMerger merger({cut, model.exact().with_cut(model.pieces(), mesh.edges)}, chart, mirrored, model.exact(),
+                       {narrowest, kPartSolidity, narrowest});
+  for (const double first : narrowest > 0 ? std::vector{narrowest, kSmall * narrowest} : std::vector{0.0}) {
+    merger.restart(first);
+    for (int i = 0; i < kMostMerges; ++i) {
+      merger.run(kMargin * limit, [](double) {});
+      const FlatPieces& joined = merger.state().pieces;
+      if (joined.size() > kMostPieces) break;
+      CutSet made = set_along(lines_across(own_, alone_, mesh, chart, image, merger.state().cut));
+      const FlatPieces failed = without_counterpart(joined, made.pieces, limit);
+      const bool is_useful = made.pieces.size() == joined.size() && made.set.strain < kMostStrain &&
+                             made.set.length <= cut_options_.longest;
+      if (is_useful && is_better(made)) best = std::move(made);
+      if (!merger.undo(failed)) break;
     }
-    if (set->num_pieces > kMostPieces) break;
-    const bool is_useful = set->strain < kMostStrain && set->length <= cut_options_.longest;
-    if (is_useful && !(best && best->strain <= set->strain)) best = set;
-    if (set->strain <= limit) break;
-    joined_for *= kMargin * limit / set->strain;
+    if (!best) break;
   }
-  if (best && (best->strain <= limit || sets.empty())) sets.push_back(*best);
+  if (best && (best->set.strain <= limit || sets.empty())) sets.push_back(smooth_set(*best, limit));
 }
 
-/// Returns the set along those of the lines that do not collapse, with its exact figures; smoother if it needs no more
-/// strain than allowed. Returns none if it has no flat shape.
-std::optional<DartProposal> PartSearch::smooth_set(const SurfaceLines& all, double limit) const {
+/// Returns the set along those of the lines that do not collapse, with its exact figures. Its strain is infinite if a
+/// piece has no flat shape.
+PartSearch::CutSet PartSearch::set_along(const SurfaceLines& lines) const {
   const FlattenInput& given = exact_.surface().given();
   std::vector<SurfacePath> paths;
-  for (const SurfaceLine& line : all.lines) paths.push_back(path_of(given, chart_, line));
+  for (const SurfaceLine& line : lines.lines) paths.push_back(path_of(given, chart_, line));
   const std::vector<char> kept = not_collapsed(given.faces, static_cast<int>(given.vertices.rows()), paths);
-  const SurfaceLines lines = selected(all, kept);
-  DartProposal set;
-  set.paths = selected(paths, kept);
-  const CutMesh cut = cut_mesh(given.vertices, given.faces, set.paths);
+  CutSet made;
+  made.lines = selected(lines, kept);
+  made.set.paths = selected(paths, kept);
+  const CutMesh cut = cut_mesh(given.vertices, given.faces, made.set.paths);
   const CutSurface surface(pieces_, piece_, exact_, cut);
-  const PieceFigures figures = figures_of(surface.after(), surface.before()[piece_]->chart);
-  if (figures.error) return std::nullopt;
-  set_figures(surface, figures, set);
-  set.energy_before = set.strain_before = std::numeric_limits<double>::infinity();
-  if (set.strain > limit) return set;
+  const Chart& uncut = surface.before()[piece_]->chart;
+  made.pieces = parts_of(surface.after(), uncut);
+  set_figures(surface, figures_of(made.pieces), made.set);
+  made.set.energy_before = made.set.strain_before = std::numeric_limits<double>::infinity();
+  made.num_narrow = count_narrow(made.pieces, uncut, cut_options_.narrowest);
+  return made;
+}
+
+/// Returns a set with smoother lines, if they need no more strain than allowed.
+DartProposal PartSearch::smooth_set(const CutSet& made, double limit) const {
+  if (made.set.strain > limit) return made.set;
   SmoothLimits limits{limit};
-  limits.num_narrow = count_narrow(surface.after(), surface.before()[piece_]->chart, cut_options_.narrowest);
-  return smooth_lines(set, lines, limits, {pieces_, piece_, chart_, image_}, cut_options_, exact_).value_or(set);
+  limits.num_narrow = made.num_narrow;
+  return smooth_lines(made.set, made.lines, limits, {pieces_, piece_, chart_, image_}, cut_options_, exact_)
+      .value_or(made.set);
 }
 
 }  // namespace
