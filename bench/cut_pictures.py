@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Draws the sets of seams that are proposed for the toys of toys.py, and prints a table row for each:
+"""Draws the sets of seams that are proposed for the toys of toys.py or for closed models, and prints a table row each:
 
-PYTHONPATH=results:blend_samples python bench/cut_pictures.py FOLDER [NAME...]
+PYTHONPATH=results:blend_samples python bench/cut_pictures.py FOLDER [NAME or MESH.obj...]
 
 The set is the one of cut_sets.py, with smooth seams. A picture has the model from the front and from the back, and the
 pieces at the scale of the model. Pieces without room for their allowances are darker.
@@ -16,7 +16,7 @@ import wirewarp
 from arrange import arrange
 from cut_sets import ALLOWANCE, HEAD, Cut, best_cut, row, scale_of
 from matplotlib.collections import LineCollection, PolyCollection
-from mesh_files import Mesh
+from mesh_files import Mesh, read_obj
 from model_view import draw_model, frame
 from palette import CLOTH, INK, use_style
 from save_picture import save
@@ -56,13 +56,14 @@ def main() -> None:
     use_style()
     folder, names = Path(sys.argv[1]), sys.argv[2:]
     folder.mkdir(parents=True, exist_ok=True)
+    made = toys()
+    meshes = {Path(name).stem: made[name] if name in made else read_obj(Path(name)) for name in names} or made
     rows = []
-    for name, mesh in toys().items():
-        if not names or name in names:
-            cut = best_cut(mesh, smooth=True)
-            rows.append(row(name, mesh, cut))
-            print(" ".join(rows[-1]), flush=True)
-            draw(folder / f"{name}.png", mesh, cut)
+    for name, mesh in meshes.items():
+        cut = best_cut(mesh, smooth=True)
+        rows.append(row(name, mesh, cut))
+        print(" ".join(rows[-1]), flush=True)
+        draw(folder / f"{name}.png", mesh, cut)
     print("\n".join(table(HEAD, rows)))
 
 
