@@ -221,8 +221,10 @@ bool SectionMerger::open_one(bool is_half) {
         tried[i] = without(mask, allowed, exact_);
         tried[i].is_final = true;
       }
-      remember(mask, tried[i]);
-      if (!is_allowed(tried[i].strain, allowed)) continue;
+      const bool are_allowed = is_allowed(tried[i].strain, allowed);
+      if (const Replacement* same = known(mask); same == nullptr || same->after.empty())
+        remember(mask, tried[i], are_allowed);
+      if (!are_allowed) continue;
       earlier_.push_back(std::exchange(state_, std::move(tried[i].after)));
       return true;
     }
@@ -246,7 +248,7 @@ const SectionMerger::Replacement* SectionMerger::known(const CutMask& mask) cons
 }
 
 SectionMerger::Trial SectionMerger::replaced(const CutMask& mask, const Replacement& replacement) const {
-  Trial trial{replacement.strain, {state_.cut, {}}, replacement.is_final};
+  Trial trial{replacement.strain, {state_.cut, {}}, true};
   const FlatPieces& before = replacement.before;
   for (std::size_t e = 0; e < mask.size(); ++e) trial.after.cut[e] = state_.cut[e] != 0 && mask[e] == 0;
   FlatPieces& after = trial.after.pieces;
@@ -256,20 +258,17 @@ SectionMerger::Trial SectionMerger::replaced(const CutMask& mask, const Replacem
   return trial;
 }
 
-void SectionMerger::remember(const CutMask& mask, const Trial& trial) {
-  if (const Replacement* same = known(mask); same != nullptr && same->is_final == trial.is_final) return;
-  Replacement replacement{{}, {}, trial.strain, trial.is_final};
-  const FlatPieces &before = state_.pieces, &after = trial.after.pieces;
-  const auto difference = [](const FlatPieces& all, const FlatPieces& others, FlatPieces& result) {
-    std::copy_if(all.begin(), all.end(), std::back_inserter(result),
+/// Remembers a trial; its new pieces only if they are allowed, because most are not, and take much memory.
+void SectionMerger::remember(const CutMask& mask, const Trial& trial, bool are_allowed) {
+  const auto without = [](const FlatPieces& all, const FlatPieces& others) {
+    FlatPieces rest;
+    std::copy_if(all.begin(), all.end(), std::back_inserter(rest),
                  [&](const auto& piece) { return std::find(others.begin(), others.end(), piece) == others.end(); });
+    return rest;
   };
-  if (after.empty()) {
-    replacement.before = beside(mask);
-  } else {
-    difference(before, after, replacement.before);
-    difference(after, before, replacement.after);
-  }
+  const FlatPieces &before = state_.pieces, &after = trial.after.pieces;
+  Replacement replacement{after.empty() ? beside(mask) : without(before, after), {}, trial.strain};
+  if (are_allowed) replacement.after = without(after, before);
   known_[mask].push_back(std::move(replacement));
 }
 

@@ -64,12 +64,11 @@ class SectionMerger {
     bool is_final;   // whether FlatPiece::is_final is true for all new pieces
   };
 
-  /// A trial in other words: opening a section replaces these pieces, whatever the other pieces of the state are.
+  /// What a trial changes: opening a section replaces these pieces, whatever the other pieces of the state are.
   struct Replacement {
     FlatPieces before;  // all that change; those beside the section if they were not flattened
-    FlatPieces after;   // empty if they were not flattened
+    FlatPieces after;   // empty if they were not allowed
     double strain;      // as in Trial
-    bool is_final;      // as in Trial
   };
 
   bool open_one(bool is_half);
@@ -86,7 +85,7 @@ class SectionMerger {
   Trial try_without(const CutMask& mask) const;
   const Replacement* known(const CutMask& mask) const;
   Trial replaced(const CutMask& mask, const Replacement& replacement) const;
-  void remember(const CutMask& mask, const Trial& trial);
+  void remember(const CutMask& mask, const Trial& trial, bool are_allowed);
 
   CutState state_;
   const Chart& chart_;
