@@ -17,6 +17,7 @@ MODULES = (
     "solve.flatten",
     "solve.identity",
     "solve.maps",
+    "solve.seam_sets",
     "solve.steps",
     "solve.suggest",
 )

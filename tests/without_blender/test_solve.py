@@ -65,15 +65,21 @@ def test_the_chosen_set_has_the_fewest_pieces_for_the_fabric(addon):
     assert suggest.set_for(koala, [0.1]) == 1
 
 
-def test_each_direction_of_the_fabric_decides_about_a_measured_set(addon):
-    suggest, limits = addon.solve.suggest, [0.05, 0.2]
+@pytest.fixture
+def measured(addon):
+    """Return a function that makes a set whose stretches by minky are known."""
 
-    def measured(pieces, across, along):
+    def make(pieces, across, along):
         ways = addon.core.report.model.Ways(across=0.2, along=0.05)
         threads = addon.core.Threads(cloth="minky", across=across, along=along, shear=0, gives=ways, worn=ways)
-        cut = suggest.Cut([], [], [], None, 0, [1.0], max(across, along), math.inf, pieces)
+        cut = addon.solve.suggest.Cut([], [], [], None, 0, [1.0], max(across, along), math.inf, pieces)
         return replace(cut, threads=threads)
 
+    return make
+
+
+def test_each_direction_of_the_fabric_decides_about_a_measured_set(addon, measured):
+    suggest, limits = addon.solve.suggest, [0.05, 0.2]
     upright, turned, many = measured(4, 0.15, 0.04), measured(3, 0.04, 0.15), measured(9, 0.03, 0.03)
     assert suggest.set_for([turned, upright, many], limits) == 1
     assert suggest.set_for([turned, many], limits) == 1
@@ -81,6 +87,24 @@ def test_each_direction_of_the_fabric_decides_about_a_measured_set(addon):
     close = replace(measured(4, 0.149, 0.03), lengths=[2.0])  # its gain is small, but only this set suits the fabric
     assert suggest.from_few_pieces([turned, close, many], limits) == [turned, close, many]
     assert suggest.from_few_pieces([measured(3, 0.15, 0.03), close, many], limits)[1:] == [many]
+
+
+def test_seams_are_cleared_up_to_the_softer_direction_of_the_fabric_if_the_other_allows_it(addon, measured):
+    sets, steps = addon.solve.seam_sets, addon.solve.steps
+    assert sets.limits_up_to([]) == [0.05, 0.1, 0.2] and sets.limits_up_to([0.03]) == [0.03]
+    assert sets.limits_up_to([0.07, 0.3]) == [0.05, 0.07, 0.1, 0.2, 0.3]
+
+    def search(cuts):
+        yield 0.5
+        return cuts
+
+    def allowed(*cuts):
+        return steps.in_one_go(sets.within_fabric(search(list(cuts)), [0.05, 0.2], "Choose another."))
+
+    upright, turned = measured(4, 0.15, 0.04), measured(3, 0.04, 0.15)
+    assert allowed(turned, upright) == [upright]
+    with pytest.raises(addon.issues.ObjectError, match=r"Every seam is needed for this fabric\. Choose another"):
+        allowed(turned)
 
 
 def test_mirror_images_without_common_figures_are_one_row(addon):

@@ -32,9 +32,9 @@ from .suggest import Cut, excess_of, from_few_pieces
 LIMITS = (0.05, 0.1, 0.2)  # accepted stretches: woven fabric stretches by the first, plush and knits by the last
 
 
-def limits_up_to(most: float | None) -> list[float]:
-    """Return the accepted stretches in ascending order. most: maximum stretch of the fabric; None if unknown."""
-    return list(LIMITS) if most is None else [*(limit for limit in LIMITS if limit < most), most]
+def limits_up_to(stretches: Sequence[float]) -> list[float]:
+    """Return the accepted stretches in ascending order, among them the fabric's maximum stretches; none if unknown."""
+    return sorted({*(limit for limit in LIMITS if not stretches or limit < max(stretches)), *stretches})
 
 
 def fewer_seams(
@@ -90,6 +90,15 @@ def _row(arrays: MeshArrays, cleared: np.ndarray, length: float, strain: float, 
         num_pieces=num_pieces,
         cleared=[(min(pair), max(pair)) for pair in cleared.tolist()],
     )
+
+
+def within_fabric(search: Steps[list[Cut]], limits: Sequence[float], remedy: str) -> Steps[list[Cut]]:
+    """Search, and return the sets that the fabric allows. remedy: as for fewer_seams; limits: see Cut.excess."""
+    cuts = yield from search
+    allowed = [cut for cut in cuts if cut.excess(limits) <= 0]
+    if not allowed:
+        raise object_error("no_proposal", f"Every seam is needed for this fabric. {remedy}")
+    return allowed
 
 
 SEARCH = 0.8  # share of the progress that the search gets; measuring the sets gets the rest

@@ -18,7 +18,7 @@ from ..issues import ObjectError, changed_error, object_error
 from ..properties import reset_unknown
 from ..solve.flatten import FlattenChoices, known_stretch, used_choices
 from ..solve.report import ObjectReport
-from ..solve.seam_sets import fewer_seams, limits_up_to, with_measures
+from ..solve.seam_sets import fewer_seams, limits_up_to, with_measures, within_fabric
 from ..solve.steps import CanceledError, Steps
 from ..solve.suggest import (
     Cut,
@@ -105,14 +105,15 @@ def begin_search(context: bpy.types.Context, source: bpy.types.Object, kind: str
     strain = limits[0] if limits and limits[0] < SOFT[0] and is_for_sets else None
     options = SearchOptions(kind, piece, target, strain, is_smooth, names)
     if kind == "FEWER":
-        up_to = limits_up_to(next(iter(limits), None))
-        accepted, remedy = ([target.strain], SET_TARGET) if target else (up_to, CHOOSE_FABRIC)
+        accepted, remedy = ([target.strain], SET_TARGET) if target else (limits_up_to(limits), CHOOSE_FABRIC)
         steps = fewer_seams(core.library(), model.arrays, choices, accepted, remedy)
         options = replace(options, target=None)  # the sets are alternatives, not steps
     else:
         steps = suggest_cuts(core.library(), model.arrays, choices, options, no_seam)
     if options.target is None:
         steps = with_measures(steps, core.library(), model.arrays, choices, limits or SOFT)
+    if kind == "FEWER" and limits and not target:
+        steps = within_fabric(steps, limits, CHOOSE_FABRIC)
     return Search(options, model, used, own, is_shaped or is_split, steps, {each.index: each.name for each in pieces})
 
 
