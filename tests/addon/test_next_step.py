@@ -213,7 +213,7 @@ def test_modifiers_of_a_shared_mesh_are_not_applied(addon):
 
 
 def test_the_strained_place_is_the_largest_of_the_worst_piece(addon):
-    """The first place is not a wire at its limit or a single strained face."""
+    """The place shown first is not a wire at its limit, and not a single strained face."""
 
     def entry(code, piece, faces, edges=()):
         return addon.core.Hint(code, "", piece, edges=list(edges), faces=list(range(faces)))

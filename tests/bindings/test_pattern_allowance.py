@@ -171,7 +171,7 @@ def right_of(a, b):
 
 
 def half_strip(section, at_end):
-    """Return half of a straight section's allowance, that at its end or at its start."""
+    """Return half of a straight section's allowance: the half at its end, or the half at its start."""
     a, b = section.points
     near, far = (b, (a + b) / 2) if at_end else (a, (a + b) / 2)
     aside = section.width * right_of(a, b)

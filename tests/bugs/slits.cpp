@@ -142,8 +142,8 @@ TEST(Bugs, ClosedSlitsOfAFewEdgesTakeHardlyLongerThanWires) {
   }
 }
 
-// On a rough surface, a slit that turns more to the left than the outline was taken for the outer loop. The other slits
-// were sewn without it, its rims still became one edge, and memory was written at index -1.
+// On a rough surface, a slit that turns more to the left than the outline was taken for the outer loop. Only the other
+// slits were sewn, but the rims of this slit still became one edge. Memory was then written at index -1.
 
 /// Returns a sheet with a slit of one edge, which has a high spike at one end and a low one at the other. The slit
 /// therefore turns by nearly 2 pi.

@@ -206,7 +206,7 @@ TEST(ProposeCuts, MirrorImagesThatDoNotMeetHaveTheFiguresOfBoth) {
 
 TEST(ProposeCuts, DoNotCutWires) {
   const int n = 6;
-  for (FlattenInput input : {hill(n), two_hills(n)}) {  // forbids edges on one side of the symmetric piece
+  for (FlattenInput input : {hill(n), two_hills(n)}) {  // the wire is on one side of the symmetric piece
     test::add_wire(input, test::grid_column(n, n, 4));
     const std::vector<int>& wire = input.wires[0].vertices;
     for (const auto& propose : {propose_darts, propose_seams}) {

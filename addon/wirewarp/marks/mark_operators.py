@@ -311,7 +311,7 @@ class SCENE_OT_wirewarp_set_unit(bpy.types.Operator):
 
 
 def _keep_lengths(scene: bpy.types.Scene, factor: float) -> None:
-    """Scale the marked lengths by this factor, because they are in Blender units and must not change. Raises
+    """Keep the marked lengths in millimeters: scale their values, which are in Blender units, by this factor. Raises
     ObjectError before any change."""
     models = [each for each in scene.objects if each.type == "MESH" and each.data.library is None]
     for model in models:

@@ -59,7 +59,7 @@ class EdgeMarks:
         return EdgeMarks(self.wire_ids[rows], self.tolerances[rows], self.eases[rows])
 
     def without(self, mask: np.ndarray) -> "EdgeMarks":
-        """Return the marks of all edges, without the wires of the mask."""
+        """Return the marks of all edges; edges of the mask are not wires in the result."""
         return EdgeMarks(np.where(mask, 0, self.wire_ids), self.tolerances, self.eases)
 
 

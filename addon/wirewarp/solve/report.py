@@ -58,7 +58,7 @@ class UvSeams:
     pieces: int
     failed: int
     stretch: float  # largest Piece.needed of the pieces that some fabric can be cut for
-    beyond_any: int = 0  # pieces beyond every fabric
+    beyond_any: int = 0  # number of pieces that need more stretch than any fabric has
     is_beyond_fabric: bool = False  # whether this is more than the chosen fabric stretches
 
     @property

@@ -242,7 +242,7 @@ def set_for(sets: Sequence[Cut], limits: Sequence[float]) -> int:
 def _steps_of(plan: list[DartProposal], arrays: MeshArrays, piece: int | None) -> list[Cut]:
     """Return the steps of a plan; mirror images are one step. piece: the piece to cut; None for any."""
     first = plan[0]
-    # If any piece may be cut, a piece that is not cut may have more strain than the first piece to cut.
+    # If any piece may be cut, the most strained piece may be one that stays whole, not the one that is cut first.
     before = first.strain_before if piece is not None else max(first.strain_before, first.strain_left)
     ends = [index + 1 for index, each in enumerate(plan) if each.twin is None or each.twin < index]
     return [_cut(plan[:end], plan[end - 1].strain_left, before, arrays) for end in ends]

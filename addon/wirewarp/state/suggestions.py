@@ -95,7 +95,7 @@ def current_suggestions(source: bpy.types.Object, take: Take = kept) -> Suggesti
 
 
 def are_current(source: bpy.types.Object, found: Suggestions, take: Take = kept) -> bool:
-    """Return whether the model and its areas without cuts are unchanged; Edit Mode hides these areas."""
+    """Return whether the model and its areas without cuts are unchanged. In Edit Mode, the areas are not checked."""
     if has_changed(source, found.state, take):
         return False
     if source.data.is_editmode:

@@ -50,7 +50,7 @@ def beyond_fabric(names: str, threads: Threads) -> str:
 
 
 def set_beyond_fabric(threads: Threads) -> str:
-    """Return the sentence about a set of seams. threads: of its piece that is furthest beyond the fabric."""
+    """Return the sentence about a set of seams. threads: of the piece that is furthest beyond the fabric."""
     return f"A piece must stretch {by_way(threads.across, threads.along)}, more than this {threads.cloth} can."
 
 

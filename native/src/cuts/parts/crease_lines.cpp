@@ -18,7 +18,8 @@ namespace {
 /// radii.
 constexpr double kTowardsTip = 1, kTowardsBody = 2;
 
-/// A concave curvature of this over the radius halves the conductance; with more, it falls with the square.
+/// A concave curvature of this number divided by the radius halves the conductance. For larger curvatures, the
+/// conductance falls with the square of the curvature.
 constexpr double kConcave = 0.5;
 
 /// Number of times that normals are averaged with those of their neighbors. Without this, lines in the shallow creases

@@ -54,7 +54,7 @@ void free_elastic_seams(const std::vector<GroupMember>& group, const Run& run, c
     }
     const FixedSeams fixed(member.chart);
     SolvedChart& solved = member.solved;
-    if (!member.is_nominal) {  // no shape was found before; another search finds the error
+    if (!member.is_nominal) {  // without a shape, solve it again to find the error
       Budget budget(run.options.max_factorizations);
       budget.spend(solved.report.factorizations);
       solved = in_shape.is_stopped() ? cancelled_chart() : solve_chart(member.chart, run, budget, in_shape);

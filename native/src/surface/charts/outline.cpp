@@ -20,7 +20,7 @@ std::vector<int> fans_at(const EdgeTable& edges, const SurfaceCut& cut, int edge
 /// fans on their sides.
 struct OutlineVertices {
   std::vector<int> degree;
-  std::vector<std::array<int, 2>> edges;  // the first two
+  std::vector<std::array<int, 2>> edges;  // the first two outline edges of each vertex
 };
 
 OutlineVertices find_outline_vertices(const EdgeTable& edges, const SurfaceCut& cut, std::size_t num_vertices) {

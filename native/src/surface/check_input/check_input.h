@@ -13,7 +13,7 @@ constexpr double kCoordinateLimit = 1e60;
 /// Throws invalid_option unless every option is in its documented range for an input with num_wires wires.
 void check_options(const Options& options, std::size_t num_wires);
 
-/// Throws empty_mesh, vertex_out_of_range or non_finite_coordinates (even for finite ones that are too large).
+/// Throws empty_mesh, vertex_out_of_range or non_finite_coordinates (also if coordinates are too large).
 void check_mesh(const FlattenInput& input);
 
 /// Throws loose_faces for a mesh of separate faces, each of which would be a piece.

@@ -17,8 +17,8 @@ using Shares = std::array<double, 3>;
 struct Site {
   std::vector<int> vertices;   // one vertex; the ends of an edge, smaller first; or the corners of a face
   std::vector<double> shares;  // weight of each of these vertices
-  int edge = -1;               // set for two vertices
-  int face = -1;               // set for three vertices
+  int edge = -1;               // the edge of two vertices, otherwise -1
+  int face = -1;               // the face of three vertices, otherwise -1
 };
 
 class PathSites {

@@ -113,7 +113,7 @@ OuterSolution start_variation(const Chart& chart, Warp& warp, const VariationBou
     return std::tuple(!s.shape.inner.is_feasible, !s.shape.inner.is_minimum, s.shape_error);
   };
   OuterSolution start = std::move(rank(relaxed) <= rank(rigid) ? relaxed : rigid);
-  start.evaluations = 1;  // counts the start that is not used
+  start.evaluations = 1;  // the evaluation of the start that is not used
   start.inner_solves = inner_solves;
   start.free_factorizations = free.factorizations;
   return start;

@@ -136,7 +136,7 @@ class _Writer:
             if role == "grain":
                 tags.line("5", points)  # the reference line of grading
             return
-        # the piece is a half; in AccuMark, its outline follows the fold without the flag
+        # The piece is a half. For AccuMark, its outline closes along the fold, without the flag for closed lines.
         if role == "cut" and not closed:
             points = np.concatenate([points, points[:1]])
         tags.polyline(layer, points, closed, repeat=True)

@@ -24,7 +24,7 @@ class Item:
     mirrored: bool
     count: int
     outline: np.ndarray  # (k,2) counterclockwise, already mirrored, with `room` around the piece
-    upright: float  # degrees by which the piece is turned so that its grain is along the cloth
+    upright: float  # degrees by which the piece is turned so that its grain is along the fabric
     area: float  # area of one piece, square millimeters
 
     def turned(self, angle: float) -> np.ndarray:

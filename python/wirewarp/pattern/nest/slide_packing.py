@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Packs pieces without a library: each slides along the cloth until it touches those already placed.
+"""Packs pieces without a library: each slides along the fabric until it touches those already placed.
 
-The cloth is divided lengthwise into narrow rows. For each row, the length used so far is stored, and for each piece its
-start and end in the rows that it covers. Gaps behind pieces stay empty. Other orders are tried while there is time.
+The fabric is divided lengthwise into narrow rows. For each row, the length used so far is stored, and for each piece
+its start and end in the rows that it covers. Gaps behind pieces stay empty. Other orders are tried while there is time.
 """
 
 import math

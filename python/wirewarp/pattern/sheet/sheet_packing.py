@@ -127,7 +127,7 @@ def _mark(whole: np.ndarray, part: np.ndarray, at: np.ndarray) -> None:
 
 def _collides(taken: np.ndarray, cells: np.ndarray) -> np.ndarray:
     """Return for each start cell whether the piece would overlap others."""
-    shape = [_quick(size) for size in taken.shape]  # beyond the far edges, a piece would not fit in any case
+    shape = [_quick(size) for size in taken.shape]  # counts where the piece does not fit are wrong, and not used
     product = np.fft.rfft2(taken, shape) * np.conj(np.fft.rfft2(cells, shape))
     counts = np.fft.irfft2(product, shape)
     fits = [size - own + 1 for size, own in zip(taken.shape, cells.shape, strict=True)]
