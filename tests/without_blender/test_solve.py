@@ -105,6 +105,8 @@ def test_seams_are_cleared_up_to_the_softer_direction_of_the_fabric_if_the_other
     assert allowed(turned, upright) == [upright]
     with pytest.raises(addon.issues.ObjectError, match=r"Every seam is needed for this fabric\. Choose another"):
         allowed(turned)
+    with pytest.raises(steps.CanceledError):
+        allowed(replace(upright, threads=None))  # canceled while sets were measured
 
 
 def test_mirror_images_without_common_figures_are_one_row(addon):

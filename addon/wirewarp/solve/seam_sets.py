@@ -93,9 +93,14 @@ def _row(arrays: MeshArrays, cleared: np.ndarray, length: float, strain: float, 
 
 
 def within_fabric(search: Steps[list[Cut]], limits: Sequence[float], remedy: str) -> Steps[list[Cut]]:
-    """Search, and return the sets that the fabric allows. remedy: as for fewer_seams; limits: see Cut.excess."""
+    """Search, and return the sets that the fabric allows. remedy: as for fewer_seams; limits: see Cut.excess.
+
+    Raises CanceledError if the search is canceled before a set is known to be allowed.
+    """
     cuts = yield from search
     allowed = [cut for cut in cuts if cut.excess(limits) <= 0]
+    if not allowed and any(cut.threads is None for cut in cuts):
+        raise CanceledError
     if not allowed:
         raise object_error("no_proposal", f"Every seam is needed for this fabric. {remedy}")
     return allowed
