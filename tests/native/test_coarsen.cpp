@@ -90,7 +90,6 @@ TEST(Coarsen, RunsPartitionTheFineEdgesAndTheirLengths) {
   EXPECT_NEAR(walked, total, 1e-12 * total);
 }
 
-/// On a plane, the unrolled runs are the wires themselves.
 TEST(Coarsen, ChordsAndAnglesAreThoseOfTheCoarseMeshOnAPlane) {
   const int n = 40;
   const Coarse c(with_cross(jittered_grid(n, 0.3, flat), n));

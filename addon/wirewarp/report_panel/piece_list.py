@@ -105,7 +105,7 @@ class VIEW3D_PT_wirewarp_pieces(SidebarPanel, bpy.types.Panel):
         if chosen and chosen.has_layout and len(source.wirewarp_pieces) > MOST_ROWS:
             button = self.layout.operator("mesh.wirewarp_select_result", text=SELECT, icon="RESTRICT_SELECT_OFF")
             button.what, button.index = "PIECE", chosen.index
-        if chosen:  # buttons before figures, so that their results are in view
+        if chosen:  # above the figures, so that what the buttons list below them stays in view
             report = shown_report(context)
             # the piece that has buttons below Flatten
             offered = offered_piece(context, source, report) if report else None

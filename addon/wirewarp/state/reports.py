@@ -19,7 +19,7 @@ from ..solve.report import ObjectReport, failure_report
 from .identities import piece_names, present_names, seam_names
 from .memory import all_states, note, state_of
 
-# key under which the panel keeps its answer until another report is stored
+# name of the stored answer whether the model has changed, which is valid until another report is stored
 HAS_CHANGED = "has changed"
 
 

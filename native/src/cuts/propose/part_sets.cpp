@@ -49,8 +49,9 @@ constexpr double kLengthPrice = 0.02, kPartPrice = 0.01, kNarrowPrice = 0.1;
 /// do not.
 constexpr double kPartSolidity = 0.85;
 
-/// Parts are joined twice: the narrow ones first, then those that are narrower than this multiple of the least width.
-/// The set with fewer pieces is proposed. A banana's caps are joined to its sides only if they come first.
+/// Parts are joined twice, in different orders. The first time, parts narrower than the least width come first; the
+/// second time, parts narrower than this multiple of it. The better set is proposed. A banana's caps are joined to its
+/// sides only if they come first.
 constexpr double kSmall = 2;
 
 /// Parts are not divided for less strain, because the number of parts grows with its inverse.

@@ -29,8 +29,8 @@ class FixedSeams {
 
  private:
   Chart& chart_;
-  std::vector<WirePart> elastic_parts_;  // wire parts and length ratios from before
-  std::vector<double> length_ratio_;
+  std::vector<WirePart> elastic_parts_;  // of the chart before
+  std::vector<double> length_ratio_;     // of the chart before
 };
 
 /// Combines several charts into one chart that is not connected.
