@@ -207,6 +207,7 @@ bool SectionMerger::is_unwanted(const Chart& chart) const {
 /// candidates at a time. The first allowed candidate is removed if its shapes are final, or if it is still allowed
 /// after more factorizations.
 bool SectionMerger::open_one(bool is_half) {
+  exact_.stop().check();
   const std::vector<CutMask> candidates = list_candidates(is_half);
   const std::size_t at_once = num_cores();
   for (std::size_t first = 0; first < candidates.size(); first += at_once) {
@@ -217,10 +218,7 @@ bool SectionMerger::open_one(bool is_half) {
     for (std::size_t i = 0; i < tried.size(); ++i) {
       const CutMask& mask = candidates[first + i];
       const double allowed = allowed_beside(beside(mask));
-      if (is_allowed(tried[i].strain, allowed) && !tried[i].is_final) {
-        tried[i] = without(mask, allowed, exact_);
-        tried[i].is_final = true;
-      }
+      if (is_allowed(tried[i].strain, allowed) && !tried[i].is_final) tried[i] = without(mask, allowed, exact_);
       const bool are_allowed = is_allowed(tried[i].strain, allowed);
       if (const Replacement* same = known(mask); same == nullptr || same->after.empty())
         remember(mask, tried[i], are_allowed);
