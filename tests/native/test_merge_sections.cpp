@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -145,9 +146,10 @@ TEST(MergeSections, MakesNoPieceWithLongArms) {
 
 /// A strip of two squares of side 2 and a square of side 1, which are separate pieces.
 struct ThreeSquares : CutSurface {
-  ThreeSquares()
+  explicit ThreeSquares(const Options& chosen = {})
       : CutSurface(test::keep_faces(test::flat_rectangle(10, 4, 5, 2),
-                                    [](const Eigen::Vector3d& p) { return p.x() < 4 || p.y() < 1; })) {}
+                                    [](const Eigen::Vector3d& p) { return p.x() < 4 || p.y() < 1; }),
+                   chosen) {}
 
   std::vector<VertexPair> across(double x, double end) const {
     std::vector<VertexPair> edges;
@@ -162,9 +164,9 @@ struct ThreeSquares : CutSurface {
     return with(edges);
   }
 
-  bool is_cut(const CutState& state, const std::vector<VertexPair>& edges) const {
-    CutMask mask = PartMap(chart).mask_of(edges);
-    return std::equal(mask.begin(), mask.end(), state.cut.begin(), [](char a, char b) { return a == 0 || b != 0; });
+  bool is_open(const CutState& state, const std::vector<VertexPair>& edges) const {
+    const CutMask mask = PartMap(chart).mask_of(edges);
+    return std::equal(mask.begin(), mask.end(), state.cut.begin(), [](char a, char b) { return a == 0 || b == 0; });
   }
 };
 
@@ -175,15 +177,48 @@ TEST(MergeSections, DoesNotMakeAPieceAgainThatWasUndone) {
   const auto run = [&] { merger.run(1e-6, [](double) {}); };
   EXPECT_FALSE(merger.undo(merger.state().pieces));  // there is nothing before the first state
   run();
-  ASSERT_EQ(merger.state().pieces.size(), 1U);
+  ASSERT_TRUE(is_empty(merger.state().cut));
   EXPECT_TRUE(merger.undo(merger.state().pieces));
   for (int i = 0; i < 2; ++i) {
     run();
-    EXPECT_EQ(merger.state().pieces.size(), 2U);
-    EXPECT_TRUE(strip.is_cut(merger.state(), strip.across(4, 1)));  // the longer section was opened first
+    EXPECT_FALSE(is_empty(merger.state().cut));
+    EXPECT_TRUE(strip.is_open(merger.state(), strip.across(2, 2)));  // the longer section was opened first
     merger.restart(0);
     EXPECT_EQ(merger.state().pieces.size(), 3U);
   }
+}
+
+TEST(MergeSections, MakesAPieceAgainIfACutRemainsInside) {
+  const ThreeSquares strip;
+  const MirroredCuts mirrored(strip.chart, {});
+  SectionMerger merger(strip.with(strip.across(2, 2)), strip.chart, mirrored, strip.exact);
+  const auto run = [&] { merger.run(1e-4, [](double) {}); };
+  run();
+  ASSERT_TRUE(is_empty(merger.state().cut));
+  ASSERT_TRUE(merger.undo(merger.state().pieces));
+  ASSERT_EQ(merger.state().pieces.size(), 2U);
+  run();
+  EXPECT_EQ(merger.state().pieces.size(), 1U);
+  EXPECT_FALSE(is_empty(merger.state().cut));
+}
+
+TEST(MergeSections, KnowsTheFirstPiecesOfAStretchedFabricAgain) {
+  // Each union changes the shapes of its neighbors, because they share the lengths of seams.
+  Options options;
+  options.cloth = cloth_preset("jersey").cloth;
+  options.cloth->stretch = {0.1, 0};
+  const ThreeSquares strip(options);
+  const MirroredCuts mirrored(strip.chart, {});
+  SectionMerger merger(strip.separate(), strip.chart, mirrored, strip.exact);
+  const auto run = [&] { merger.run(1, [](double) {}); };
+  run();
+  ASSERT_TRUE(merger.undo(merger.state().pieces));
+  ASSERT_EQ(merger.state().pieces.size(), 2U);
+  ASSERT_TRUE(merger.undo(merger.state().pieces));  // one of them is the small square, with another shape than at first
+  ASSERT_EQ(merger.state().pieces.size(), 3U);
+  run();
+  EXPECT_TRUE(strip.is_open(merger.state(), strip.across(4, 1)));
+  EXPECT_FALSE(strip.is_open(merger.state(), strip.across(2, 2)));
 }
 
 TEST(MergeSections, OpensSectionsBesideSmallPiecesFirst) {
@@ -191,24 +226,41 @@ TEST(MergeSections, OpensSectionsBesideSmallPiecesFirst) {
   const MirroredCuts mirrored(strip.chart, {});
   SectionMerger merger(strip.separate(), strip.chart, mirrored, strip.exact);
   merger.run(1e-6, [](double) {});
-  merger.undo(merger.state().pieces);  // now only two squares can be joined
+  merger.undo(merger.state().pieces);  // now only two squares can be joined completely
   for (const auto& [first, is_small_joined] : {std::pair(0.0, false), std::pair(1.5, true), std::pair(0.0, false)}) {
     merger.restart(first);
     merger.run(1e-6, [](double) {});
-    EXPECT_EQ(strip.is_cut(merger.state(), strip.across(2, 2)), is_small_joined);
-    EXPECT_EQ(strip.is_cut(merger.state(), strip.across(4, 1)), !is_small_joined);
+    EXPECT_EQ(strip.is_open(merger.state(), strip.across(2, 2)), !is_small_joined);
+    EXPECT_EQ(strip.is_open(merger.state(), strip.across(4, 1)), is_small_joined);
   }
 }
 
-TEST(FlatPieces, HaveCounterpartsWithinTheStrain) {
-  const CutSurface sheet(bump(8));
-  const FlatPieces pieces = sheet.with(across(8)).pieces;
+void expect_failures_on_other_meshes(const CutSurface& sheet, const FlatPieces& pieces) {
   ASSERT_EQ(pieces.size(), 2U);
+  std::vector<int> faces(static_cast<std::size_t>(sheet.input.faces.rows()));
+  std::iota(faces.begin(), faces.end(), 0);
   const double most = most_strain(pieces);
-  EXPECT_TRUE(without_counterpart(pieces, pieces, most).empty());
-  EXPECT_EQ(without_counterpart(pieces, pieces, most / 2), pieces);
-  EXPECT_EQ(without_counterpart(pieces, {pieces[1]}, most), FlatPieces{pieces[0]});
-  EXPECT_EQ(without_counterpart(pieces, {pieces[0], pieces[1], pieces[1]}, most), FlatPieces{pieces[1]});
+  const auto failed = [&](const FlatPieces& there, double strain) {
+    return failed_on_mesh({pieces, faces}, {there, faces}, strain);
+  };
+  EXPECT_TRUE(failed(pieces, most).empty());
+  EXPECT_TRUE(failed({pieces[1], pieces[0]}, most).empty());
+  EXPECT_EQ(failed(pieces, -1), pieces);
+  EXPECT_EQ(failed({pieces[1]}, most), FlatPieces{pieces[0]});
+  EXPECT_EQ(failed({pieces[0], pieces[1], pieces[1]}, most), FlatPieces{pieces[1]});
+}
+
+TEST(FlatPieces, AreFoundAgainByTheirArea) {
+  const CutSurface sheet(bump(8));
+  expect_failures_on_other_meshes(sheet, sheet.with(across(8)).pieces);
+  const CutSurface rings(test::flat_annulus(32, 2, 1, 2));  // with a common center
+  std::vector<VertexPair> middle;
+  for (const EdgeHandle e : rings.chart.mesh.edges()) {
+    const VertexPair ends = source_edge(rings.chart, rings.chart.mesh.halfedge_handle(e, 0));
+    const auto is_in_middle = [&](int v) { return std::abs(rings.input.vertices.row(v).norm() - 1.5) < 1e-9; };
+    if (is_in_middle(ends[0]) && is_in_middle(ends[1])) middle.push_back(ends);
+  }
+  expect_failures_on_other_meshes(rings, rings.with(middle).pieces);
 }
 
 TEST(MergeSections, JoinsPiecesThatAreEquallyNarrow) {

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <set>
 #include <utility>
 
-#include "cuts/parts/part_planes.h"
 #include "cuts/propose/cut_faces.h"
 #include "flatten.h"
 #include "newton/solve/stretched_lengths.h"
@@ -55,7 +55,38 @@ bool has_outline_edge(const Chart& chart, const std::set<VertexPair>& edges) {
   return has_one;
 }
 
+/// The area of a piece on each face of the surface, scene units squared.
+using AreaOfFaces = std::map<int, double>;
+
+AreaOfFaces areas_of(const FlatPiece& piece, const std::vector<int>& faces) {
+  AreaOfFaces areas;
+  for (const FaceHandle f : piece.chart.mesh.faces())
+    areas[faces[piece.chart.source_face[f.idx()]]] += face_area(piece.chart.mesh, f);
+  return areas;
+}
+
+double shared_area(const AreaOfFaces& a, const AreaOfFaces& b) {
+  double shared = 0;
+  for (const auto& [face, area] : a) {
+    const auto found = b.find(face);
+    if (found != b.end()) shared += std::min(area, found->second);
+  }
+  return shared;
+}
+
 }  // namespace
+
+bool cuts_inside(const FlatPiece& piece, const Chart& chart) {
+  bool does_cut = false;
+  for_each_outline_edge(
+      chart, [&](const VertexPair& edge) { does_cut = does_cut || piece.edges.edge_between(edge).is_valid(); });
+  return does_cut;
+}
+
+void sort_pieces(FlatPieces& pieces) {
+  std::sort(pieces.begin(), pieces.end(),
+            [](const auto& a, const auto& b) { return a->chart.source_face.front() < b->chart.source_face.front(); });
+}
 
 FlatPieces pieces_beside(const FlatPieces& pieces, const std::vector<VertexPair>& edges) {
   const std::set<VertexPair> given_edges = undirected(edges);
@@ -89,24 +120,22 @@ FlatPieces parts_of(const FlatPieces& pieces, const Chart& chart) {
 
 PieceFigures figures_of(const FlatPieces& pieces, const Chart& chart) { return figures_of(parts_of(pieces, chart)); }
 
-std::size_t nearest_to(const Eigen::Vector3d& point, const FlatPieces& pieces) {
-  std::vector<double> distances;
-  for (const std::shared_ptr<const FlatPiece>& piece : pieces)
-    distances.push_back((centroid_of(piece->chart.mesh) - point).norm());
-  return static_cast<std::size_t>(std::min_element(distances.begin(), distances.end()) - distances.begin());
-}
-
-FlatPieces without_counterpart(const FlatPieces& pieces, const FlatPieces& others, double most_strain) {
-  std::vector<int> counterparts(pieces.size(), 0);
-  std::vector<char> has_failed(pieces.size(), 0);
-  for (const std::shared_ptr<const FlatPiece>& other : others) {
-    const std::size_t nearest = nearest_to(centroid_of(other->chart.mesh), pieces);
-    ++counterparts[nearest];
-    if (other->error || other->strain > most_strain) has_failed[nearest] = 1;
+FlatPieces failed_on_mesh(const PiecesOnMesh& here, const PiecesOnMesh& there, double most_strain) {
+  std::vector<AreaOfFaces> areas;
+  for (const std::shared_ptr<const FlatPiece>& piece : here.pieces) areas.push_back(areas_of(*piece, here.faces));
+  std::vector<int> counterparts(areas.size(), 0);
+  std::vector<char> has_failed(areas.size(), 0);
+  for (const std::shared_ptr<const FlatPiece>& other : there.pieces) {
+    const AreaOfFaces area = areas_of(*other, there.faces);
+    std::vector<double> shared;
+    for (const AreaOfFaces& each : areas) shared.push_back(shared_area(each, area));
+    const auto same = static_cast<std::size_t>(std::max_element(shared.begin(), shared.end()) - shared.begin());
+    ++counterparts[same];
+    if (other->error || other->strain > most_strain) has_failed[same] = 1;
   }
   FlatPieces failed;
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
-    if (has_failed[i] != 0 || counterparts[i] != 1) failed.push_back(pieces[i]);
+  for (std::size_t i = 0; i < areas.size(); ++i) {
+    if (has_failed[i] != 0 || counterparts[i] != 1) failed.push_back(here.pieces[i]);
   }
   return failed;
 }
@@ -264,8 +293,7 @@ FlatPieces ExactEvaluation::with_cut(const FlatPieces& before, const std::vector
     if (std::binary_search(changed_faces.begin(), changed_faces.end(), piece->chart.source_face.front()))
       after.push_back(std::move(piece));
   }
-  std::sort(after.begin(), after.end(),
-            [](const auto& a, const auto& b) { return a->chart.source_face.front() < b->chart.source_face.front(); });
+  sort_pieces(after);
   return after;
 }
 

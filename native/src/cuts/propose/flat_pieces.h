@@ -40,6 +40,9 @@ struct PieceFigures {
   std::optional<FlattenError> error;  // error of any part
 };
 
+/// Sorts pieces in flatten()'s order.
+void sort_pieces(FlatPieces& pieces);
+
 /// Returns the pieces that are parts of a chart.
 FlatPieces parts_of(const FlatPieces& pieces, const Chart& chart);
 
@@ -54,12 +57,15 @@ PieceFigures figures_of(const FlatPieces& pieces, const Chart& chart);
 /// all pieces of the input.
 bool spoils_others(const FlatPieces& before, const FlatPieces& after, const Chart& chart);
 
-/// Returns the index of the piece whose centroid is nearest to a point.
-std::size_t nearest_to(const Eigen::Vector3d& point, const FlatPieces& pieces);
+/// Pieces on a mesh that divides the faces of a surface.
+struct PiecesOnMesh {
+  const FlatPieces& pieces;
+  const std::vector<int>& faces;  // face of the surface that contains each face of the mesh
+};
 
-/// Returns the pieces to which not exactly one of other pieces is nearest, or only one with more strain than that or
-/// without a flat shape. others: the same pieces, on another mesh.
-FlatPieces without_counterpart(const FlatPieces& pieces, const FlatPieces& others, double most_strain);
+/// Returns the pieces that are not one piece with at most this strain on another mesh of the surface. The piece there
+/// is the one that shares most area with a piece here.
+FlatPieces failed_on_mesh(const PiecesOnMesh& here, const PiecesOnMesh& there, double most_strain);
 
 /// Returns the largest strain of the pieces with a flat shape; 0 if there are none.
 double most_strain(const FlatPieces& pieces);
@@ -67,6 +73,9 @@ double most_strain(const FlatPieces& pieces);
 /// Returns whether a chart consists of faces of another chart. The sources of both are in the input, in increasing
 /// order.
 bool is_part_of(const Chart& part, const Chart& chart);
+
+/// Returns whether the outline of a chart runs through a piece.
+bool cuts_inside(const FlatPiece& piece, const Chart& chart);
 
 /// Returns the pieces with one of these edges on their outline.
 FlatPieces pieces_beside(const FlatPieces& pieces, const std::vector<VertexPair>& edges);

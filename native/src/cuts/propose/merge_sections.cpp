@@ -78,6 +78,12 @@ bool is_part_of(const Chart& part, const FlatPieces& pieces) {
                      [&](const auto& piece) { return wirewarp::is_part_of(part, piece->chart); });
 }
 
+/// Returns whether a chart contains all of a piece without a cut inside.
+bool contains(const Chart& chart, const FlatPiece& piece) {
+  const std::vector<int>&all = chart.source_face, &part = piece.chart.source_face;
+  return std::includes(all.begin(), all.end(), part.begin(), part.end()) && !cuts_inside(piece, chart);
+}
+
 bool has_eases(const FlattenInput& input) {
   return !input.eases.empty() ||
          std::any_of(input.wires.begin(), input.wires.end(), [](const Wire& wire) { return wire.ease != 0; });
@@ -171,24 +177,21 @@ void SectionMerger::restart(double first) {
 }
 
 bool SectionMerger::undo(const FlatPieces& unwanted) {
-  const auto has_unwanted = [&](const CutState& state) {
-    return std::any_of(state.pieces.begin(), state.pieces.end(), [&](const auto& piece) {
-      return std::find(unwanted_.begin(), unwanted_.end(), piece) != unwanted_.end();
-    });
-  };
+  const FlatPieces& first = earlier_.empty() ? state_.pieces : earlier_.front().pieces;
   for (const std::shared_ptr<const FlatPiece>& piece : unwanted) {
-    const FlatPieces& first = earlier_.empty() ? state_.pieces : earlier_.front().pieces;
-    if (std::find(first.begin(), first.end(), piece) == first.end()) unwanted_.push_back(piece);
+    if (std::none_of(first.begin(), first.end(), [&](const auto& own) { return contains(own->chart, *piece); }))
+      unwanted_.push_back(piece);
   }
+  const auto has_unwanted = [&](const FlatPieces& pieces) {
+    return std::any_of(pieces.begin(), pieces.end(), [&](const auto& piece) { return is_unwanted(piece->chart); });
+  };
   for (auto& [mask, trials] : known_) {
     for (Replacement& trial : trials) {
-      if (std::any_of(trial.after.begin(), trial.after.end(),
-                      [&](const auto& each) { return is_unwanted(each->chart); }))
-        trial.strain = kNoFlatShape;
+      if (has_unwanted(trial.after)) trial.strain = kNoFlatShape;
     }
   }
   const std::size_t count = earlier_.size();
-  while (has_unwanted(state_)) {
+  while (has_unwanted(state_.pieces)) {
     state_ = std::move(earlier_.back());
     earlier_.pop_back();
   }
@@ -197,10 +200,7 @@ bool SectionMerger::undo(const FlatPieces& unwanted) {
 
 /// Returns whether a chart contains an unwanted piece.
 bool SectionMerger::is_unwanted(const Chart& chart) const {
-  return std::any_of(unwanted_.begin(), unwanted_.end(), [&](const auto& piece) {
-    const std::vector<int>&all = chart.source_face, &part = piece->chart.source_face;
-    return std::includes(all.begin(), all.end(), part.begin(), part.end());
-  });
+  return std::any_of(unwanted_.begin(), unwanted_.end(), [&](const auto& piece) { return contains(chart, *piece); });
 }
 
 /// Removes one more section or part of a section. Returns false if no section can be removed. Evaluates several
@@ -253,6 +253,7 @@ SectionMerger::Trial SectionMerger::replaced(const CutMask& mask, const Replacem
   std::copy_if(state_.pieces.begin(), state_.pieces.end(), std::back_inserter(after),
                [&](const auto& piece) { return std::find(before.begin(), before.end(), piece) == before.end(); });
   after.insert(after.end(), replacement.after.begin(), replacement.after.end());
+  sort_pieces(after);
   return trial;
 }
 

@@ -50,7 +50,7 @@ class SectionMerger {
   void restart(double first);
 
   /// Returns to the last state without these pieces of the state, and makes none of them again, nor pieces that contain
-  /// one. Ignores pieces of the first state. Returns whether the state has changed.
+  /// all of one uncut. Ignores pieces of the first state. Returns whether the state has changed.
   bool undo(const FlatPieces& unwanted);
 
   /// The state, evaluated exactly.

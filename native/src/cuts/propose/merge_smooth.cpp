@@ -42,16 +42,16 @@ bool SmoothMerger::start(const DartProposal& set, const CutMask& cut, double mos
   return true;
 }
 
-FlatPieces SmoothMerger::evaluate(std::vector<SurfacePath> paths, DartProposal& set) const {
+SmoothMerger::CutSet SmoothMerger::set_along(std::vector<SurfacePath> paths) const {
   const FlattenInput& given = exact_.surface().given();
   const CutMesh cut = cut_mesh(given.vertices, given.faces, paths);
   const CutSurface surface(piece_.pieces, piece_.index, unstopped_, cut);
-  const FlatPieces own = parts_of(surface.after(), surface.before()[piece_.index]->chart);
-  set.edges.clear();
-  if (cut.vertices.rows() == given.vertices.rows()) set.edges = cut.edges;
-  set.paths = std::move(paths);
-  set_figures(surface, figures_of(own), set);
-  return own;
+  CutSet made{set_, parts_of(surface.after(), surface.before()[piece_.index]->chart), cut.sources.faces};
+  made.set.edges.clear();
+  if (cut.vertices.rows() == given.vertices.rows()) made.set.edges = cut.edges;
+  made.set.paths = std::move(paths);
+  set_figures(surface, figures_of(made.pieces), made.set);
+  return made;
 }
 
 bool SmoothMerger::merge(double share, double most_strain, const std::function<void(double)>& report) {
@@ -72,20 +72,19 @@ bool SmoothMerger::merge(double share, double most_strain, const std::function<v
     SurfaceLines lines = lines_across(given, piece_.chart, mesh, chart, image, merger.state().cut);
     std::vector<SurfacePath> paths;
     for (const SurfaceLine& line : lines.lines) paths.push_back(path_of(given, piece_.chart, line));
-    DartProposal merged = set_;
-    const FlatPieces pieces = evaluate(std::move(paths), merged);
-    const FlatPieces joined = parts_of(merger.state().pieces, uncut);
-    if (merged.strain <= allowed * kRoundedFigure) {
-      set_ = std::move(merged);
+    CutSet merged = set_along(std::move(paths));
+    if (merged.set.strain <= allowed * kRoundedFigure) {
+      set_ = std::move(merged.set);
       lines_ = std::move(lines);
-      num_narrow_ = count_narrow(joined, uncut, cut_options_.narrowest);
+      num_narrow_ = count_narrow(merged.pieces, cut_options_.narrowest);
       return !stopped;
     }
     if (stopped) return false;
-    if (!merger.undo(without_counterpart(joined, pieces, allowed))) break;
+    const FlatPieces joined = parts_of(merger.state().pieces, uncut);
+    if (!merger.undo(failed_on_mesh({joined, mesh.sources.faces}, {merged.pieces, merged.faces}, allowed))) break;
   }
   lines_ = lines_across(given, piece_.chart, mesh, chart, image, cut);
-  num_narrow_ = count_narrow(surface.after(), uncut, cut_options_.narrowest);
+  num_narrow_ = count_narrow(parts_of(surface.after(), uncut), cut_options_.narrowest);
   return true;
 }
 

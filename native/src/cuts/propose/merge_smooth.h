@@ -2,6 +2,8 @@
 #pragma once
 
 #include <functional>
+#include <utility>
+#include <vector>
 
 #include "cuts/propose/flat_pieces.h"
 #include "cuts/propose/smooth_sets.h"
@@ -36,7 +38,14 @@ class SmoothMerger {
   const DartProposal& set() const { return set_; }
 
  private:
-  FlatPieces evaluate(std::vector<SurfacePath> paths, DartProposal& set) const;
+  /// A set of lines on the input, with its own pieces.
+  struct CutSet {
+    DartProposal set;
+    FlatPieces pieces;
+    std::vector<int> faces;  // input face that contains each face of their mesh
+  };
+
+  CutSet set_along(std::vector<SurfacePath> paths) const;
 
   const PieceToCut& piece_;
   const double least_solidity_;

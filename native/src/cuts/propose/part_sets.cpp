@@ -192,7 +192,8 @@ class PartSearch {
     DartProposal set;
     SurfaceLines lines;
     FlatPieces pieces;
-    int num_narrow = 0;  // see count_narrow()
+    std::vector<int> faces;  // input face that contains each face of their mesh
+    int num_narrow = 0;      // see count_narrow()
   };
 
   /// How a division ends: with all parts within the limit, with more strain in some, or with parts without a shape.
@@ -252,22 +253,18 @@ std::size_t PartSearch::partner_of(const FlatPieces& parts, std::size_t part) co
   if (!mirror_) return part;
   const Plane at{centroid_of(parts[part]->chart.mesh), Eigen::Vector3d::Zero()};
   const Eigen::Vector3d there = at.mirrored(*mirror_).point;
-  const std::size_t nearest = nearest_to(there, parts);
-  return (centroid_of(parts[nearest]->chart.mesh) - there).norm() < kMirrored * size_ ? nearest : parts.size();
+  const auto is_there = [&](const auto& other) {
+    return (centroid_of(other->chart.mesh) - there).norm() < kMirrored * size_;
+  };
+  if (is_there(parts[part])) return part;  // rings around each other have the same centroid
+  return static_cast<std::size_t>(std::find_if(parts.begin(), parts.end(), is_there) - parts.begin());
 }
 
 PartSearch::Choice PartSearch::best_plane(const FlatPiece& part, bool is_symmetric, double limit) const {
   const std::vector<Plane> planes =
       planes_through(part.chart, strained_place(part, limit), is_symmetric ? mirror_ : std::nullopt);
   std::vector<double> prices(planes.size());
-  run_in_threads(
-      planes.size(), num_cores(),
-      [&](std::size_t i) {
-        const OnOneCore on_one_core;
-        prices[i] = price_of(part, planes[i], limit);
-      },
-      [&] { exact_.stop().may_go_on(); });
-  exact_.stop().check();
+  run_on_all_cores(planes.size(), exact_.stop(), [&](std::size_t i) { prices[i] = price_of(part, planes[i], limit); });
   const auto best = static_cast<std::size_t>(std::min_element(prices.begin(), prices.end()) - prices.begin());
   return {prices[best], planes[best]};
 }
@@ -302,14 +299,12 @@ void PartSearch::add_joined(const CutMesh& mesh, double limit, std::vector<DartP
   const CutMask cut = PartMap(chart).mask_of(mesh.edges);
   const std::vector<VertexHandle> image = mirror_image(chart, exact_.stop());
   const MirroredCuts mirrored(chart, image);
+  std::vector<int> faces;
+  for (const int face : mesh.sources.faces) faces.push_back(chart_.source_face[face]);
   std::optional<CutSet> best;
-  const auto is_better = [&](const CutSet& other) {
-    if (!best) return true;
-    if (other.set.strain > limit || best->set.strain > limit) return other.set.strain < best->set.strain;
-    const auto rank = [](const CutSet& each) {
-      return std::tuple(each.num_narrow, each.set.num_pieces, each.set.length);
-    };
-    return rank(other) < rank(*best);
+  const auto rank = [&](const CutSet& each) {
+    const double strain = each.set.strain > limit ? each.set.strain : 0;
+    return std::tuple(strain, each.num_narrow, each.set.num_pieces, each.set.length);
   };
   const double narrowest = cut_options_.narrowest;
   SectionMerger merger({cut, model.exact().with_cut(model.pieces(), mesh.edges)}, chart, mirrored, model.exact(),
@@ -322,10 +317,10 @@ void PartSearch::add_joined(const CutMesh& mesh, double limit, std::vector<DartP
         const FlatPieces& joined = merger.state().pieces;
         if (joined.size() > kMostPieces) break;
         CutSet made = set_along(lines_across(own_, alone_, mesh, chart, image, merger.state().cut));
-        const FlatPieces failed = without_counterpart(joined, made.pieces, limit);
+        const FlatPieces failed = failed_on_mesh({joined, faces}, {made.pieces, made.faces}, limit);
         const bool is_useful = made.pieces.size() == joined.size() && made.set.strain < kMostStrain &&
                                made.set.length <= cut_options_.longest;
-        if (is_useful && is_better(made)) best = std::move(made);
+        if (is_useful && (!best || rank(made) < rank(*best))) best = std::move(made);
         if (!merger.undo(failed)) break;
       }
       if (!best) break;  // for a koala, the other order takes 27 s, and leaves too many pieces, too
@@ -348,12 +343,12 @@ PartSearch::CutSet PartSearch::set_along(const SurfaceLines& lines) const {
   made.lines = selected(lines, kept);
   made.set.paths = selected(paths, kept);
   const CutMesh cut = cut_mesh(given.vertices, given.faces, made.set.paths);
+  made.faces = cut.sources.faces;
   const CutSurface surface(pieces_, piece_, exact_, cut);
-  const Chart& uncut = surface.before()[piece_]->chart;
-  made.pieces = parts_of(surface.after(), uncut);
+  made.pieces = parts_of(surface.after(), surface.before()[piece_]->chart);
   set_figures(surface, figures_of(made.pieces), made.set);
   made.set.energy_before = made.set.strain_before = std::numeric_limits<double>::infinity();
-  made.num_narrow = count_narrow(made.pieces, uncut, cut_options_.narrowest);
+  made.num_narrow = count_narrow(made.pieces, cut_options_.narrowest);
   return made;
 }
 

@@ -274,12 +274,12 @@ std::vector<char> SmoothSet::that_touch(const CutMesh& cut) const {
 /// Returns lines to lower, because they are around parts of a chart that have no flat shape, need too much strain, or
 /// have become too narrow.
 std::vector<char> SmoothSet::beside_failures(const CutMesh& cut, const FlatPieces& after, const Chart& chart) const {
-  const auto is_own = [&](const auto& part) { return is_part_of(part->chart, chart); };
-  const bool are_narrow = count_narrow(after, chart, cut_options_.narrowest) > limits_.num_narrow;
+  const FlatPieces parts = parts_of(after, chart);
+  const bool are_narrow = count_narrow(parts, cut_options_.narrowest) > limits_.num_narrow;
   std::vector<char> failures(levels_.size(), 0);
-  for (const std::shared_ptr<const FlatPiece>& part : after) {
+  for (const std::shared_ptr<const FlatPiece>& part : parts) {
     const bool has_failed = part->error || part->strain > limits_.most_strain || (are_narrow && is_narrow(*part));
-    if (!is_own(part) || !has_failed) continue;
+    if (!has_failed) continue;
     const std::vector<char> around = beside(*part, cut);
     const bool is_near = !part->error && part->strain > limits_.most_strain &&
                          part->strain <= limits_.far_too_much * limits_.most_strain;
@@ -354,10 +354,9 @@ std::optional<DartProposal> SmoothSet::evaluate(const std::vector<SurfacePath>& 
 
 }  // namespace
 
-int count_narrow(const FlatPieces& pieces, const Chart& chart, double narrowest) {
-  return static_cast<int>(std::count_if(pieces.begin(), pieces.end(), [&](const auto& part) {
-    return is_part_of(part->chart, chart) && is_narrow(*part, narrowest);
-  }));
+int count_narrow(const FlatPieces& pieces, double narrowest) {
+  return static_cast<int>(
+      std::count_if(pieces.begin(), pieces.end(), [&](const auto& piece) { return is_narrow(*piece, narrowest); }));
 }
 
 std::optional<DartProposal> smooth_lines(const DartProposal& set, const SurfaceLines& lines, const SmoothLimits& limits,
@@ -374,7 +373,8 @@ DartProposal smooth_set(const DartProposal& set, double most_strain, const FlatP
   SmoothLimits limits{std::min(most_strain, kMostGrowth * set.strain + kFlatFigure), kMostBends};
   limits.far_too_much = kFarTooMuch;
   if (cut_options.narrowest > 0)
-    limits.num_narrow = count_narrow(exact.with_cut(pieces, set.edges), pieces[piece]->chart, cut_options.narrowest);
+    limits.num_narrow =
+        count_narrow(parts_of(exact.with_cut(pieces, set.edges), pieces[piece]->chart), cut_options.narrowest);
   return smooth_lines(set, lines, limits, {pieces, piece, chart, image}, cut_options, exact).value_or(set);
 }
 

@@ -30,7 +30,7 @@ struct SmoothLimits {
 };
 
 /// Returns the number of pieces that are narrower than that. chart: contains the pieces that count.
-int count_narrow(const FlatPieces& pieces, const Chart& chart, double narrowest);
+int count_narrow(const FlatPieces& pieces, double narrowest);
 
 /// Returns a cut set whose lines are as smooth as the limits allow; none if no smoother lines are allowed. set: the set
 /// before, of which only the number of pieces counts. All references are kept for the call. Throws Stopped.
