@@ -155,6 +155,8 @@ class PartSearch {
     const double target = cut_options_.strain.value_or(kTargetStrain);
     std::vector<double> limits = allowed_strains(target, target);
     std::reverse(limits.begin(), limits.end());
+    for (double& limit : limits) limit = std::min(limit, std::max(target, kSoftStrain));
+    limits.erase(std::unique(limits.begin(), limits.end()), limits.end());
     while (!limits.empty() && limits.back() < kLeastStrain) limits.pop_back();
     if (limits.empty()) return {};
     progress_.enter(0, kNecksFound);
