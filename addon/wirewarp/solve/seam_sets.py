@@ -27,7 +27,7 @@ from .flatten import (
     result_of,
 )
 from .steps import CanceledError, Steps, of_all, reported_as
-from .suggest import Cut, excess_of, from_few_pieces
+from .suggest import Cut, NoSeam, SearchOptions, excess_of, from_few_pieces, suggest_cuts
 
 LIMITS = (0.05, 0.1, 0.2)  # accepted stretches: woven fabric stretches by the first, plush and knits by the last
 
@@ -106,6 +106,23 @@ def within_fabric(search: Steps[list[Cut]], limits: Sequence[float], remedy: str
     return allowed
 
 
+def first_sets(
+    library: ModuleType, arrays: MeshArrays, choices: FlattenChoices, options: SearchOptions, no_seam: NoSeam
+) -> Steps[list[Cut]]:
+    """Return cut sets for a fabric with a known maximum stretch; other cuts if no piece needs a set.
+
+    Sets are searched as for a material without threads, which takes a fraction of the time. Then with_measures() finds
+    what the fabric needs. Shapes of a fabric with built-in stretch are too different, so these sets are searched with
+    the fabric.
+    """
+    cloth = choices.cloth
+    if cloth is not None and not (cloth.worn_across or cloth.worn_along):
+        cuts = yield from suggest_cuts(library, arrays, replace(choices, cloth=None), options, no_seam)
+        if cuts[0].is_set:
+            return cuts
+    return (yield from suggest_cuts(library, arrays, choices, options, no_seam))
+
+
 SEARCH = 0.8  # share of the progress that the search gets; measuring the sets gets the rest
 
 
@@ -150,7 +167,8 @@ def _measured_set(
     """Return the set with the narrowest width of the pieces that it changes, and whether one has no room.
 
     If there are pieces without room for their allowances, the width is theirs. It is in Blender units; None if no piece
-    is flat. If the fabric's maximum stretch is known, the set also gets the threads of its worst piece.
+    is flat. If the fabric's maximum stretch is known, the set gets the strain of the fabric, which is infinite if a piece
+    has no flat shape, and the threads of its worst piece.
     """
     arguments, count = library_arguments(library, arrays, choices), len(arrays.vertices)
     sides, allowances = _own_allowances(arrays)
@@ -165,23 +183,21 @@ def _measured_set(
     pieces = result.pieces
     own = pattern.pieces_along(pieces, changed)
     widths, without_room = [], []
-    for piece in own:
+    for piece in (piece for piece in own if not piece.error):
         widths.append(pattern.piece_width(piece))
         if not pattern.has_room(piece, arrays.default_allowance, sides, allowances):
             without_room.append(widths[-1])
         yield 1.0
-    threads: list[Threads] = []
-    if known_stretch(choices.cloth):
-        marks = library_marks(library, arrays)
-        report = make_report(result, vertices, faces, **marks, **limits_of(choices.cloth))
-        reports = zip(pieces, report.pieces, strict=True)
-        threads = [each.threads for piece, each in reports if each.threads and any(piece is other for other in own)]
-    return replace(
-        cut,
-        width=min(without_room or widths, default=None),
-        is_narrow=bool(without_room),
-        threads=max(threads, key=excess_of, default=None),
-    )
+    cut = replace(cut, width=min(without_room or widths, default=None), is_narrow=bool(without_room))
+    if not known_stretch(choices.cloth):
+        return cut
+    report = make_report(result, vertices, faces, **library_marks(library, arrays), **limits_of(choices.cloth))
+    reports = zip(pieces, report.pieces, strict=True)
+    own_reports = [each for piece, each in reports if any(piece is other for other in own)]
+    threads = [each.threads for each in own_reports if each.threads]
+    if len(threads) < len(own_reports):  # a piece has no flat shape with this fabric
+        return replace(cut, strain=math.inf)
+    return replace(cut, strain=max(each.needed for each in own_reports), threads=max(threads, key=excess_of))
 
 
 def _own_allowances(arrays: MeshArrays) -> tuple[np.ndarray, np.ndarray]:

@@ -72,8 +72,8 @@ def _width_of_set(mesh: dict[str, Any], cut: DartProposal, meters: float) -> dic
 
 def _narrowest(mesh: dict[str, Any], seams: np.ndarray, changed: np.ndarray, meters: float) -> float | None:
     """Return the narrowest width in meters of the flat pieces that have changed edges; None if there are none."""
-    pieces = pieces_along(flatten(**mesh | {"seams": seams}).pieces, changed)
-    return min(map(piece_width, pieces)) * meters if pieces else None
+    own = pieces_along(flatten(**mesh | {"seams": seams}).pieces, changed)
+    return min((piece_width(piece) * meters for piece in own if not piece.error), default=None)
 
 
 def _fewer(mesh: dict[str, Any], proposal: SeamProposal, meters: float) -> Line:

@@ -132,10 +132,10 @@ def piece_width(piece: "Piece") -> float:
 
 
 def pieces_along(pieces: Iterable["Piece"], edges: ArrayLike) -> list["Piece"]:
-    """Return the pieces with a flat shape that contain any of these edges (k,2) of the model, even on the outline."""
+    """Return the pieces that contain any of these edges (k,2) of the model, even on the outline."""
     wanted = np.sort(np.reshape(edges, (-1, 2)), axis=1).astype(np.int64)
     found = []
-    for piece in (piece for piece in pieces if not piece.error):
+    for piece in pieces:
         sides = np.sort(piece.source_vertex[piece_sides(piece)], axis=1).astype(np.int64)
         keys = [1 + max(sides.max(initial=0), wanted.max(initial=0)), 1]
         if np.isin(sides @ keys, wanted @ keys).any():
