@@ -256,12 +256,20 @@ def test_an_update_takes_the_undo_group_of_the_last_operator(addon):
     addon.register()
 
 
-def test_a_model_whose_update_was_canceled_says_what_to_do(addon, source):
-    canceled = "Auto was canceled for this change"
+def test_a_model_whose_update_was_canceled_says_what_to_do(addon, source, monkeypatch):
+    canceled, coming = "Auto was canceled for this change", "Auto updates the pieces when you finish the change."
     bpy.context.scene.wirewarp.auto_update = True
     move_a_vertex(source)
     assert canceled not in draw_panels(addon)
-    assert taken(addon) == ["Bump"]  # taken by the update, which is then canceled
+    bpy.ops.object.wirewarp_flatten()
+    move_a_vertex(source)
+    bpy.context.view_layer.update()
+    assert coming in draw_panels(addon)
+    assert taken(addon) == ["Bump"]  # taken by the update
+    with monkeypatch.context() as patched:
+        patched.setattr(addon.report_panel.flatten_panel, "is_running", lambda _: True)
+        shown = draw_panels(addon)
+        assert coming in shown and canceled not in shown and "has changed since" not in shown
     assert canceled in draw_panels(addon)
     move_a_vertex(source)
     bpy.context.view_layer.update()

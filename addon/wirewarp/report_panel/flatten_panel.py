@@ -22,8 +22,8 @@ from ..state.reports import last_report
 from ..state.settings import fabric_label
 from ..suggest.panel import are_shown, draw_suggest, draw_suggestions
 from ..ui.layout import LEVEL_ICONS, SidebarPanel, draw_progress, draw_sentence
-from ..ui.settings import draw_settings, settings_sentence, shown_report, untrue_sentence
-from ..ui.window_run import FLATTEN
+from ..ui.settings import CHANGED, draw_settings, settings_sentence, shown_report, untrue_sentence
+from ..ui.window_run import FLATTEN, is_running
 from .next_step import (
     CHECK,
     SHOW,
@@ -153,24 +153,27 @@ def _draw_state(
     context: bpy.types.Context, layout: bpy.types.UILayout, source: bpy.types.Object, report: ObjectReport
 ) -> None:
     untrue = untrue_sentence(context.active_object, source, report)
-    if untrue:
-        is_auto = context.scene.wirewarp.auto_update
+    is_updated = untrue == CHANGED and _will_update(context, source)
+    if untrue and not is_updated:
         warning = layout.column()
         warning.alert = True
         draw_sentence(context, warning, untrue, "ERROR")
-        if is_auto and is_left(source):
+        if context.scene.wirewarp.auto_update and is_left(source):
             draw_sentence(context, layout, LEFT, "INFO")
-        elif is_auto and is_due(context.scene):
-            draw_sentence(context, layout, DUE, "INFO")
         draw_suggestions(context, layout, "FLATTEN")
         return
     left_out = _left_out(context, source, report)
     verdict = as_seen(report.tables.verdict, left_out)
+    lines = verdict.lines
+    if is_updated:  # the rows stay, gray, so that nothing below moves
+        draw_sentence(context, layout, DUE, "INFO", as_high_as=lines[0].text)
+        lines, layout = lines[1:], layout.column()
+        layout.enabled = False
     # Judged by the last run, even if it kept the earlier pieces, because flattening again would change nothing.
     changed = settings_sentence(source, report, context.scene.wirewarp) if has_flat_object(source) else ""
     if changed:
         draw_sentence(context, layout, changed, "INFO")
-    for line in verdict.lines:
+    for line in lines:
         draw_sentence(context, layout, line.text, "BLANK1" if changed else LEVEL_ICONS[line.kind.level])
     step = next_step(report, left_out)
     kinds = {line.kind for line in verdict.lines}
@@ -200,6 +203,12 @@ def _draw_state(
         _draw_step(context, layout, step)
     if report.issues and not (step and step.operator == CHECK):
         layout.operator(CHECK, icon="TOOL_SETTINGS")
+
+
+def _will_update(context: bpy.types.Context, source: bpy.types.Object) -> bool:
+    """Return whether Auto will update the pieces of the changed model without another change."""
+    is_coming = is_running(FLATTEN) or (is_due(context.scene) and not is_left(source))
+    return context.scene.wirewarp.auto_update and is_coming
 
 
 def _draw_fabric(layout: bpy.types.UILayout, report: ObjectReport) -> None:
