@@ -125,13 +125,13 @@ def draw_first_steps(layout: bpy.types.UILayout) -> None:
 
 MEND = "object.wirewarp_mend"
 SHOW = "mesh.wirewarp_select_result"
-# Button text and action by the kind of proposal, the most urgent first.
+# Button text and icon by the kind of fix, the most urgent first: a mesh has to be sound before seams are chosen.
 REMEDIES = {
+    "MERGE": ("Merge and Flatten", "AUTOMERGE_ON"),
+    "DISSOLVE": ("Dissolve and Flatten", "X"),
+    "NORMALS": ("Fix Normals and Flatten", "NORMALS_FACE"),
     "SEAMS": ("Mark and Flatten", "EDGESEL"),
     "TOLERANCES": ("Loosen and Flatten", "FIXED_SIZE"),
-    "DISSOLVE": ("Dissolve and Flatten", "X"),
-    "MERGE": ("Merge and Flatten", "AUTOMERGE_ON"),
-    "NORMALS": ("Fix Normals and Flatten", "NORMALS_FACE"),
 }
 APPLY_FIRST = "The fix is about edges that modifiers make. Mark edges of the model itself, or:"
 CHECK = "object.wirewarp_check"
