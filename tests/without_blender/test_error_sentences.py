@@ -40,7 +40,7 @@ def test_an_error_of_scripts_keeps_the_sentence_of_the_library(said):
         ("inconsistent_orientation", {"is_one_sided": False}, {"edges": [(0, 1)]}, "Recalculate Outside."),
         ("handles", {"num_handles": 1}, {"proposed_seams": [(0, 1)]}, "has 1 handle like a torus"),
         # a suggested seam may not be drawn, so the sentence does not mention it
-        ("closed_chart", {}, {"proposed_seams": [(0, 1)]}, "mark a seam that opens it."),
+        ("closed_chart", {}, {"proposed_seams": [(0, 1)]}, "choose where to cut it."),
         ("not_solvable", {"reason": "sizes", "face": 7}, {"faces": 2}, "At 2 faces, merge vertices"),
         ("overlapping_faces", {}, {"faces": 2}, "overlaps itself at 2 faces. Cut it in two"),
     ],

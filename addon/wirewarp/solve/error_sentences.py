@@ -207,7 +207,7 @@ def _no_proposal(facts: ErrorFacts) -> str:
 
 SENTENCES: dict[str, Callable[[ErrorFacts], str]] = {
     "cancelled": lambda _: "Canceled before the piece was flat. Flatten again.",
-    "closed_chart": lambda _: "The piece is closed: mark a seam that opens it.",
+    "closed_chart": lambda _: "The piece is closed: choose where to cut it.",
     "boundary_too_short": _outline_too_short,
     "empty_mesh": lambda _: (
         "The mesh has no faces, so there is nothing to flatten. In Edit Mode, fill its outlines with "
