@@ -15,7 +15,7 @@ def test_the_ring_of_the_plush_tutorial(addon, tmp_path):
     assert "Enter 0.1 m for *Major Radius* and 0.05 m\n   for *Minor Radius*" in page
     bpy.ops.mesh.primitive_torus_add(major_radius=0.1, minor_radius=0.05)
     ring, scene = bpy.context.object, bpy.context.scene
-    scene.wirewarp.cloth = "FLEECE"
+    scene.wirewarp.cloth, scene.wirewarp.allowance = "FLEECE", 5.0
     SUGGEST["SEAMS"]()
     suggestions = found(addon, ring)
     chosen = suggestions.cuts[suggestions.chosen]

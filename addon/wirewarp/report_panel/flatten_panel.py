@@ -193,6 +193,8 @@ def _draw_state(
         layout.menu(VIEW3D_MT_wirewarp_fabrics.__name__, icon=ICON)
     if wants_seams(report):
         draw_suggest(layout, context.scene.wirewarp, "FLATTEN", -1, ["seams"], has_seams=False)
+        if report.flat_object is None:  # without pieces, the panel Export, which contains the allowance, is not shown
+            layout.prop(context.scene.wirewarp, "allowance", text="Allowance (mm)")
     piece = piece_to_cut(report, step)
     if piece is not None:
         draw_suggest(layout, context.scene.wirewarp, "FLATTEN", piece, has_seams=bool(report.seams))
