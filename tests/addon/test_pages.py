@@ -96,6 +96,14 @@ def test_the_list_of_pieces_does_not_change_what_is_drawn_once(addon):
         assert addon.overlay.shown.shown_copies(*given) == [f"Cut 2: {one} and {other}"]
 
 
+def test_the_panel_says_that_no_pieces_are_equal(addon):
+    source = grid("Uneven", lambda x, y: (x * (1.2 + 0.2 * x + 0.1 * y), y * (1.3 + 0.1 * x + 0.3 * y), 0.0))
+    bpy.ops.object.wirewarp_flatten()
+    bpy.context.scene.wirewarp.pairs = bpy.context.scene.wirewarp.on_fold = True
+    said = addon.overlay.shown.shown_copies(view_context(), source, flat_of(source))
+    assert said == ["No two pieces have the same shape, and no piece is symmetric."]
+
+
 def test_the_list_of_pieces_makes_no_pattern_until_names_or_marked_allowances_change(addon, at_once, monkeypatch):
     made, cut_lines = [], addon.overlay.shown.cut_lines
     monkeypatch.setattr(addon.overlay.shown, "cut_lines", lambda *a, **b: (made.append(b), cut_lines(*a, **b))[1])

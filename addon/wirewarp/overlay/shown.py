@@ -200,12 +200,15 @@ def _cut_lines(
     return kept_drawing(flat, what, (Same(parts), options), lambda: cut_lines(parts, **options))
 
 
+NO_COPIES = "No two pieces have the same shape, and no piece is symmetric."
+
+
 def shown_copies(context: bpy.types.Context, source: bpy.types.Object, flat: bpy.types.Object) -> list[str]:
     """Return sentences about pieces that are drawn once for all their copies. The flat object must not be in Edit
     Mode."""
     settings = context.scene.wirewarp
     made = _cut_lines(context, source, flat, settings.pairs, settings.on_fold).made
-    return copies_sentences(made) if made else []
+    return copies_sentences(made) or [NO_COPIES] if made else []
 
 
 def piece_copies(context: bpy.types.Context, source: bpy.types.Object, flat: bpy.types.Object, name: str) -> str:
