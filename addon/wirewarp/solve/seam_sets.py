@@ -12,7 +12,7 @@ from types import ModuleType
 
 import numpy as np
 
-from ..core import Cache, Threads, make_report, pattern, percent_text
+from ..core import Cache, make_report, pattern, percent_text
 from ..issues import ObjectError, object_error
 from .arrays import MeshArrays
 from .chains import edge_keys, next_corners
@@ -167,8 +167,8 @@ def _measured_set(
     """Return the set with the narrowest width of the pieces that it changes, and whether one has no room.
 
     If there are pieces without room for their allowances, the width is theirs. It is in Blender units; None if no piece
-    is flat. If the fabric's maximum stretch is known, the set gets the strain of the fabric, which is infinite if a piece
-    has no flat shape, and the threads of its worst piece.
+    is flat. If the maximum stretch of the fabric is known, the set gets the strain of the fabric, and the threads of its
+    worst piece. If a piece has no flat shape, the strain is infinite.
     """
     arguments, count = library_arguments(library, arrays, choices), len(arrays.vertices)
     sides, allowances = _own_allowances(arrays)

@@ -19,7 +19,7 @@ from ..issues import ObjectError, changed_error, object_error
 from ..properties import reset_unknown
 from ..solve.flatten import FlattenChoices, known_stretch, used_choices
 from ..solve.report import ObjectReport
-from ..solve.seam_sets import first_sets, fewer_seams, limits_up_to, with_measures, within_fabric
+from ..solve.seam_sets import fewer_seams, first_sets, limits_up_to, with_measures, within_fabric
 from ..solve.steps import CanceledError, Steps
 from ..solve.suggest import (
     Cut,
