@@ -189,7 +189,7 @@ class WIREWARP_PG_settings(FlattenSettings, PatternSettings, TargetSettings, Eas
         update=_look_for_changes,
     )
     true_height: number(
-        "Height (cm)",
+        "Model Height (cm)",
         "Real height of the model, from its lowest to its highest point. To correct a wrong height, undo it (Ctrl+Z)",
         (0.1, 170.0, 300.0, 100000.0),  # default: the height of a person
         step=100,

@@ -282,3 +282,18 @@ def test_a_fabric_is_offered_if_it_stretches_far_enough_in_each_direction(addon)
     assert addon.report_panel.flatten_panel.fabrics_to_choose(report, "felt")[1] == [
         name for name in others if name != "felt"
     ]
+
+
+def test_pieces_without_room_for_their_allowances_are_named(addon):
+    source = grid("Strip", lambda x, y: (0.1 * x, 0.008 * y, 0.0))  # 200 by 16 mm
+    bpy.ops.object.wirewarp_flatten()
+    words = "has no room for two allowances in one place, and may be too narrow to sew."
+    for allowance, is_named in ((10.0, True), (5.0, False), (10.0, True)):
+        bpy.context.scene.wirewarp.allowance = allowance
+        assert (f"{source.wirewarp_pieces[0].name} {words}" in draw_panels(addon)) == is_named
+    select_only(source)
+    bpy.ops.object.mode_set(mode="EDIT")
+    bpy.ops.mesh.select_all(action="SELECT")
+    bpy.ops.mesh.wirewarp_allowance(kind="WIDTH", width=2.0)
+    bpy.ops.object.mode_set(mode="OBJECT")
+    assert words not in draw_panels(addon)

@@ -49,6 +49,8 @@ def test_the_chosen_set_has_the_fewest_pieces_for_the_fabric(addon):
     beside = replace(sets[0], num_pieces=8, strain=0.03, is_narrow=True)
     rows = [(each.num_pieces, each.strain) for each in suggest.from_few_pieces([*sets, beside], [0.098, 1.0])]
     assert rows[2:4] == [(8, 0.097), (8, 0.03)]
+    worse = replace(sets[0], num_pieces=12, strain=0.3, is_narrow=True)
+    assert worse not in suggest.from_few_pieces([*sets, worse], [0.5, 1.0])
     # nobody sews the set of 30% if the softer direction stretches 20% and another set needs no more
     assert [each.num_pieces for each in suggest.from_few_pieces(sets, [0.098, 0.2])] == [5, 8, 9]
     assert [each.num_pieces for each in suggest.from_few_pieces(sets, [0.01, 0.02])] == [3, 5, 9]

@@ -68,6 +68,17 @@ class PatternParts:
             "Failed Pieces."
         )
 
+    def narrow(self, allowance: float) -> list[str]:
+        """Return the names of the pieces in which two allowances have no room beside each other.
+
+        allowance: that of unmarked edges, in millimeters.
+        """
+        both, own, folds = self.allowances
+        widths = {ends: width for a, b, width in both for ends in ((a, b), (b, a))}
+        widths |= {(a, b): width for a, b, width in own} | {ends: 0.0 for a, b in folds for ends in ((a, b), (b, a))}
+        sides, marked = list(widths), list(widths.values())
+        return [piece.name for piece in self.pieces if not piece.has_room(allowance, sides, marked)]
+
     def cut_lines(self, **options: Any) -> pattern.Pattern:  # noqa: ANN401
         """Return the cutting lines of the pieces in their places. Raises ObjectError like making()."""
         with _errors_of_library():

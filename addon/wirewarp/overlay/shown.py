@@ -200,6 +200,14 @@ def _cut_lines(
     return kept_drawing(flat, what, (Same(parts), options), lambda: cut_lines(parts, **options))
 
 
+def narrow_pieces(context: bpy.types.Context, source: bpy.types.Object, flat: bpy.types.Object) -> list[str]:
+    """Return the names of pieces without room for their allowances. The flat object must not be in Edit Mode."""
+    parts, allowance = _outlines(context, source, flat), context.scene.wirewarp.allowance
+    if parts is None:
+        return []
+    return kept_drawing(flat, "narrow pieces", (Same(parts), allowance), lambda: parts.narrow(allowance))
+
+
 NO_COPIES = "No two pieces have the same shape, and no piece is symmetric."
 
 

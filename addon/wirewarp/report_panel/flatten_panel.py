@@ -7,11 +7,12 @@ import bpy
 
 from ..blender.mesh import read_seams
 from ..blender.objects import likely_units, meters_per_blender_unit, size_text, strange_size, unit_of_height, unit_text
-from ..core import Cloth, Kind, as_seen
+from ..core import SHOWN_NAMES, Cloth, Kind, as_seen
 from ..flatten.auto_update import EDIT_LIMIT, is_left, waits_for_object_mode
 from ..issues import ObjectError
 from ..marks.mark import has_new_seams
 from ..marks.wire_list import shown_wires
+from ..overlay.shown import narrow_pieces
 from ..solve.report import ObjectReport
 from ..state.changes import shows_modified
 from ..state.drawings import Same, kept_drawing
@@ -175,6 +176,11 @@ def _draw_state(
         draw_sentence(context, layout, changed, "INFO")
     for line in lines:
         draw_sentence(context, layout, line.text, "BLANK1" if changed else LEVEL_ICONS[line.kind.level])
+    flat = find_flat_object(source)
+    if not (changed or is_updated or flat is None or flat.data.is_editmode):
+        narrow = too_narrow(narrow_pieces(context, source, flat))
+        if narrow:
+            draw_sentence(context, layout, narrow, "AMBER")
     step = next_step(report, left_out)
     kinds = {line.kind for line in verdict.lines}
     if report.issues and (verdict.kind is not Kind.CLOSED or Kind.NEEDS_SEAM in kinds):
@@ -205,6 +211,16 @@ def _draw_state(
         _draw_step(context, layout, step)
     if report.issues and not (step and step.operator == CHECK):
         layout.operator(CHECK, icon="TOOL_SETTINGS")
+
+
+def too_narrow(names: list[str]) -> str:
+    """Return the sentence about pieces without room for their allowances; "" if there are none."""
+    if not names:
+        return ""
+    hidden = len(names) - SHOWN_NAMES
+    *others, last = [*names[:SHOWN_NAMES], *([f"{hidden} more"] if hidden > 0 else [])]
+    which = f"{', '.join(others)} and {last} have" if others else f"{last} has"
+    return f"{which} no room for two allowances in one place, and may be too narrow to sew."
 
 
 def _will_update(context: bpy.types.Context, source: bpy.types.Object) -> bool:

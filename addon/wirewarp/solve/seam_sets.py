@@ -167,7 +167,7 @@ def _measured_set(
     """Return the set with the narrowest width of the pieces that it changes, and whether one has no room.
 
     If there are pieces without room for their allowances, the width is theirs. It is in Blender units; None if no piece
-    is flat. If the maximum stretch of the fabric is known, the set gets the strain of the fabric, and the threads of its
+    is flat. If the maximum stretch of the fabric is known, the set gets the strain of the fabric and the threads of its
     worst piece. If a piece has no flat shape, the strain is infinite.
     """
     arguments, count = library_arguments(library, arrays, choices), len(arrays.vertices)

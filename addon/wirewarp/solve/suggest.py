@@ -109,7 +109,7 @@ class SearchOptions:
 def suggest_cuts(
     library: ModuleType, arrays: MeshArrays, choices: FlattenChoices, options: SearchOptions, no_seam: NoSeam
 ) -> Steps[list[Cut]]:
-    """Return cuts, the best first, or the steps to a target. Cut sets are not sorted.
+    """Return cuts, the best first but smooth darts before others, or the steps to a target. Cut sets are not sorted.
 
     If canceled, the cut sets found so far are returned. Raises ObjectError, for example if there is nothing to gain.
     """
@@ -126,7 +126,10 @@ def suggest_cuts(
             proposals = yield from _found_by_then(library, job)
         if options.target is not None:
             return _steps_of(proposals, arrays, options.piece)
-        return _with_mirror_images(proposals, arrays)
+        cuts = _with_mirror_images(proposals, arrays)
+        if options.is_smooth and options.kind == "DARTS":  # lines along edges turn at vertices
+            cuts.sort(key=lambda cut: len(cut.edges) > 0)
+        return cuts
     except library.FlattenError as error:
         issue = issue_of_error(error, arrays, piece=options.piece_text(arrays, np.asarray(error.faces, dtype=int)))
         if issue.code == "no_proposal" and (no_seam.faces.any() or no_seam.vertices.any()):
@@ -214,13 +217,14 @@ def _with_mirror_images(proposals: list[DartProposal], arrays: MeshArrays) -> li
 def from_few_pieces(sets: Sequence[Cut], limits: Sequence[float]) -> list[Cut]:
     """Return cut sets by their number of pieces, without those that have more pieces but about the same stretch.
 
-    The first set that the fabric allows is kept even if it gains little. Sets with narrow pieces never replace others.
+    The first set that the fabric allows is kept even if it gains little. Sets with narrow pieces never replace sets
+    without.
     Sets beyond both directions of the fabric are left out if another set is not. limits: see Cut.excess.
     """
     kept: list[Cut] = []
     within = [each for each in sets if each.strain <= limits[-1]]
     for each in sorted(within or sets, key=lambda cut: (cut.num_pieces, cut.strain, cut.lengths[0])):
-        others = [other for other in kept if other.is_narrow == each.is_narrow]
+        others = [other for other in kept if each.is_narrow or not other.is_narrow]
         is_first = each.excess(limits) <= 0 < min((other.excess(limits) for other in others), default=math.inf)
         if is_first or each.strain < WORTH_PIECES * min((other.strain for other in others), default=math.inf):
             kept.append(each)

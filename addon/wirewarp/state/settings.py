@@ -58,10 +58,19 @@ MEASURE = (
 CUSTOM = 1000  # Files store this number, or the index of a preset in the library's table, so new presets come last.
 
 
+STRETCHES = "gives_across", "gives_along"
+
+
 def fabric_label(name: str) -> str:
     """Return the text of a preset, such as "Jersey, 50 / 25%", with the maximum stretch across and along the grain."""
     limits = dict.fromkeys(f"{100 * limit:.0f}" for limit in Cloth.preset(name).limits)
     return f"{Cloth.about(name)['label']}, {' / '.join(limits)}%"
+
+
+def usual_stretch(settings: "FlattenSettings") -> dict[str, float]:
+    """Return the maximum stretch of the chosen preset by the names of these settings; empty for other fabrics."""
+    name = settings.cloth.lower()
+    return dict(zip(STRETCHES, Cloth.preset(name).limits, strict=True)) if name in Cloth.presets() else {}
 
 
 class FlattenSettings:
@@ -286,10 +295,7 @@ SETTINGS = (  # in the order of the panel
     _setting("fairness", is_wide=True, is_used=lambda settings: settings.method == "REFINED"),
     _setting("node_weight", is_advanced=True, is_used=lambda settings: settings.method != "REFINED"),
     _setting("cloth", to_choice=_cloth_of, is_in_front=lambda _: True),
-    *(
-        Setting(name, is_in_front=_is_custom, is_shown=_has_cloth, is_wide=True)
-        for name in ("gives_across", "gives_along")
-    ),
+    *(Setting(name, is_in_front=_is_custom, is_shown=_has_cloth, is_wide=True) for name in STRETCHES),
     *(Setting(name, is_shown=_is_custom, is_wide=True) for name in ("cloth_across", "cloth_along", "cloth_shear")),
     *(Setting(name, is_shown=_has_cloth, is_wide=True) for name in ("worn_across", "worn_along")),
     _setting("thickness", to_choice=_in_units("thickness"), is_advanced=True),

@@ -2,6 +2,7 @@
 """Draws the buttons that suggest darts and seams, and the list of results. The views show the chosen one."""
 
 from collections.abc import Sequence
+from itertools import pairwise
 
 import bpy
 
@@ -130,7 +131,8 @@ def _explained(cuts: Sequence[Cut]) -> str:
     if not cuts[0].is_set:
         return ""
     columns = COLUMNS.format("cleared seams" if cuts[0].cleared else "seams")
-    return f"{columns} {FROM_FEW}" if len(cuts) > 1 else columns
+    is_falling = all(few.strain > more.strain for few, more in pairwise(cuts))  # rows with narrow pieces may need more
+    return f"{columns} {FROM_FEW}" if len(cuts) > 1 and is_falling else columns
 
 
 def are_shown(context: bpy.types.Context) -> bool:

@@ -2,10 +2,12 @@
 """The settings of Flatten in the sidebar and after a run, and whether they match the report."""
 
 from dataclasses import asdict, replace
+from typing import cast
 
 import bpy
 
 from ..blender.objects import meters_per_blender_unit
+from ..core import percent_text
 from ..properties import EaseAmount, WIREWARP_PG_settings
 from ..solve.flatten import LAYOUT_OPTIONS
 from ..solve.report import ObjectReport
@@ -15,7 +17,7 @@ from ..state.flat_pieces import no_pieces_sentence
 from ..state.memory import stamp
 from ..state.owners import earlier_sentence, has_flat_object, is_earlier, model_or_self
 from ..state.reports import HAS_CHANGED, last_report
-from ..state.settings import PARTS, SETTINGS, FlattenChoices, FlattenSettings, choices_of
+from ..state.settings import PARTS, SETTINGS, FlattenChoices, FlattenSettings, choices_of, usual_stretch
 from ..state.suggestions import Suggestions
 
 CHANGED = "The model has changed since. Flatten again."
@@ -73,7 +75,14 @@ def draw_settings(layout: bpy.types.UILayout, settings: FlattenSettings, *parts:
                 row.use_property_split = False
                 row.prop(settings, setting.name, text="", icon="MATCLOTH")
             else:
-                row.prop(settings, setting.name)
+                row.prop(settings, setting.name, text=_label(settings, setting.name))
+
+
+def _label(settings: FlattenSettings, name: str) -> str:
+    """Return the label of a setting. While a maximum stretch is 0, it names the usual value of the fabric."""
+    label: str = cast(bpy.types.bpy_struct, settings).bl_rna.properties[name].name
+    usual = usual_stretch(settings).get(name)
+    return label if usual is None or getattr(settings, name) else f"{label} (0 = {percent_text(usual)})"
 
 
 def known_choices(settings: WIREWARP_PG_settings) -> FlattenChoices | None:

@@ -62,14 +62,27 @@ def has_room(piece: "Piece", allowance: float, sides: ArrayLike = (), widths: Ar
     widths (k,). A side is given by two vertices of the model, in the direction of its face. All widths are in scene
     units.
     """
-    own, count = outline_sides(piece), 1 + int(max(piece.source_vertex.max(), np.max(sides, initial=0)))
+    return outline_has_room(piece.vertices, piece.source_vertex, outline_sides(piece), allowance, sides, widths)
+
+
+def outline_has_room(
+    vertices: np.ndarray,
+    source_vertex: np.ndarray,
+    outline: np.ndarray,
+    allowance: float,
+    sides: ArrayLike,
+    widths: ArrayLike,
+) -> bool:
+    """Return the same for a shape with vertices (p,2), their vertices of the model (p,), and outline sides (b,2)."""
+    count = 1 + int(max(source_vertex.max(), np.max(sides, initial=0)))
     given = dict(zip((np.reshape(sides, (-1, 2)) @ [count, 1]).tolist(), np.ravel(widths).tolist(), strict=True))
-    keys = piece.source_vertex[own].astype(np.int64) @ [count, 1]
+    keys = source_vertex[outline].astype(np.int64) @ [count, 1]
     strips = np.array([given.get(key, allowance) for key in keys.tolist()])
-    narrowest = piece_width(piece)
+    loops = _loops(vertices, outline)
+    narrowest = narrowest_width(loops)
     if narrowest >= 2 * strips.max():
         return True
-    return narrowest >= 2 * strips.min() and _is_whole_without(_outlines(piece), piece.vertices[own], strips)
+    return narrowest >= 2 * strips.min() and _is_whole_without(loops, vertices[outline], strips)
 
 
 def _is_whole_without(outlines: Sequence[np.ndarray], sides: np.ndarray, widths: np.ndarray) -> bool:
@@ -128,7 +141,7 @@ def _area(paths: Sequence[Polygon]) -> float:
 
 def piece_width(piece: "Piece") -> float:
     """Return the narrowest width of a piece with a flat shape, in scene units: see narrowest_width()."""
-    return narrowest_width(_outlines(piece))
+    return narrowest_width(_loops(piece.vertices, outline_sides(piece)))
 
 
 def pieces_along(pieces: Iterable["Piece"], edges: ArrayLike) -> list["Piece"]:
@@ -154,8 +167,9 @@ def outline_sides(piece: "Piece") -> np.ndarray:
     return sides[~np.isin(sides @ [count, 1], sides @ [1, count])]
 
 
-def _outlines(piece: "Piece") -> list[np.ndarray]:
-    following = dict(outline_sides(piece).tolist())
+def _loops(vertices: np.ndarray, outline: np.ndarray) -> list[np.ndarray]:
+    """Return the closed outlines (k,2) of the sides (b,2)."""
+    following = dict(outline.tolist())
     loops = []
     while following:
         first, at = following.popitem()
@@ -163,5 +177,5 @@ def _outlines(piece: "Piece") -> list[np.ndarray]:
         while at != first:
             loop.append(at)
             at = following.pop(at)
-        loops.append(piece.vertices[loop])
+        loops.append(vertices[loop])
     return loops

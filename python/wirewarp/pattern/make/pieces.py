@@ -18,6 +18,7 @@ from .widths import Widths
 
 GRAIN = 0.7  # length of the grain arrow as a share of the distance across the piece
 FOLD_NAME = "Place on the fold"
+CLOSED_GAP = "the allowance closes a gap in the outline. It is not cut out; a smaller allowance opens it."
 STRAIGHT = 0.5  # millimeters; a fold with a smaller error counts as straight, because fabric stretches that much
 
 
@@ -87,7 +88,7 @@ def warnings_of(laid: Laid) -> list[str]:
             f'"{laid.name}": the allowance fills {holes - len(laid.cut.holes)} of {holes} holes; they are not cut.'
         )
     if laid.cut.pockets:
-        found.append(f'"{laid.name}": the allowance closes a gap in the outline; the enclosed area is not cut out.')
+        found.append(f'"{laid.name}": {CLOSED_GAP}')
     crooked = max((_off_straight(run.points) for own in laid.outlines for run in own.runs if run.is_fold), default=0.0)
     if crooked > STRAIGHT:
         found.append(f'"{laid.name}": its fold is {crooked:.1f} mm off a straight line: fabric cannot fold there.')
