@@ -7,6 +7,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Literal, NamedTuple
 
+import numpy as np
+
 from ..core import FlattenError, pattern
 from ..issues import object_error
 from ..solve.steps import Steps, T, in_one_go, in_slices, reported_as
@@ -77,7 +79,8 @@ class PatternParts:
         widths = {ends: width for a, b, width in both for ends in ((a, b), (b, a))}
         widths |= {(a, b): width for a, b, width in own} | {ends: 0.0 for a, b in folds for ends in ((a, b), (b, a))}
         sides, marked = list(widths), list(widths.values())
-        return [piece.name for piece in self.pieces if not piece.has_room(allowance, sides, marked)]
+        flat = [piece for piece in self.pieces if np.isfinite(piece.vertices).all()]
+        return [piece.name for piece in flat if not piece.has_room(allowance, sides, marked)]
 
     def cut_lines(self, **options: Any) -> pattern.Pattern:  # noqa: ANN401
         """Return the cutting lines of the pieces in their places. Raises ObjectError like making()."""
