@@ -112,6 +112,18 @@ def test_names_are_those_of_the_report_and_are_on_their_lines(addon, source):
     assert name.normals[0][2] > 0.9
 
 
+def test_edges_with_their_own_allowance_are_seen_on_the_model(addon, source):
+    assert "allowance" not in lines_of(addon, source).places
+    select_edges(source, on_line(0, 0.0))  # the seam
+    bpy.ops.mesh.wirewarp_allowance(kind="HEM")
+    lines = lines_of(addon, source)
+    assert np.array_equal(lines.places["allowance"], lines.places["seam"])
+    bpy.ops.object.mode_set(mode="OBJECT")
+    bpy.ops.object.wirewarp_flatten()
+    assert "allowance" not in lines_of(addon, flat_of(source)).places  # its cutting line shows it
+    assert addon.overlay.lines.STYLES["allowance"].width > 1.5 * addon.overlay.lines.STYLES["seam"].width
+
+
 def test_selected_edges_are_seen_on_their_lines(addon, source):
     select_edges(source, on_line(1, 0.0))
     lines = lines_of(addon, source)

@@ -28,7 +28,7 @@ from ..blender.mesh import (
 )
 from ..names import PIECE, PIECE_INDEX, SEAM, SOURCE_VERTEX, UV_LAYER
 from ..solve.maps import NO_LAYOUT
-from ..state.allowances import SIDE_EASES
+from ..state.allowances import SIDE_EASES, corner_widths
 from ..state.marked_mesh import read_ids, read_marks
 from .lines import LineEdges, SideEases
 
@@ -93,9 +93,12 @@ def _lines(mesh: bpy.types.Mesh, is_edited: bool) -> LineEdges:
     rows = np.flatnonzero((seams | outlines | marks.are_wires) & is_shown)
     vertices = edge_vertices(mesh)[rows]
     source, pieces = vertices, np.zeros(len(mesh.edges), dtype=np.int32)
+    allowances = np.zeros(len(mesh.edges), dtype=bool)
+    allowances[corner_edges(mesh)[corner_widths(mesh) != 0]] = True
     if has_attributes(mesh, SOURCE_VERTEX, PIECE_INDEX):
         source = find_values(mesh, SOURCE_VERTEX)[vertices]
         pieces[corner_edges(mesh)] = find_values(mesh, PIECE_INDEX)[faces_of_corners(mesh)]
+        allowances[:] = False  # their cutting lines show them
     return LineEdges(
         ends=vertex_places(mesh)[vertices],
         normals=read(mesh.vertices, "normal", np.float32, 3)[vertices[:, 0]],
@@ -104,6 +107,7 @@ def _lines(mesh: bpy.types.Mesh, is_edited: bool) -> LineEdges:
         seams=seams[rows],
         seam_ids=read_ids(mesh, SEAM)[rows],
         outlines=outlines[rows],
+        allowances=(allowances & (seams | outlines))[rows],
         marks=marks.take(rows),
         selected=read_selected_edges(mesh)[rows] if is_edited else np.zeros(len(rows), dtype=bool),
     )
@@ -178,6 +182,7 @@ def _uv_lines(mesh: bpy.types.Mesh, is_edited: bool) -> LineEdges:
         seams=seams[rows],
         seam_ids=read_ids(mesh, SEAM)[rows],
         outlines=outlines[rows],
+        allowances=np.zeros(len(rows), dtype=bool),
         marks=marks.take(rows),
         selected=np.zeros(len(rows), dtype=bool),  # not drawn: the map has its own selection
     )

@@ -51,6 +51,7 @@ STYLES = {
     "ease": LineStyle("Side with ease", _hex("#ff4bb4"), 3.0),
     "grain": LineStyle("Grain", _hex("#0a8f7a"), 3.0),
     "default grain": LineStyle("Grain (automatic)", _hex("#7fc4b5"), 1.2),
+    "allowance": LineStyle("Own allowance", _hex("#99bb77"), 9.0),  # on models, below the seam or outline
     "outline": LineStyle("Outline", _hex("#786068"), 2.5),
     "seam": LineStyle("Seam", _hex("#101018"), 4.5),
     "free": LineStyle("Free wire", _hex("#4fc3f7"), 3.5, dash=(4, 8)),
@@ -128,6 +129,7 @@ class LineEdges:
     seams: np.ndarray  # (k,) bool
     seam_ids: np.ndarray  # (k,) int32, of the seams of the edges in the last run; 0 none
     outlines: np.ndarray  # (k,) bool, whether the edge has only one face
+    allowances: np.ndarray  # (k,) bool, whether a side on a model has an allowance of its own
     marks: EdgeMarks  # (k,)
     selected: np.ndarray  # (k,) bool, whether the edge is selected in Edit Mode
 
@@ -173,6 +175,7 @@ def _members(lines: LineEdges) -> dict[str, np.ndarray]:
     """Return a mask of the edges of each kind."""
     wires, tolerances = lines.marks.are_wires, lines.marks.tolerances
     return {
+        "allowance": lines.allowances,
         "outline": lines.outlines & ~lines.seams,
         "seam": lines.seams,
         "rigid": wires & (tolerances == 0),
