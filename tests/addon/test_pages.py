@@ -99,9 +99,14 @@ def test_the_list_of_pieces_does_not_change_what_is_drawn_once(addon):
 def test_the_panel_says_that_no_pieces_are_equal(addon):
     source = grid("Uneven", lambda x, y: (x * (1.2 + 0.2 * x + 0.1 * y), y * (1.3 + 0.1 * x + 0.3 * y), 0.0))
     bpy.ops.object.wirewarp_flatten()
-    bpy.context.scene.wirewarp.pairs = bpy.context.scene.wirewarp.on_fold = True
-    said = addon.overlay.shown.shown_copies(view_context(), source, flat_of(source))
-    assert said == ["No two pieces have the same shape, and no piece is symmetric."]
+    settings = bpy.context.scene.wirewarp
+    for settings.pairs, settings.on_fold, said in (
+        (True, False, ["No two pieces have the same shape."]),
+        (False, True, ["No piece is symmetric."]),
+        (True, True, ["No two pieces have the same shape.", "No piece is symmetric."]),
+    ):
+        assert addon.overlay.shown.shown_copies(view_context(), source, flat_of(source)) == said
+        assert " ".join(said) in draw_panels(addon)
 
 
 def test_the_list_of_pieces_makes_no_pattern_until_names_or_marked_allowances_change(addon, at_once, monkeypatch):

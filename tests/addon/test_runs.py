@@ -257,7 +257,7 @@ def test_an_update_takes_the_undo_group_of_the_last_operator(addon):
 
 
 def test_a_model_whose_update_was_canceled_says_what_to_do(addon, source, monkeypatch):
-    canceled, coming = "Auto was canceled for this change", "Auto updates the pieces when you finish the change."
+    canceled, coming = "Auto was canceled for this change", "Auto updates the pieces when you finish."
     bpy.context.scene.wirewarp.auto_update = True
     move_a_vertex(source)
     assert canceled not in draw_panels(addon)

@@ -79,7 +79,8 @@ class PatternParts:
         widths = {ends: width for a, b, width in both for ends in ((a, b), (b, a))}
         widths |= {(a, b): width for a, b, width in own} | {ends: 0.0 for a, b in folds for ends in ((a, b), (b, a))}
         sides, marked = list(widths), list(widths.values())
-        flat = [piece for piece in self.pieces if np.isfinite(piece.vertices).all()]
+        # pieces without a flat shape have no width
+        flat = [piece for piece in self.pieces if np.isfinite(piece.vertices[piece.outline]).all()]
         return [piece.name for piece in flat if not piece.has_room(allowance, sides, marked)]
 
     def cut_lines(self, **options: Any) -> pattern.Pattern:  # noqa: ANN401

@@ -208,7 +208,7 @@ def narrow_pieces(context: bpy.types.Context, source: bpy.types.Object, flat: bp
     return kept_drawing(flat, "narrow pieces", (Same(parts), allowance), lambda: parts.narrow(allowance))
 
 
-NO_COPIES = "No two pieces have the same shape, and no piece is symmetric."
+NO_PAIRS, NO_FOLDS = "No two pieces have the same shape.", "No piece is symmetric."
 
 
 def shown_copies(context: bpy.types.Context, source: bpy.types.Object, flat: bpy.types.Object) -> list[str]:
@@ -216,7 +216,10 @@ def shown_copies(context: bpy.types.Context, source: bpy.types.Object, flat: bpy
     Mode."""
     settings = context.scene.wirewarp
     made = _cut_lines(context, source, flat, settings.pairs, settings.on_fold).made
-    return copies_sentences(made) or [NO_COPIES] if made else []
+    if made is None:
+        return []
+    missing = [NO_PAIRS] * settings.pairs + [NO_FOLDS] * settings.on_fold
+    return copies_sentences(made) or missing
 
 
 def piece_copies(context: bpy.types.Context, source: bpy.types.Object, flat: bpy.types.Object, name: str) -> str:

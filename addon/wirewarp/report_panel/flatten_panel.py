@@ -7,7 +7,7 @@ import bpy
 
 from ..blender.mesh import read_seams
 from ..blender.objects import likely_units, meters_per_blender_unit, size_text, strange_size, unit_of_height, unit_text
-from ..core import SHOWN_NAMES, Cloth, Kind, as_seen
+from ..core import Cloth, Kind, as_seen, listed
 from ..flatten.auto_update import EDIT_LIMIT, is_left, waits_for_object_mode
 from ..issues import ObjectError
 from ..marks.mark import has_new_seams
@@ -78,7 +78,7 @@ class VIEW3D_MT_wirewarp_fabrics(bpy.types.Menu):
                 button.what, button.cloth = "FABRIC", name.upper()
 
 
-DUE = "Auto updates the pieces when you finish the change."
+DUE = "Auto updates the pieces when you finish."
 LEFT = "Auto was canceled for this change. Press Flatten, or change the model again."
 FABRIC_HELPS = {Kind.NEEDS_STRETCH, Kind.BEYOND_FABRIC}
 WAITS = f"This model has more than {EDIT_LIMIT:,} vertices, so Auto waits until you leave Edit Mode."
@@ -176,11 +176,11 @@ def _draw_state(
         draw_sentence(context, layout, changed, "INFO")
     for line in lines:
         draw_sentence(context, layout, line.text, "BLANK1" if changed else LEVEL_ICONS[line.kind.level])
-    flat = find_flat_object(source)
-    if not (changed or is_updated or flat is None or flat.data.is_editmode):
+    flat = find_flat_object(source) if report.flat_object is not None and has_flat_object(source) else None
+    if flat is not None and not flat.data.is_editmode:
         narrow = too_narrow(narrow_pieces(context, source, flat))
         if narrow:
-            draw_sentence(context, layout, narrow, "AMBER")
+            draw_sentence(context, layout, narrow, "BLANK1" if changed else "AMBER")
     step = next_step(report, left_out)
     kinds = {line.kind for line in verdict.lines}
     if report.issues and (verdict.kind is not Kind.CLOSED or Kind.NEEDS_SEAM in kinds):
@@ -217,16 +217,18 @@ def too_narrow(names: list[str]) -> str:
     """Return the sentence about pieces without room for their allowances; "" if there are none."""
     if not names:
         return ""
-    hidden = len(names) - SHOWN_NAMES
-    *others, last = [*names[:SHOWN_NAMES], *([f"{hidden} more"] if hidden > 0 else [])]
-    which = f"{', '.join(others)} and {last} have" if others else f"{last} has"
-    return f"{which} no room for two allowances in one place, and may be too narrow to sew."
+    have = f"{listed(names)} {'has' if len(set(names)) == 1 else 'have'}"
+    return f"{have} no room for two allowances in one place, and may be too narrow to sew."
 
 
 def _will_update(context: bpy.types.Context, source: bpy.types.Object) -> bool:
     """Return whether Auto will update the pieces of the changed model without another change."""
-    is_coming = is_running(FLATTEN) or (is_due(context.scene) and not is_left(source))
-    return context.scene.wirewarp.auto_update and is_coming
+    if not context.scene.wirewarp.auto_update or source.library or not has_flat_object(source):
+        return False
+    if is_left(source):  # taken by the present run, or by one that was canceled
+        return is_running(FLATTEN)
+    is_coming = is_due(context.scene) and not state_of(context.scene).is_undone
+    return is_coming and not waits_for_object_mode(source)
 
 
 def _draw_fabric(layout: bpy.types.UILayout, report: ObjectReport) -> None:

@@ -6,6 +6,7 @@ Does not use Blender.
 
 import math
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import replace
 from functools import partial
 from types import ModuleType
@@ -133,17 +134,20 @@ def with_measures(
     choices: FlattenChoices,
     limits: Sequence[float],
 ) -> Steps[list[Cut]]:
-    """Search, and return cut sets with their widths and threads. If the measurement is canceled, they have none.
+    """Search, and return cut sets with their widths and threads, without those that have failed pieces. Sets that were
+    not measured when the user canceled have none.
 
     limits: maximum stretches of the fabric, the smaller direction first. Other cuts stay as they are.
     """
     cuts = yield from reported_as(search, lambda share: SEARCH * share)
     if not cuts[0].is_set:
         return cuts
-    try:
-        sets = yield from reported_as(_measured(cuts, library, arrays, choices), _after_search)
-    except CanceledError:
-        sets = cuts
+    measured: list[Cut] = []
+    with suppress(CanceledError):  # the other sets keep the figures of the search
+        yield from reported_as(_measure(cuts, measured, library, arrays, choices), _after_search)
+    sets = [cut for cut in [*measured, *cuts[len(measured) :]] if math.isfinite(cut.strain)]
+    if not sets:
+        raise object_error("no_proposal", "Each set of seams that was found has a piece that fails with this fabric.")
     return from_few_pieces(sets, limits) if cuts[0].is_first else sets
 
 
@@ -151,14 +155,14 @@ def _after_search(share: float) -> float:
     return SEARCH + (1 - SEARCH) * share
 
 
-def _measured(
-    cuts: Sequence[Cut], library: ModuleType, arrays: MeshArrays, choices: FlattenChoices
-) -> Steps[list[Cut]]:
-    found, solved = [], library.Cache()
+def _measure(
+    cuts: Sequence[Cut], measured: list[Cut], library: ModuleType, arrays: MeshArrays, choices: FlattenChoices
+) -> Steps[None]:
+    """Add the measured sets to a list."""
+    solved = library.Cache()
     for index, cut in enumerate(cuts):
         steps = _measured_set(library, arrays, choices, cut, solved)
-        found.append((yield from reported_as(steps, partial(of_all, index, len(cuts)))))
-    return found
+        measured.append((yield from reported_as(steps, partial(of_all, index, len(cuts)))))
 
 
 def _measured_set(
@@ -168,7 +172,7 @@ def _measured_set(
 
     If there are pieces without room for their allowances, the width is theirs. It is in Blender units; None if no piece
     is flat. If the maximum stretch of the fabric is known, the set gets the strain of the fabric and the threads of its
-    worst piece. If a piece has no flat shape, the strain is infinite.
+    worst piece. If a piece fails, the strain is infinite.
     """
     arguments, count = library_arguments(library, arrays, choices), len(arrays.vertices)
     sides, allowances = _own_allowances(arrays)
@@ -194,10 +198,12 @@ def _measured_set(
     report = make_report(result, vertices, faces, **library_marks(library, arrays), **limits_of(choices.cloth))
     reports = zip(pieces, report.pieces, strict=True)
     own_reports = [each for piece, each in reports if any(piece is other for other in own)]
-    threads = [each.threads for each in own_reports if each.threads]
-    if len(threads) < len(own_reports):  # a piece has no flat shape with this fabric
+    threads = [each.threads for each in own_reports if each.ok and each.threads]
+    if len(threads) < len(own_reports):  # a piece fails with this fabric
         return replace(cut, strain=math.inf)
-    return replace(cut, strain=max(each.needed for each in own_reports), threads=max(threads, key=excess_of))
+    # seams are cleared for the strain of the whole model, and with the fabric
+    strain = cut.strain if cut.cleared else max(each.needed for each in own_reports)
+    return replace(cut, strain=strain, threads=max(threads, key=excess_of))
 
 
 def _own_allowances(arrays: MeshArrays) -> tuple[np.ndarray, np.ndarray]:

@@ -21,6 +21,7 @@ from .steps import CanceledError, Steps
 # smallest width of a piece in allowances: two for both sides, and a fifth more to turn the piece right side out
 ROOM = 2.4
 WORTH_PIECES = 0.95  # share of the stretch; smaller gains are not felt in fabric, and more pieces take longer to sew
+CORNER = math.cos(math.radians(30))  # a sewist sees a smaller turn of a dart as a curve
 PAINTED = f' Seams are also not allowed where "{NO_SEAM}" is painted.'
 
 
@@ -60,6 +61,7 @@ class Cut:
     strain: float  # strain that 99% of the piece, or of its worst part, stays below after the cut
     strain_before: float  # infinite for a cut set
     num_pieces: int  # pieces after the first line or all lines of a cut set, or without the cleared seams
+    is_bent: bool = False  # whether a line along edges has a corner
     cleared: Pairs = field(default_factory=list)  # seams to clear; then nothing is cut
     width: float | None = None  # narrowest width of the pieces of a set, Blender units; None until it is measured
     is_narrow: bool = False  # whether two allowances of a piece have no room beside each other
@@ -109,7 +111,8 @@ class SearchOptions:
 def suggest_cuts(
     library: ModuleType, arrays: MeshArrays, choices: FlattenChoices, options: SearchOptions, no_seam: NoSeam
 ) -> Steps[list[Cut]]:
-    """Return cuts, the best first but smooth darts before others, or the steps to a target. Cut sets are not sorted.
+    """Return cuts, or the steps to a target. The best dart or seam is first, but darts with corners come after all
+    others. Cut sets are not sorted.
 
     If canceled, the cut sets found so far are returned. Raises ObjectError, for example if there is nothing to gain.
     """
@@ -127,8 +130,8 @@ def suggest_cuts(
         if options.target is not None:
             return _steps_of(proposals, arrays, options.piece)
         cuts = _with_mirror_images(proposals, arrays)
-        if options.is_smooth and options.kind == "DARTS":  # lines along edges turn at vertices
-            cuts.sort(key=lambda cut: len(cut.edges) > 0)
+        if options.is_smooth and options.kind == "DARTS":
+            cuts.sort(key=lambda cut: cut.is_bent)
         return cuts
     except library.FlattenError as error:
         issue = issue_of_error(error, arrays, piece=options.piece_text(arrays, np.asarray(error.faces, dtype=int)))
@@ -217,8 +220,8 @@ def _with_mirror_images(proposals: list[DartProposal], arrays: MeshArrays) -> li
 def from_few_pieces(sets: Sequence[Cut], limits: Sequence[float]) -> list[Cut]:
     """Return cut sets by their number of pieces, without those that have more pieces but about the same stretch.
 
-    The first set that the fabric allows is kept even if it gains little. Sets with narrow pieces never replace sets
-    without.
+    The first set that the fabric allows is kept even if it gains little. Sets with narrow pieces replace no set without
+    narrow pieces.
     Sets beyond both directions of the fabric are left out if another set is not. limits: see Cut.excess.
     """
     kept: list[Cut] = []
@@ -268,7 +271,15 @@ def _cut(proposals: list[DartProposal], strain: float, before: float, arrays: Me
         strain=strain,
         strain_before=before,
         num_pieces=proposals[0].num_pieces,
+        is_bent=any(_has_corner(arrays.vertices[each]) for each in pairs if len(each)),
     )
+
+
+def _has_corner(ends: np.ndarray) -> bool:
+    """Return whether a line turns by more than 30 degrees at a vertex. ends: (k,2,3) of its edges in order."""
+    ways = ends[:, 1] - ends[:, 0]
+    ways = ways / np.linalg.norm(ways, axis=1)[:, None]
+    return bool((np.sum(ways[1:] * ways[:-1], axis=1) < CORNER).any())
 
 
 WORDS = {"DARTS": ("dart", "darts"), "SEAMS": ("seam", "seams")}

@@ -267,7 +267,12 @@ class Setting:
     @property
     def label(self) -> str:
         """Return the name of the setting in sentences, without its unit."""
-        return FlattenSettings.__annotations__[self.name].keywords["name"].removesuffix(" (mm)")
+        return self.full_label.removesuffix(" (mm)")
+
+    @property
+    def full_label(self) -> str:
+        name: str = FlattenSettings.__annotations__[self.name].keywords["name"]
+        return name
 
 
 def _setting(name: str, choice: str = "", **others: Any) -> Setting:  # noqa: ANN401

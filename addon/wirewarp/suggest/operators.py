@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Suggest Darts, Suggest Seams and Simplify Seams: cuts of a model or seams to clear, each with its effect."""
 
-import math
 from dataclasses import dataclass, replace
 
 import bpy
@@ -102,12 +101,14 @@ def begin_search(context: bpy.types.Context, source: bpy.types.Object, kind: str
     names = {each.piece_id: each.name for each in pieces if each.piece_id}
     limits = known_stretch(used.cloth)
     is_for_sets = not is_known or _lacks_seams(known, piece)
-    options = SearchOptions(kind, piece, target, _accepted(limits) if is_for_sets else None, is_smooth, names)
+    # softer fabrics need no less than the library's sets; for swim knit, a ball would become two pieces that need 71%
+    strain = limits[0] if limits and limits[0] < SOFT[0] and is_for_sets else None
+    options = SearchOptions(kind, piece, target, strain, is_smooth, names)
     if kind == "FEWER":
         accepted, remedy = ([target.strain], SET_TARGET) if target else (limits_up_to(limits), CHOOSE_FABRIC)
         steps = fewer_seams(core.library(), model.arrays, choices, accepted, remedy)
         options = replace(options, target=None)  # the sets are alternatives, not steps
-    elif is_for_sets and limits and target is None:
+    elif kind == "SEAMS" and is_for_sets and limits and target is None:
         steps = first_sets(core.library(), model.arrays, choices, options, no_seam)
     else:
         steps = suggest_cuts(core.library(), model.arrays, choices, options, no_seam)
@@ -116,16 +117,6 @@ def begin_search(context: bpy.types.Context, source: bpy.types.Object, kind: str
     if kind == "FEWER" and limits and not target:
         steps = within_fabric(steps, limits, CHOOSE_FABRIC)
     return Search(options, model, used, own, is_shaped or is_split, steps, {each.index: each.name for each in pieces})
-
-
-def _accepted(limits: list[float]) -> float | None:
-    """Return the strain in all directions that sets are searched for: the geometric mean of the fabric's limits.
-
-    A set with 10% fits minky, which stretches by 5% and 20%. None if the limits are unknown or larger than those of the
-    library's sets: for swim knit, a ball would become two pieces that need 71%.
-    """
-    mean = math.prod(limits) ** (1 / len(limits)) if limits else math.inf
-    return mean if mean < SOFT[0] else None
 
 
 def _lacks_seams(report: ObjectReport, piece: int | None) -> bool:

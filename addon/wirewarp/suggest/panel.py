@@ -7,7 +7,7 @@ from itertools import pairwise
 import bpy
 
 from ..blender.objects import length_text
-from ..core import counted, percent_text, set_beyond_fabric
+from ..core import counted, set_beyond_fabric
 from ..solve.flatten import known_stretch
 from ..solve.report import MOST_SEWN
 from ..solve.suggest import Cut, row_text, shortfall
@@ -28,7 +28,7 @@ ALL_PIECES = "All Pieces up to a Target"
 WIDTH = "Narrowest place of a piece: {}."
 NARROW = "A piece is only {} wide in one place, less than two allowances. It may be too narrow to sew."
 MANY = "With these seams, the model has {} pieces, too many to sew. Simplify the model before you suggest seams."
-BEYOND = "This fabric stretches only {} in its tighter direction, so the pieces may need another fabric."
+UNMEASURED = "The search was canceled before it compared this set with the fabric."
 TARGET = ("aim_stretch", "aim_cuts", "aim_length")
 
 
@@ -104,9 +104,8 @@ def draw_suggestions(context: bpy.types.Context, layout: bpy.types.UILayout, pla
     if cut.is_set and found.pieces_after(cut) > MOST_SEWN:
         draw_sentence(context, layout, MANY.format(found.pieces_after(cut)), "AMBER")
     limits = known_stretch(found.choices.cloth)
-    if cut.is_set and limits and cut.excess(limits) > 0:
-        beyond = set_beyond_fabric(cut.threads) if cut.threads else BEYOND.format(percent_text(limits[0]))
-        draw_sentence(context, layout, beyond, "AMBER")
+    if cut.is_set and limits and (cut.threads is None or cut.excess(limits) > 0):
+        draw_sentence(context, layout, set_beyond_fabric(cut.threads) if cut.threads else UNMEASURED, "AMBER")
     sentence = _explained(found.cuts)
     if sentence:
         draw_sentence(context, layout, sentence, "INFO")

@@ -2,7 +2,6 @@
 """The settings of Flatten in the sidebar and after a run, and whether they match the report."""
 
 from dataclasses import asdict, replace
-from typing import cast
 
 import bpy
 
@@ -17,7 +16,7 @@ from ..state.flat_pieces import no_pieces_sentence
 from ..state.memory import stamp
 from ..state.owners import earlier_sentence, has_flat_object, is_earlier, model_or_self
 from ..state.reports import HAS_CHANGED, last_report
-from ..state.settings import PARTS, SETTINGS, FlattenChoices, FlattenSettings, choices_of, usual_stretch
+from ..state.settings import PARTS, SETTINGS, FlattenChoices, FlattenSettings, Setting, choices_of, usual_stretch
 from ..state.suggestions import Suggestions
 
 CHANGED = "The model has changed since. Flatten again."
@@ -75,14 +74,15 @@ def draw_settings(layout: bpy.types.UILayout, settings: FlattenSettings, *parts:
                 row.use_property_split = False
                 row.prop(settings, setting.name, text="", icon="MATCLOTH")
             else:
-                row.prop(settings, setting.name, text=_label(settings, setting.name))
+                row.prop(settings, setting.name, text=_label(settings, setting))
 
 
-def _label(settings: FlattenSettings, name: str) -> str:
+def _label(settings: FlattenSettings, setting: Setting) -> str:
     """Return the label of a setting. While a maximum stretch is 0, it names the usual value of the fabric."""
-    label: str = cast(bpy.types.bpy_struct, settings).bl_rna.properties[name].name
-    usual = usual_stretch(settings).get(name)
-    return label if usual is None or getattr(settings, name) else f"{label} (0 = {percent_text(usual)})"
+    usual = usual_stretch(settings).get(setting.name)
+    if usual is None or getattr(settings, setting.name):
+        return setting.full_label
+    return f"{setting.full_label} (0 = {percent_text(usual)})"
 
 
 def known_choices(settings: WIREWARP_PG_settings) -> FlattenChoices | None:

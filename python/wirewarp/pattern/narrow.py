@@ -23,8 +23,10 @@ ARC, ROUGH_ARC = 1e-3, 0.03  # errors of round corners as shares of the radius, 
 Polygon = list[list[int]]
 
 
-def narrowest_width(outlines: Sequence[np.ndarray]) -> float:
+def narrowest_width(outlines: Sequence[np.ndarray], most: float = np.inf) -> float:
     """Return the diameter of the largest disk that can move through a shape, given by its outlines (k,2).
+
+    If disks of diameter `most` can, return at least that.
 
     This is twice the largest inward offset at which the shape is still one part and disks of this radius cover at least
     half of its area. Parts in which the disks cover less than a tenth of the area do not count. Holes run in the
@@ -40,6 +42,8 @@ def narrowest_width(outlines: Sequence[np.ndarray]) -> float:
     largest = float(np.sqrt(area / np.pi))  # the radius of a disk with this area
     whole, broken = 0.0, largest
     for number in range(1, STEPS + 1):
+        if 2 * whole * step >= most:
+            return 2 * whole * step
         radius = largest * number / STEPS
         if not _is_whole(paths, radius, area):
             broken = radius
@@ -79,7 +83,7 @@ def outline_has_room(
     keys = source_vertex[outline].astype(np.int64) @ [count, 1]
     strips = np.array([given.get(key, allowance) for key in keys.tolist()])
     loops = _loops(vertices, outline)
-    narrowest = narrowest_width(loops)
+    narrowest = narrowest_width(loops, 2 * float(strips.max()))
     if narrowest >= 2 * strips.max():
         return True
     return narrowest >= 2 * strips.min() and _is_whole_without(loops, vertices[outline], strips)
@@ -168,14 +172,17 @@ def outline_sides(piece: "Piece") -> np.ndarray:
 
 
 def _loops(vertices: np.ndarray, outline: np.ndarray) -> list[np.ndarray]:
-    """Return the closed outlines (k,2) of the sides (b,2)."""
-    following = dict(outline.tolist())
+    """Return the closed outlines (k,2) of the sides (b,2). Outlines may meet at a vertex."""
+    following: dict[int, list[int]] = {}
+    for first, second in outline.tolist():
+        following.setdefault(first, []).append(second)
     loops = []
     while following:
-        first, at = following.popitem()
-        loop = [first]
-        while at != first:
-            loop.append(at)
-            at = following.pop(at)
-        loops.append(vertices[loop])
+        loop = [next(iter(following))]
+        while loop[-1] in following:
+            at = loop[-1]
+            loop.append(following[at].pop())
+            if not following[at]:
+                del following[at]
+        loops.append(vertices[loop[:-1]])
     return loops

@@ -14,7 +14,19 @@ from .model import METHOD_NAMES, Chain, Hint, Issue, LooserWire, Note, Piece, Re
 from .names import hint_text, issue_text, joined_pieces, note_text, open_edges, rename_wires
 from .rows import PieceRow, ReportRow, ReportTables, Side, largest_difference, merged, tables_of
 from .strain import percent_text
-from .verdict import ANY_LIMIT, CLOSED_CODE, SHOWN_NAMES, Kind, Level, Line, Verdict, as_seen, place_name, verdict
+from .verdict import (
+    ANY_LIMIT,
+    CLOSED_CODE,
+    SHOWN_NAMES,
+    Kind,
+    Level,
+    Line,
+    Verdict,
+    as_seen,
+    listed,
+    place_name,
+    verdict,
+)
 from .wording import needs_text, set_beyond_fabric
 from .words import LengthText, counted, ease_text, paragraph, quoted, tolerance_text, wire_text
 
@@ -71,6 +83,7 @@ __all__ = [
     "Line",
     "Verdict",
     "as_seen",
+    "listed",
     "place_name",
     "verdict",
     "needs_text",

@@ -90,7 +90,7 @@ def verdict(*reports: Report) -> Verdict:
     if Kind.NEEDS_STRETCH in by_kind:  # the sentence is about all pieces, which are cut from one fabric
         by_kind[Kind.NEEDS_STRETCH] += by_kind.pop(Kind.READY_FOR_ANY, [])
     whole = [report.object or "the model" for report in reports if any(issue.piece is None for issue in report.issues)]
-    lines = [Line(Kind.FAILED, wording.failed_models(_listed(whole, ", ")))] if whole else []
+    lines = [Line(Kind.FAILED, wording.failed_models(listed(whole, ", ")))] if whole else []
     for kind in Kind:
         own = sorted(by_kind.get(kind, []), key=lambda entry: -entry.piece.needed)
         if own:
@@ -178,10 +178,10 @@ def _needs_stretch(own: list[_Entry], names: str) -> str:
 
 def _names(entries: Sequence[_Entry], with_objects: bool) -> str:
     every = [entry.place if with_objects else entry.piece.name for entry in entries]
-    return _listed(every, "; " if with_objects else ", ")
+    return listed(every, "; " if with_objects else ", ")
 
 
-def _listed(names: Iterable[str], between: str) -> str:
+def listed(names: Iterable[str], between: str = ", ") -> str:
     """Return each name once. If there are many, return the first ones and the number of the others."""
     every = list(dict.fromkeys(names))
     shown, hidden = every[:SHOWN_NAMES], len(every) - SHOWN_NAMES

@@ -63,8 +63,8 @@ struct PiecesOnMesh {
   const std::vector<int>& faces;  // face of the surface that contains each face of the mesh
 };
 
-/// Returns the pieces that are not one piece with at most this strain on another mesh of the surface. The piece there
-/// is the one that shares most area with a piece here.
+/// Returns the pieces that are no longer one piece on another mesh of the surface, have no flat shape there, or need
+/// more than this strain. Each piece there belongs to the piece here with which it shares most area.
 FlatPieces failed_on_mesh(const PiecesOnMesh& here, const PiecesOnMesh& there, double most_strain);
 
 /// Returns the largest strain of the pieces with a flat shape; 0 if there are none.

@@ -29,7 +29,7 @@ struct SmoothLimits {
   double far_too_much = std::numeric_limits<double>::infinity();
 };
 
-/// Returns the number of pieces that are narrower than that. chart: contains the pieces that count.
+/// Returns the number of pieces that are narrower than a width, scene units.
 int count_narrow(const FlatPieces& pieces, double narrowest);
 
 /// Returns a cut set whose lines are as smooth as the limits allow; none if no smoother lines are allowed. set: the set
