@@ -195,7 +195,7 @@ std::vector<DartProposal> sets_of_parts(const FlattenInput& input, const CutOpti
   const ExactEvaluation exact(surface, options, StopToken());
   CutProgress progress(nullptr);
   const FlatPieces pieces = exact.uncut();
-  return part_sets(pieces, 0, cut_options, exact, progress);
+  return part_sets(pieces, 0, cut_options, exact, progress).sets;
 }
 
 TEST(PartSets, DivideAModelAtItsNeckAndClaimTheFiguresOfARun) {

@@ -34,10 +34,6 @@ constexpr double kSearched = 0.7;
 /// the division has taken a quarter of the time.
 constexpr double kDivided = 0.5;
 
-/// Sets along edges often have half as many pieces as those along parts of a model with soft shapes, such as a goat's
-/// head, but take two or three times as long. A plush maker sews this many pieces without looking for a simpler set.
-constexpr int kFewPieces = 8;
-
 /// The decrease of the largest strain of all pieces by a cut, then the decrease of the strain of its own piece.
 using Gain = std::pair<double, double>;
 
@@ -181,25 +177,22 @@ std::vector<DartProposal> sets_along_edges(const FlatPieces& pieces, std::size_t
   return sets;
 }
 
-/// Returns the sets along parts of the piece; if none of them keeps the accepted strain with few pieces, also those
-/// along edges.
+/// Returns the sets along parts of the piece. Adds those along edges unless parts make a set that is easy to sew: for
+/// soft shapes such as a goat's head, these often have half as many pieces, but take two or three times as long.
 std::vector<DartProposal> cut_sets(const FlatPieces& pieces, std::size_t piece, const CutOptions& cut_options,
                                    const ExactEvaluation& exact, CutProgress& progress) {
   if (!cut_options.is_smooth || !can_be_divided(*pieces[piece], cut_options, exact))
     return sets_along_edges(pieces, piece, cut_options, exact, progress, 0);
   progress.begin_part(0, kDivided);
-  std::vector<DartProposal> sets;
+  PartSets parts;
   try {
-    sets = part_sets(pieces, piece, cut_options, exact, progress);
+    parts = part_sets(pieces, piece, cut_options, exact, progress);
   } catch (const FactorizationFailed&) {
-    sets.clear();  // the search along edges does not need the matrices of the necks
+    parts = {};  // the search along edges does not need the matrices of the necks
   }
+  std::vector<DartProposal> sets = std::move(parts.sets);
   if (sets.empty()) return sets_along_edges(pieces, piece, cut_options, exact, progress, kDivided);
-  const double accepted = cut_options.strain.value_or(kSoftStrain);
-  const auto is_simple = [&](const DartProposal& set) {
-    return set.strain <= accepted && set.num_pieces <= kFewPieces;
-  };
-  if (std::none_of(sets.begin(), sets.end(), is_simple)) {
+  if (!parts.are_sewable) {
     was_stopped([&] {
       refusal_of([&] {
         for (DartProposal& set : sets_along_edges(pieces, piece, cut_options, exact, progress, kDivided))

@@ -83,6 +83,20 @@ std::vector<double> allowed_strains(double least, double target) {
   return allowed;
 }
 
+std::vector<DartProposal> without_worse(std::vector<DartProposal> sets) {
+  std::stable_sort(sets.begin(), sets.end(),
+                   [](const DartProposal& a, const DartProposal& b) { return a.length > b.length; });
+  const auto is_worse = [](const DartProposal& set, const DartProposal& other) {
+    return set.num_pieces >= other.num_pieces && set.strain >= other.strain;
+  };
+  std::vector<DartProposal> kept;
+  for (auto set = sets.begin(); set != sets.end(); ++set) {
+    if (std::none_of(set + 1, sets.end(), [&](const DartProposal& shorter) { return is_worse(*set, shorter); }))
+      kept.push_back(*set);
+  }
+  return kept;
+}
+
 double limit_of_set(const DartProposal& set, const CutOptions& cut_options) {
   double allowed = std::max(cut_options.strain.value_or(kTargetStrain), kFlat);
   while (allowed < set.strain) allowed *= kStrainStep;

@@ -26,6 +26,9 @@ constexpr double kSoftStrain = 0.2;
 /// whose ratio to the largest useful strain is nearest to 1, if three sets are enough. least: the first strain.
 std::vector<double> allowed_strains(double least, double target);
 
+/// Returns the sets that have fewer pieces, less strain or less length than each other set, the longest first.
+std::vector<DartProposal> without_worse(std::vector<DartProposal> sets);
+
 /// Returns the strain that the fabric of a set allows: the smallest of 1, 2, 4, 8, … times the target that the set
 /// keeps. With the default target, it is 5% for woven fabric, 10%, and 20% for plush.
 double limit_of_set(const DartProposal& set, const CutOptions& cut_options);

@@ -49,6 +49,10 @@ constexpr double kLengthPrice = 0.02, kPartPrice = 0.01, kNarrowPrice = 0.1;
 /// do not.
 constexpr double kPartSolidity = 0.85;
 
+/// A set of at most this many compact pieces is easier to sew than one with fewer pieces that have long arms, as the
+/// search along edges finds it: a star of ten, a rabbit of twelve.
+constexpr int kFewPieces = 12;
+
 /// Parts are joined twice, in different orders. The first time, parts narrower than the least width come first; the
 /// second time, parts narrower than this multiple of it. The better set is proposed. A banana's caps are joined to its
 /// sides only if they come first.
@@ -151,7 +155,7 @@ class PartSearch {
     if (!image_.empty()) mirror_ = mirror_plane(chart_.mesh, image_);
   }
 
-  std::vector<DartProposal> search() {
+  PartSets search() {
     const double target = cut_options_.strain.value_or(kTargetStrain);
     std::vector<double> limits = allowed_strains(target, target);
     std::reverse(limits.begin(), limits.end());
@@ -166,19 +170,20 @@ class PartSearch {
     if (loops.empty() && sharp_length(chart_.mesh) > kSharp * size_) return {};
     CutMesh mesh = uncut(own_);
     if (!loops.empty()) mesh = cut_again(mesh, loops);
-    std::vector<DartProposal> sets;
+    PartSets found;
     const bool stopped = was_stopped([&] {
       for (std::size_t i = 0; i < limits.size(); ++i) {
         const auto count = static_cast<double>(limits.size()), first = static_cast<double>(i) / count;
         progress_.enter(kNecksFound + (1 - kNecksFound) * first, kNecksFound + (1 - kNecksFound) * (first + 1 / count));
         const Division reached = divide(mesh, kMargin * limits[i]);
-        if (reached == Division::no_shape || (reached == Division::strained && !sets.empty())) break;
-        add_joined(mesh, limits[i], sets);
+        if (reached == Division::no_shape || (reached == Division::strained && !found.sets.empty())) break;
+        add_joined(mesh, limits[i], found);
         if (reached == Division::strained) break;
       }
     });
-    if (stopped && sets.empty()) throw Stopped();
-    return without_worse(std::move(sets));
+    if (stopped && found.sets.empty()) throw Stopped();
+    found.sets = without_worse(std::move(found.sets));
+    return found;
   }
 
  private:
@@ -205,7 +210,7 @@ class PartSearch {
   Choice best_plane(const FlatPiece& part, bool is_symmetric, double limit) const;
   double price_of(const FlatPiece& part, const Plane& plane, double limit) const;
   std::size_t partner_of(const FlatPieces& parts, std::size_t part) const;
-  void add_joined(const CutMesh& mesh, double limit, std::vector<DartProposal>& sets) const;
+  void add_joined(const CutMesh& mesh, double limit, PartSets& found) const;
   CutSet set_along(const SurfaceLines& lines) const;
   DartProposal smooth_set(const CutSet& made, double limit) const;
 
@@ -295,7 +300,7 @@ double PartSearch::price_of(const FlatPiece& part, const Plane& plane, double li
 
 /// Adds the set along the cuts of a mesh after its parts are joined, unless it has too many pieces, is too long or has
 /// more strain than allowed. A first set may have more.
-void PartSearch::add_joined(const CutMesh& mesh, double limit, std::vector<DartProposal>& sets) const {
+void PartSearch::add_joined(const CutMesh& mesh, double limit, PartSets& found) const {
   const CutModel model(mesh, {}, exact_);
   const Chart chart = in_canonical_order(model.pieces().front()->chart, exact_.stop());
   const CutMask cut = PartMap(chart).mask_of(mesh.edges);
@@ -328,10 +333,13 @@ void PartSearch::add_joined(const CutMesh& mesh, double limit, std::vector<DartP
       if (!best) break;  // for a koala, the other order takes 27 s, and leaves too many pieces, too
     }
   });
-  const bool is_added = best && (best->set.strain <= limit || sets.empty());
-  if (is_added) sets.push_back(best->set);  // stays if the caller stops
+  if (best && (best->set.strain <= limit || found.sets.empty())) {
+    const double accepted = cut_options_.strain.value_or(kSoftStrain);
+    found.are_sewable |= best->set.strain <= accepted && best->num_narrow == 0 && best->set.num_pieces <= kFewPieces;
+    found.sets.push_back(best->set);  // stays if the caller stops
+    if (!stopped) found.sets.back() = smooth_set(*best, limit);
+  }
   if (stopped) throw Stopped();
-  if (is_added) sets.back() = smooth_set(*best, limit);
 }
 
 /// Returns the set along those of the lines that do not collapse, with its exact figures. Its strain is infinite if a
@@ -374,22 +382,8 @@ bool can_be_divided(const FlatPiece& piece, const CutOptions& cut_options, const
          mesh.n_faces() > 0 && std::none_of(mesh.halfedges_begin(), mesh.halfedges_end(), is_boundary);
 }
 
-std::vector<DartProposal> without_worse(std::vector<DartProposal> sets) {
-  std::stable_sort(sets.begin(), sets.end(),
-                   [](const DartProposal& a, const DartProposal& b) { return a.length > b.length; });
-  const auto is_worse = [](const DartProposal& set, const DartProposal& other) {
-    return set.num_pieces >= other.num_pieces && set.strain >= other.strain;
-  };
-  std::vector<DartProposal> kept;
-  for (auto set = sets.begin(); set != sets.end(); ++set) {
-    if (std::none_of(set + 1, sets.end(), [&](const DartProposal& shorter) { return is_worse(*set, shorter); }))
-      kept.push_back(*set);
-  }
-  return kept;
-}
-
-std::vector<DartProposal> part_sets(const FlatPieces& pieces, std::size_t piece, const CutOptions& cut_options,
-                                    const ExactEvaluation& exact, CutProgress& progress) {
+PartSets part_sets(const FlatPieces& pieces, std::size_t piece, const CutOptions& cut_options,
+                   const ExactEvaluation& exact, CutProgress& progress) {
   return PartSearch(pieces, piece, cut_options, exact, progress).search();
 }
 
