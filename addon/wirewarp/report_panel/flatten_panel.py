@@ -7,7 +7,7 @@ import bpy
 
 from ..blender.mesh import read_seams
 from ..blender.objects import likely_units, meters_per_blender_unit, size_text, strange_size, unit_of_height, unit_text
-from ..core import Cloth, Kind, as_seen, listed
+from ..core import Cloth, Kind, Level, as_seen, listed
 from ..flatten.auto_update import EDIT_LIMIT, is_left, waits_for_object_mode
 from ..issues import ObjectError
 from ..marks.mark import has_new_seams
@@ -79,6 +79,7 @@ class VIEW3D_MT_wirewarp_fabrics(bpy.types.Menu):
 
 
 DUE = "Auto updates the pieces when you finish."
+FIRST = "Press Flatten once. Then Auto updates the pieces."
 LEFT = "Auto was canceled for this change. Press Flatten, or change the model again."
 FABRIC_HELPS = {Kind.NEEDS_STRETCH, Kind.BEYOND_FABRIC}
 WAITS = f"This model has more than {EDIT_LIMIT:,} vertices, so Auto waits until you leave Edit Mode."
@@ -107,6 +108,8 @@ class VIEW3D_PT_wirewarp_flatten(SidebarPanel, bpy.types.Panel):
         _draw_size(context, layout, source)
         report = last_report(source)
         if report is None:
+            if settings.auto_update:
+                draw_sentence(context, layout, FIRST, "INFO")
             if _may_use_uv_seams(source):
                 _draw_step(context, layout, uv_step(None))
             draw_first_steps(layout)
@@ -174,13 +177,12 @@ def _draw_state(
     changed = settings_sentence(source, report, context.scene.wirewarp) if has_flat_object(source) else ""
     if changed:
         draw_sentence(context, layout, changed, "INFO")
+    narrow = too_narrow(narrow_names(context, source, report))
     for line in lines:
-        draw_sentence(context, layout, line.text, "BLANK1" if changed else LEVEL_ICONS[line.kind.level])
-    flat = find_flat_object(source) if report.flat_object is not None and has_flat_object(source) else None
-    if flat is not None and not flat.data.is_editmode:
-        narrow = too_narrow(narrow_pieces(context, source, flat))
-        if narrow:
-            draw_sentence(context, layout, narrow, "BLANK1" if changed else "AMBER")
+        level = Level.CAUTION if narrow and line.kind.level is Level.GOOD else line.kind.level
+        draw_sentence(context, layout, line.text, "BLANK1" if changed else LEVEL_ICONS[level])
+    if narrow:
+        draw_sentence(context, layout, narrow, "BLANK1" if changed else "AMBER")
     step = next_step(report, left_out)
     kinds = {line.kind for line in verdict.lines}
     if report.issues and (verdict.kind is not Kind.CLOSED or Kind.NEEDS_SEAM in kinds):
@@ -211,6 +213,12 @@ def _draw_state(
         _draw_step(context, layout, step)
     if report.issues and not (step and step.operator == CHECK):
         layout.operator(CHECK, icon="TOOL_SETTINGS")
+
+
+def narrow_names(context: bpy.types.Context, source: bpy.types.Object, report: ObjectReport) -> list[str]:
+    """Return the names of the pieces of the report without room for their allowances; none while they are edited."""
+    flat = find_flat_object(source) if report.flat_object is not None and has_flat_object(source) else None
+    return [] if flat is None or flat.data.is_editmode else narrow_pieces(context, source, flat)
 
 
 def too_narrow(names: list[str]) -> str:

@@ -12,7 +12,7 @@ from ..state.reports import pieces_report
 from ..suggest.panel import draw_simplify, draw_suggest, draw_suggestions
 from ..ui.layout import SidebarPanel, draw_cells, draw_sentence, mark_of
 from ..ui.settings import settings_sentence, shown_report, shown_source, untrue_sentence
-from .flatten_panel import offered_piece
+from .flatten_panel import narrow_names, offered_piece
 from .panel import draw_select
 
 NO_STRAIN = 5e-4  # smaller values are shown as 0.0%
@@ -42,7 +42,10 @@ class WIREWARP_UL_pieces(bpy.types.UIList):
             return
         is_long = any(each.has_layout and each.needed >= 1 for each in shown_pieces(context).tables.pieces)
         columns = line.split(factor=SHORT_NAMES if is_long else NAMES)
-        mark = mark_of(row.ok, row.is_strained) if _is_current(context) else {"icon": "BLANK1"}
+        mark = {"icon": "BLANK1"}
+        if _is_current(context):
+            narrow = narrow_names(context, shown_source(context), shown_pieces(context))
+            mark = mark_of(row.ok, row.is_strained or row.name in narrow)
         columns.prop(entry, "name", text="", emboss=False, **mark)
         if row.has_layout:
             figure = columns.row()

@@ -129,3 +129,24 @@ def island_borders(
     np.minimum.at(lowest, loop_edges, ends)
     np.maximum.at(highest, loop_edges, ends)
     return (highest - lowest > TOGETHER).any(axis=1)
+
+
+def with_split_quads(corners: np.ndarray, starts: np.ndarray, sizes: np.ndarray, places: np.ndarray) -> np.ndarray:
+    """Return the triangles with every quad split as its own corners require: from the first corner to the third, or
+    across if both triangles would lie on the same side of that diagonal.
+
+    Blender's split of a strongly bent quad depends on normals that it may have kept, so the shape could change with the
+    mode. corners: (m,3) of the triangles, in the order of the faces; starts, sizes: (f,) first corner and number of
+    corners of each face; places: (l,3) of the corners.
+    """
+    quads = np.flatnonzero(sizes == 4)
+    if not len(quads):
+        return corners
+    first = starts[quads].astype(np.int32)
+    second, third, fourth = (places[first + k].astype(np.float64) - places[first] for k in (1, 2, 3))
+    across = np.sum(np.cross(second, third) * np.cross(fourth, third), axis=1) > 0
+    rows = (np.cumsum(sizes - 2) - (sizes - 2))[quads]
+    split = corners.copy()
+    split[rows] = first[:, None] + np.where(across[:, None], [0, 1, 3], [0, 1, 2]).astype(np.int32)
+    split[rows + 1] = first[:, None] + np.where(across[:, None], [1, 2, 3], [0, 2, 3]).astype(np.int32)
+    return split

@@ -21,7 +21,7 @@ from ..blender.objects import linear_part
 from ..core import Note, counted
 from ..issues import note, object_error, warning
 from ..names import NO_SEAM, PIECE, SEAM, UV_LAYER
-from ..solve.arrays import FaceRegions, MeshArrays, NamedWire, Region
+from ..solve.arrays import FaceRegions, MeshArrays, NamedWire, Region, with_split_quads
 from ..solve.chains import WireChain, chains_of_marks
 from .allowances import SIDE_EASES, corner_widths, widest_allowance
 from .identities import chain_names
@@ -141,13 +141,14 @@ def _to_arrays(
     mirrored = bool(np.linalg.det(linear) < 0)
     mesh.calc_loop_triangles()
     # Faces of a mirrored object still face outward in Blender, but the order of their corners is reversed.
-    loops = triangle_corners(mesh)
+    starts, sizes = face_starts(mesh), marked.face_sizes
+    loops = with_split_quads(triangle_corners(mesh), starts, sizes, marked.places[marked.corner_vertices])
     if mirrored:
         loops = np.ascontiguousarray(loops[:, ::-1])
     vertices = marked.places.astype(np.float64) @ linear.T
     _check_size(source, vertices)
     SIDE_EASES.check(mesh, has_modifiers=has_modifiers)
-    edges, sizes = marked.edges, marked.face_sizes
+    edges = marked.edges
     face_count = np.bincount(marked.corner_edges, minlength=len(edges))
     in_face = face_count > 0
     seams = np.flatnonzero(marked.seams & in_face)  # leaves out loose edges, which do not cut faces
@@ -159,7 +160,7 @@ def _to_arrays(
         triangle_polygons=np.repeat(np.arange(len(sizes), dtype=np.int32), sizes - 2),
         loop_vertices=marked.corner_vertices,
         loop_edges=marked.corner_edges,
-        polygon_starts=face_starts(mesh),
+        polygon_starts=starts,
         polygon_sizes=sizes,
         edges=edges,
         seam_edges=seams,

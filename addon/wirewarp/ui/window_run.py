@@ -27,11 +27,12 @@ class Task:
     name: str
     doing: str
     finishing: str
+    escape: str = "cancel"  # what Esc does
 
 
 FLATTEN = Task("Flatten", "Flattening", "Measuring")
 EXPORT = Task("Export", "Exporting", "Reading again")
-SUGGEST = Task("Suggest", "Searching", "Measuring")
+SUGGEST = Task("Suggest", "Searching", "Measuring", "stop")
 _current: "WindowRun | None" = None
 
 
@@ -109,7 +110,7 @@ class WindowRun(Generic[T]):
     def _show(self, fraction: float) -> None:
         if fraction != self.shown and time.monotonic() - self._begun > UNSEEN_SECONDS:
             self.shown = fraction
-            self._workspace.status_text_set(f"{self.task.doing} {self._what}    Esc: cancel")
+            self._workspace.status_text_set(f"{self.task.doing} {self._what}    Esc: {self.task.escape}")
             redraw_sidebars()
 
     def result(self) -> T:

@@ -42,11 +42,22 @@ def no_fabric(names: str) -> str:
 def beyond_fabric(names: str, threads: Threads) -> str:
     """Return "Front must stretch 7.6% along, but this denim stretches only 3.0%", naming only directions beyond it."""
     over = [way for way in ("across", "along") if threads.is_over(way) and getattr(threads.gives, way) is not None]
-    needed = " and ".join(f"{percent_text(getattr(threads, way))} {way}" for way in over)
-    known = [percent_text(getattr(threads.gives, way)) for way in over]
+    figures = [_apart(getattr(threads, way), getattr(threads.gives, way)) for way in over]
+    needed = " and ".join(f"{needs} {way}" for (needs, _), way in zip(figures, over, strict=True))
+    known = [gives for _, gives in figures]
     ways = [f"{text} {way}" for text, way in zip(known, over, strict=True)]
     stretches = known[0] if len(set(known)) == 1 else " and ".join(ways)
     return f"{names} must stretch {needed}, but this {threads.cloth} stretches only {stretches}"
+
+
+def _apart(needs: float, gives: float) -> tuple[str, str]:
+    """Return both shares as texts, with as many digits as they need to differ."""
+    texts = percent_text(needs), percent_text(gives)
+    for digits in (1, 2, 3):
+        if texts[0] != texts[1] or needs >= 1:
+            break
+        texts = f"{100 * needs:.{digits}f}%", f"{100 * gives:.{digits}f}%"
+    return texts
 
 
 def set_beyond_fabric(threads: Threads) -> str:
