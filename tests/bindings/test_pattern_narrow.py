@@ -46,6 +46,9 @@ def test_the_width_is_the_diameter_of_the_largest_disk_that_moves_through(outlin
 
 def test_an_outline_without_area_has_no_width():
     assert narrowest_width([np.array([[0.0, 0], [1, 0], [2, 0]])]) == 0
+    square = [np.array([[0.0, 0], [1, 0], [1, 1], [0, 1]])]
+    assert 0.5 <= narrowest_width(square, 0.5) < 1
+    assert narrowest_width(square, 1.5) == narrowest_width(square)
 
 
 def test_a_piece_is_measured_flat():

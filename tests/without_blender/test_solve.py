@@ -111,6 +111,48 @@ def test_seams_are_cleared_up_to_the_softer_direction_of_the_fabric_if_the_other
         allowed(replace(upright, threads=None))  # canceled while sets were measured
 
 
+@pytest.fixture
+def measuring(addon, measured, monkeypatch):
+    """Return a function that starts to measure sets of 3 and 5 pieces, with these results."""
+    sets = addon.solve.seam_sets
+    found = [replace(measured(pieces, 0.1, 0.1), threads=None) for pieces in (3, 5)]
+
+    def search():
+        yield 0.5
+        return found
+
+    def begin(*results):
+        left = iter(results)
+
+        def measure(*_):
+            yield 0.5
+            return next(left)
+
+        monkeypatch.setattr(sets, "_measured_set", measure)
+        return sets.with_measures(search(), SimpleNamespace(Cache=lambda: None), None, None, [0.05, 0.2])
+
+    return begin, found
+
+
+def test_sets_with_a_piece_that_fails_with_the_fabric_are_left_out(addon, measured, measuring):
+    begin, found = measuring
+    failed, good = replace(found[0], strain=math.inf), measured(5, 0.08, 0.03)
+    assert addon.solve.steps.in_one_go(begin(failed, good)) == [good]
+    with pytest.raises(addon.issues.ObjectError, match="has a piece that fails with this fabric"):
+        addon.solve.steps.in_one_go(begin(failed, replace(found[1], strain=math.inf)))
+
+
+def test_a_canceled_comparison_keeps_what_it_has_measured(addon, measured, measuring):
+    begin, found = measuring
+    good = measured(3, 0.15, 0.03)
+    run = begin(good, found[1])
+    shares = [next(run) for _ in range(3)]  # of the search and of both sets
+    assert shares == sorted(shares)
+    with pytest.raises(StopIteration) as end:
+        run.throw(addon.solve.steps.CanceledError())
+    assert end.value.value == [good, found[1]]
+
+
 def test_mirror_images_without_common_figures_are_one_row(addon):
     def proposal(strain, twin, together):
         edges = np.array([[0, 1]])
