@@ -303,10 +303,9 @@ def test_pieces_without_room_for_their_allowances_are_named(addon):
 
 def test_faces_are_turned_before_seams_are_marked(addon):
     """A turned part of another piece makes openings that a seam would only hide."""
-    Issue = addon.core.Issue
     issues = [
-        Issue("too_many_boundaries", "It has three openings.", piece=0, proposed_seams=((0, 1),)),
-        Issue("inconsistent_orientation", "Faces are turned.", piece=1),
+        addon.core.Issue("too_many_boundaries", "It has three openings.", piece=0, proposed_seams=((0, 1),)),
+        addon.core.Issue("inconsistent_orientation", "Faces are turned.", piece=1),
     ]
     report = SimpleNamespace(issues=issues, with_modifiers=False, uv_seams=None, offered_seams=[(0, 1)])
     assert addon.report_panel.next_step.next_step(report, []).settings == {"what": "NORMALS"}
