@@ -153,8 +153,9 @@ def test_canceled_extra_work_keeps_the_result(addon, begun):
 
     run = begun(addon.solve.steps.reported_as(with_extra(), lambda share: share))
     run.go_on()
+    assert not run.was_stopped
     addon.ui.window_run.cancel()
-    assert run.is_done and run.result() == "the pieces"
+    assert run.was_stopped and run.is_done and run.result() == "the pieces"
 
 
 def stubborn():

@@ -42,6 +42,7 @@ from ..ui import window_run
 from ..ui.editing import OnMesh, reporting_refusals
 from ..ui.window_run import WindowSteps, fault_sentence
 
+STOPPED = "The search was stopped early; a longer one may find better cuts."
 CHOOSE_FABRIC = "Choose a fabric that stretches more."
 SET_TARGET = "Set a larger target."
 # Maximum stretches of the fabric if they are unknown: of plush and knits, of which most closed models are sewn, and of
@@ -199,7 +200,7 @@ class SuggestCuts(OnMesh, WindowSteps):
     @reporting_refusals
     def finish_run(self, context: bpy.types.Context) -> set[str]:
         try:
-            return self._keep(context, self._run.result())
+            return self._keep(context, self._run.result(), STOPPED if self._run.was_stopped else "")
         except CanceledError:
             self.report({"WARNING"}, "The search was canceled.")
         except ObjectError:
@@ -221,8 +222,8 @@ class SuggestCuts(OnMesh, WindowSteps):
         """Return the piece to cut; None for any."""
         return None
 
-    def _keep(self, context: bpy.types.Context, cuts: list[Cut]) -> set[str]:
-        """Keep and report the cuts. Raises ObjectError.
+    def _keep(self, context: bpy.types.Context, cuts: list[Cut], remark: str = "") -> set[str]:
+        """Keep and report the cuts. remark: a sentence at the end of the report. Raises ObjectError.
 
         This works in any mode, because leaving Edit Mode while a tool runs would crash Blender.
         """
@@ -238,7 +239,7 @@ class SuggestCuts(OnMesh, WindowSteps):
             said = [f"{found_words(self.kind, cuts)} suggested", f"Chosen: {cut_text(cuts[found.chosen], lengths)}"]
         else:
             said = [f"{found_words(self.kind, cuts)} suggested; for {piece}: {cut_text(cuts[0], lengths)}"]
-        self.report({"INFO"}, paragraph(each for each in said if each))
+        self.report({"INFO"}, paragraph(each for each in [*said, remark] if each))
         return {"FINISHED"}
 
 

@@ -82,9 +82,11 @@ class WindowRun(Generic[T]):
         self._result: T | None = None
         self._error: Exception | None = None
         self.is_done = self._is_cancelled = False
+        self.was_stopped = False  # whether the user pressed Esc; there may be a result
 
     def cancel(self) -> None:
         """End the work. If optional work is canceled, the earlier result remains."""
+        self.was_stopped = True
         if self.is_done:
             self._is_cancelled = True
         else:
