@@ -7,7 +7,7 @@ import bmesh
 import bpy
 import numpy as np
 import pytest
-from surfaces import grid, on_line, read, round_bump, select_edges
+from surfaces import grid, make_object, on_line, read, round_bump, select_edges
 
 pytestmark = pytest.mark.api
 
@@ -117,3 +117,20 @@ def test_shape_keys_outlive_reading_in_edit_mode(addon):
             assert mesh.vertices[40].co.z == edit.verts[40].co.z
     bpy.ops.object.mode_set(mode="OBJECT")
     assert target.data.shape_keys.key_blocks["Taller"].data[40].co.z == pytest.approx(expected)
+
+
+def test_kept_normals_do_not_change_how_bent_quads_are_split(addon):
+    """Blender 3.4 splits about a fifth of these quads otherwise if it has kept their normals."""
+    bent = np.random.default_rng(0).normal(scale=0.6, size=(200, 4, 3))
+    corners = ([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)] + bent).reshape(-1, 3).tolist()
+    quads = np.arange(len(corners)).reshape(-1, 4).tolist()
+
+    def triangles(name, keeps_normals):
+        source = make_object(name, corners, quads)
+        if keeps_normals and hasattr(source.data, "calc_normals"):  # later Blenders have no such normals
+            source.data.calc_normals()
+            assert len(source.data.polygon_normals) == len(quads)
+        marked = addon.state.marked_mesh.marked_mesh(source)
+        return addon.state.read_model.object_to_arrays(source, marked, None).triangles
+
+    assert np.array_equal(triangles("Fresh", False), triangles("Kept", True))

@@ -108,6 +108,8 @@ def test_the_verdict_names_the_stretch_the_pieces_and_the_fabric():
         "Piece 1 must stretch 21% across, but this denim stretches only 20%. "
         "Add a dart or seam, or choose another fabric.",
     )
+    (close,) = verdict(report_of_pieces(0.2004, limits=0.2)).lines
+    assert close.text.startswith("Piece 1 must stretch 20.04% across, but this denim stretches only 20.00%. ")
     (ready,) = verdict(report_of_pieces(0.0, 0.0)).lines
     assert ready.text == "Ready to cut from any fabric: 2 pieces, every length kept"
 

@@ -94,11 +94,11 @@ def _lines(mesh: bpy.types.Mesh, is_edited: bool) -> LineEdges:
     vertices = edge_vertices(mesh)[rows]
     source, pieces = vertices, np.zeros(len(mesh.edges), dtype=np.int32)
     allowances = np.zeros(len(mesh.edges), dtype=bool)
-    allowances[corner_edges(mesh)[corner_widths(mesh) != 0]] = True
     if has_attributes(mesh, SOURCE_VERTEX, PIECE_INDEX):
         source = find_values(mesh, SOURCE_VERTEX)[vertices]
         pieces[corner_edges(mesh)] = find_values(mesh, PIECE_INDEX)[faces_of_corners(mesh)]
-        allowances[:] = False  # their cutting lines show them
+    else:  # on flat pieces, the cutting lines show allowances
+        allowances[corner_edges(mesh)[corner_widths(mesh) != 0]] = True
     return LineEdges(
         ends=vertex_places(mesh)[vertices],
         normals=read(mesh.vertices, "normal", np.float32, 3)[vertices[:, 0]],

@@ -135,9 +135,11 @@ def with_split_quads(corners: np.ndarray, starts: np.ndarray, sizes: np.ndarray,
     """Return the triangles with every quad split as its own corners require: from the first corner to the third, or
     across if both triangles would lie on the same side of that diagonal.
 
-    Blender's split of a strongly bent quad depends on normals that it may have kept, so the shape could change with the
-    mode. corners: (m,3) of the triangles, in the order of the faces; starts, sizes: (f,) first corner and number of
-    corners of each face; places: (l,3) of the corners.
+    This is Blender's rule, except that Blender 3.4 splits some bent quads otherwise if it has kept their normals. Edit
+    Mode and Object Mode would then lead to different pieces.
+
+    corners: (m,3) of the triangles, in the order of the faces; starts, sizes: (f,) first corner and number of corners
+    of each face; places: (l,3) of the corners.
     """
     quads = np.flatnonzero(sizes == 4)
     if not len(quads):

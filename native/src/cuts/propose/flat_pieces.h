@@ -63,8 +63,9 @@ struct PiecesOnMesh {
   const std::vector<int>& faces;  // face of the surface that contains each face of the mesh
 };
 
-/// Returns the pieces that are no longer one piece on another mesh of the surface, have no flat shape there, or need
-/// more than this strain. Each piece there belongs to the piece here with which it shares most area.
+/// Compares pieces on two meshes of one surface; each piece `there` belongs to the piece `here` with which it shares
+/// most area. Returns the pieces `here` to which several pieces or none belong, or one without a flat shape or with
+/// more strain than allowed.
 FlatPieces failed_on_mesh(const PiecesOnMesh& here, const PiecesOnMesh& there, double most_strain);
 
 /// Returns the largest strain of the pieces with a flat shape; 0 if there are none.

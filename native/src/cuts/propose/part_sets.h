@@ -13,15 +13,16 @@ namespace wirewarp {
 /// restrict its cuts.
 bool can_be_divided(const FlatPiece& piece, const CutOptions& cut_options, const ExactEvaluation& exact);
 
+/// Cut sets along the parts of a piece.
 struct PartSets {
   std::vector<DartProposal> sets;  // the longest first
   bool are_sewable = false;        // whether one is within the accepted strain, with few pieces and none too narrow
 };
 
 /// Returns cut sets of such a piece along its necks and along planes through its parts, as a sewist divides a toy: an
-/// ear, a limb, a head and a body, each with a front and a back. Returns none if the
-/// piece has long sharp edges but no necks, or cannot be divided into few flat parts this way. Throws Stopped; if
-/// stopped after the first set, returns those found.
+/// ear, a limb, a head and a body, each with a front and a back. Returns none if the piece has long sharp edges but no
+/// necks, or cannot be divided into few flat parts this way. Throws Stopped; if stopped after the first set, returns
+/// those found.
 PartSets part_sets(const FlatPieces& pieces, std::size_t piece, const CutOptions& cut_options,
                    const ExactEvaluation& exact, CutProgress& progress);
 
