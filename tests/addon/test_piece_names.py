@@ -159,9 +159,9 @@ def test_a_linked_mesh_may_have_the_name_of_the_results(tmp_path):
     assert linked.meshes[0].name == "Sleeve Flat"
 
 
-def test_more_than_two_pieces_on_one_side_are_numbered():
-    """Pieces in the middle are numbered from front to back; a left-right pair has one number."""
-    for axis, names in ((1, ["Top 1", "Top 2", "Top 3", "Top 4"]), (0, FOUR_HALVES)):
+def test_pieces_in_one_half_of_a_side_are_numbered():
+    """They are numbered from front to back; a left-right pair has one number."""
+    for axis, names in ((1, ["Top Back 1", "Top Back 2", "Top Front 1", "Top Front 2"]), (0, FOUR_HALVES)):
         target = grid("Bump", bump)
         for line in (-0.5, 0.0, 0.5):
             mark_seam(target, on_line(axis, line))

@@ -25,16 +25,34 @@ def test_many_pieces_of_mirrored_pairs_have_one_name_but_for_the_side(addon):
     order, names = identity.from_top(offsets), identity.side_names(normals, offsets)
     names = dict(zip(order, identity.numbered([names[index] for index in order], []), strict=True))
     assert [names[index] for index in range(9)] == [
-        "Front Left 1",
-        "Front Right 2",
-        "Front Left 2",
-        "Front Right 1",
+        "Front Upper Left",
+        "Front Lower Right",
+        "Front Lower Left",
+        "Front Upper Right",
         "Front",
         "Left Lower",
         "Right Upper",
         "Left Upper",
         "Right Lower",
     ]
+
+
+def test_pieces_in_an_even_row_are_named_by_their_half_and_numbered_if_several_are_there(addon):
+    for count, places in (
+        (3, ["Upper", "", "Lower"]),
+        (4, ["Upper", "Upper", "Lower", "Lower"]),
+        (5, ["Upper", "Upper", "", "Lower", "Lower"]),
+        (6, ["Upper"] * 2 + [""] * 2 + ["Lower"] * 2),
+    ):
+        offsets = np.array([[0.4, 0, 0.3 - 0.6 * k / (count - 1)] for k in range(count)])
+        names = addon.solve.identity.side_names(np.tile([1.0, 0, 0], (count, 1)), offsets)
+        assert names == [f"Left {place}".rstrip() for place in places]
+
+
+def test_a_piece_in_the_middle_of_the_front_is_neither_left_nor_right(addon):
+    offsets = np.array([[0, -0.2, 0], [-0.3, -0.2, 0.02], [-0.3, -0.2, -0.02]])
+    names = addon.solve.identity.side_names(np.tile([0, -1.0, 0], (3, 1)), offsets)
+    assert names == ["Front", "Front Right", "Front Right"]
 
 
 def test_the_chosen_set_has_the_fewest_pieces_for_the_fabric(addon):

@@ -25,6 +25,8 @@ HALVES = (("Right", "Left"), ("Front", "Back"), ("Lower", "Upper"))  # distingui
 FACES_ONE_WAY = (
     0.3  # shortest mean normal of a piece that faces one side; others, such as sleeves, are named after their place
 )
+WORD_ORDER = (2, 1, 0)  # axes of the words in a name: "Upper Front Left"
+IN_THE_MIDDLE = 0.13  # share of the distance between the outer ones of several pieces; halves of up to six even rows
 BESIDE = 0.05  # share of the model's size; a piece closer to the middle, such as a ball, has no side
 ROUNDED = 3  # digits of offsets that are compared, because models are seldom exactly symmetric
 NO_SIDE = "Around"
@@ -68,18 +70,40 @@ def _side(normal: np.ndarray, offset: np.ndarray) -> str:
 
 
 def _halves(side: str, offsets: np.ndarray) -> list[str]:
-    """Return words that distinguish pieces on one side: two by their relative place, more by left and right; or "".
-    Names of a mirrored pair therefore differ only in the side."""
-    if len(offsets) != 2:
-        if len(offsets) == 1 or side in SIDES[0]:
-            return [""] * len(offsets)
-        return ["" if abs(x) < BESIDE else HALVES[0][int(x > 0)] for x in offsets[:, 0]]
-    apart = offsets[1] - offsets[0]
-    axis = int(np.argmax(np.abs(apart)))
-    if np.abs(apart[axis]) < BESIDE or side in SIDES[axis]:  # one piece is inside or behind the other
-        return ["", ""]
-    lower, upper = HALVES[axis]
-    return [lower, upper] if apart[axis] > 0 else [upper, lower]
+    """Return words that distinguish pieces on one side by their place, such as "Upper Front"; some may be equal.
+
+    Names of a mirrored pair differ only in the side.
+    """
+    axes: list[int] = []
+    names = [""] * len(offsets)
+    while True:
+        further = [sorted([*axes, axis], key=WORD_ORDER.index) for axis in WORD_ORDER if axis not in axes]
+        further = [each for each in further if not any(side in SIDES[axis] for axis in each)]
+        choices = [(_words(each, offsets), each) for each in further]
+        spread = np.ptp(offsets, axis=0).round(ROUNDED)
+        better = max(choices, key=lambda each: (len(set(each[0])), sum(spread[each[1]])), default=(names, axes))
+        if len(set(better[0])) <= len(set(names)):
+            return names
+        names, axes = better
+
+
+def _words(axes: Sequence[int], offsets: np.ndarray) -> list[str]:
+    """Return one word an axis for each piece, and none for a piece near the middle of the others.
+
+    Of more than two pieces, left and right refer to the middle of the model.
+    """
+    words = [""] * len(offsets)
+    for axis in axes:
+        low, high = offsets[:, axis].min(), offsets[:, axis].max()
+        if high - low < BESIDE:  # one piece is inside or behind the other
+            continue
+        middle, near = (low + high) / 2, IN_THE_MIDDLE * (high - low)
+        if axis == 0 and len(offsets) > 2:
+            middle, near = 0.0, BESIDE
+        for index, apart in enumerate(offsets[:, axis] - middle):
+            word = HALVES[axis][int(apart > 0)] if abs(apart) >= near else ""
+            words[index] = f"{words[index]} {word}".strip()
+    return words
 
 
 def from_top(offsets: np.ndarray) -> list[int]:
