@@ -8,9 +8,10 @@ import numpy as np
 import pytest
 import shapely
 import wirewarp
-from patterns import cut_polygon, flattened, grid, quads, rectangle, sample, turn
+from patterns import cut_polygon, flattened, grid, quads, rectangle, sample, sew_polygon, turn
 from wirewarp.pattern import FlatPiece, Pattern, Text
 from wirewarp.pattern.label.leaders import FARTHEST, Beside
+from wirewarp.pattern.label.text_place import LINE
 from wirewarp.pattern.make.outline import flat_piece
 from wirewarp.pattern.model import short_name
 
@@ -160,6 +161,39 @@ def test_the_grain_follows_its_setting_and_is_upright_by_default():
     piece = flat_piece(rectangle(200, 100).pieces[0], "Front", 1000.0)
     assert grain(piece) == pytest.approx([0, 1])
     assert grain(replace(piece, grain=np.array([0.6, -0.8]))) == pytest.approx([0.6, -0.8])
+
+
+def card_and_arrow(piece):
+    """Return the approximate lines of the card, and the grain arrow as wide as its heads."""
+    (card,) = (text for text in piece.texts if text.role == "card")
+    (arrow,) = piece.of_role("grain")
+    rows = range(len(card.lines))
+    parts = [replace(card, lines=card.lines[row : row + 1], center=card_line_center(card, row)) for row in rows]
+    return shapely.union_all([letters(part) for part in parts]), shapely.LineString(arrow.points).buffer(2.5)
+
+
+def card_line_center(card, row):
+    down = (row - (len(card.lines) - 1) / 2) * LINE * card.height
+    return card.center + down * np.array([0.0, -1.0]) @ turn(card.angle)
+
+
+@pytest.mark.parametrize(("width", "height"), [(90, 60), (80, 70), (45, 120)])
+@pytest.mark.parametrize("angle", [0, 30, 90])
+def test_the_grain_arrow_and_the_card_of_a_piece_keep_apart(width, height, angle):
+    """The pieces have a wire across. Beside an arrow in their middle, no part has room for the card."""
+    result = grid([0, width], [0, height / 2, height], wires=[wirewarp.Wire([2, 3], name="Waist")])
+    sheet = flat_piece(result.pieces[0], "Left sleeve", 1000.0)
+    (piece,) = Pattern.from_pieces([replace(sheet, grain=np.array([0.0, 1.0]) @ turn(angle))], [], title="Top").pieces
+    card, arrow = card_and_arrow(piece)
+    assert "Cut 1" in piece.texts[0].lines
+    assert card.disjoint(arrow)
+    assert shapely.LineString(piece.of_role("grain")[0].points).length > 10
+    assert sew_polygon(piece).contains(shapely.LineString(piece.of_role("grain")[0].points))
+
+
+def test_the_grain_arrows_and_the_cards_of_a_toy_keep_apart():
+    pieces = sample("Toy", pairs=True).pieces
+    assert [piece.name for piece in pieces if card_and_arrow(piece)[0].intersects(card_and_arrow(piece)[1])] == []
 
 
 def strips(*widths):

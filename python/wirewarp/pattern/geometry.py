@@ -106,13 +106,15 @@ def crossings(point: np.ndarray, direction: np.ndarray, a: np.ndarray, b: np.nda
 
 
 class Rays:
-    """Rays from points to outlines."""
+    """Rays from points to closed outlines (k,2) and open lines (k,2)."""
 
-    def __init__(self, outlines: Sequence[np.ndarray]) -> None:
-        self._a, self._b = _sides(outlines)
+    def __init__(self, outlines: Sequence[np.ndarray], lines: Sequence[np.ndarray] = ()) -> None:
+        a, b = _sides(outlines)
+        self._a = np.concatenate([a, *(line[:-1] for line in lines)])
+        self._b = np.concatenate([b, *(line[1:] for line in lines)])
 
     def length(self, point: np.ndarray, direction: np.ndarray) -> float:
-        """Return the length along the unit vector from the point to the nearest outline; infinite if there is none."""
+        """Return the length along the unit vector from the point to the nearest line; infinite if there is none."""
         distances = crossings(point, direction, self._a, self._b)
         nearest = float(distances[distances > -ON_LINE].min(initial=math.inf))
         return nearest if nearest >= ON_LINE else 0.0

@@ -43,6 +43,11 @@ class Line:
     kind: str = ""  # wires: "rigid", "elastic" or "super_elastic"
     note: str = ""  # stitching lines: "12 mm longer, ease between notches"
 
+    @property
+    def path(self) -> np.ndarray:
+        """Return the points from the start to the end of the line, which is its start again if it is closed."""
+        return np.concatenate([self.points, self.points[:1]]) if self.closed else self.points
+
     def placed(self, motion: Motion) -> "Line":
         return replace(self, points=motion.points(self.points))
 

@@ -3,6 +3,7 @@
 
 from collections.abc import Sequence
 from dataclasses import replace
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -10,6 +11,7 @@ import numpy as np
 from ..geometry import innermost_point
 from ..model import LEADERS, PatternPiece, Text
 from ..units import UnitSystem
+from .grain_beside import grain_beside
 from .leaders import Beside, Box
 from .line_names import line_names
 from .room import Room
@@ -41,9 +43,15 @@ def with_card(
     place = f"{number} of {count}"
     name = _name_with_copies(piece)
     lines = (heading, place, name, how_to_cut(piece), piece.material, includes, units.area_text(piece.area))
-    drawn = [*(line.points for line in piece.of_role("wire", "grain", "sew")), *sheets.borders]
     outlines = [line.points for line in piece.of_role("cut", "inner_cut")]
-    text = _card([tuple(line for line in lines if line.strip()), (piece.name,), (place,)], outlines, drawn)
+    wires, seams, grain = ([line.path for line in piece.of_role(role)] for role in ("wire", "sew", "grain"))
+    # The card crosses the grain arrow rather than other lines, because only the arrow can be moved.
+    kinds = [grain, [*wires, *seams], sheets.borders]
+    text = _card([tuple(line for line in lines if line.strip()), (piece.name,), (place,)], outlines, kinds)
+    if text:
+        beside_card = partial(grain_beside, text[0], outlines=outlines, lines_inside=wires, limits=seams)
+        piece = replace(piece, lines=[beside_card(line) if line.role == "grain" else line for line in piece.lines])
+    drawn = [*(line.path for line in piece.of_role("wire", "grain", "sew")), *sheets.borders]
     notches = [point.stroke for point in piece.points]
     room, beside = Room(outlines, [*drawn, *notches], text), Beside(outlines, sheets.boxes, sheets.others)
     short = [name for name in (piece.name, place) if name]
@@ -74,9 +82,10 @@ def with_card_anew(
     )
 
 
-def _card(cards: list[tuple[str, ...]], outlines: list[np.ndarray], drawn: list[np.ndarray]) -> list[Text]:
-    """Return the card with the most text that can be read; none for a piece that is too small."""
-    texts = (place_text(card, outlines, drawn, TEXT_HEIGHT) for card in cards)
+def _card(cards: list[tuple[str, ...]], outlines: list[np.ndarray], kinds: list[Sequence[np.ndarray]]) -> list[Text]:
+    """Return the card with the most text that can be read; none for a piece that is too small. kinds: as for
+    place_text."""
+    texts = (place_text(card, outlines, kinds, TEXT_HEIGHT) for card in cards)
     return next(([text] for text in texts if text.height >= LEAST_HEIGHT), [])
 
 

@@ -36,8 +36,7 @@ def line_names(lines: Sequence[Line], room: Room, beside: Beside) -> tuple[list[
 
 def _out_of_room(line: Line) -> tuple[list[Text], np.ndarray]:
     """Return the whole and the short name at the middle of the line, and the unit vector (2,) out of the piece."""
-    points = np.concatenate([line.points, line.points[:1]]) if line.closed else line.points
-    middle, along, inside = _place_on(points, lengths_along(points), 0.5)
+    middle, along, inside = _place_on(line.path, lengths_along(line.path), 0.5)
     names = dict.fromkeys([line.name, _short(line)])
     return [Text((name,), middle, HEIGHTS[-1], role="line name") for name in names], -inside
 
@@ -48,8 +47,7 @@ def _short(line: Line) -> str:
 
 
 def _choices(line: Line) -> Iterator[Text]:
-    points = np.concatenate([line.points, line.points[:1]]) if line.closed else line.points
-    along = lengths_along(points)
+    points, along = line.path, lengths_along(line.path)
     is_seam = line.role == "sew"
     for height in HEIGHTS:
         named = [f"{line.name}: {line.joins}", line.name] if line.joins else [line.name]

@@ -57,11 +57,16 @@ def axes(text: Text) -> np.ndarray:
     return np.array([[cosine, -sine], [sine, cosine]])
 
 
-def corners(text: Text) -> np.ndarray:
-    """Return the corners (4,2) of the box of a text of one line."""
-    half = np.array([text_width(text.lines[0], text.height), text.height]) / 2
-    around: np.ndarray = text.center + (half * [[-1, -1], [1, -1], [1, 1], [-1, 1]]) @ axes(text).T
-    return around
+def corners(text: Text, clear: float = 0.0) -> np.ndarray:
+    """Return the corners (4,2) of the box of a text. clear: millimeters of clear room around the text."""
+    return text.center + (_half_size(text, clear) * [[-1, -1], [1, -1], [1, 1], [-1, 1]]) @ axes(text).T
+
+
+def _half_size(text: Text, clear: float) -> np.ndarray:
+    width = max(text_width(line, text.height) for line in text.lines)
+    height = text.height * (1 + LINE * (len(text.lines) - 1))
+    half: np.ndarray = np.array([width, height]) / 2 + clear
+    return half
 
 
 def strokes(text: Text) -> Segments:
@@ -75,9 +80,9 @@ def strokes(text: Text) -> Segments:
     return joined(strokes)
 
 
-def touches(text: Text, segments: Segments) -> bool:
-    """Return whether a segment meets the box of a text of one line, by the separating axis theorem."""
-    half = np.array([text_width(text.lines[0], text.height), text.height]) / 2 + CLEAR
+def touches(text: Text, segments: Segments, clear: float = CLEAR) -> bool:
+    """Return whether a segment is within `clear` millimeters of the box of a text, by the separating axis theorem."""
+    half = _half_size(text, clear)
     a, b = ((ends - text.center) @ axes(text) for ends in segments)
     apart = np.any((np.minimum(a, b) > half) | (np.maximum(a, b) < -half), axis=1)
     normal = (b - a)[:, ::-1] * (-1, 1)

@@ -18,16 +18,20 @@ SMALL = 0.3125  # share of the largest height (2.5 of 8 mm); text crosses lines 
 
 
 def place_text(
-    lines: tuple[str, ...], outlines: Sequence[np.ndarray], lines_inside: Sequence[np.ndarray], largest: float
+    lines: tuple[str, ...], outlines: Sequence[np.ndarray], kinds: Sequence[Sequence[np.ndarray]], largest: float
 ) -> Text:
     """Return the place for the largest text, up to the height `largest`.
 
     The text is upright if the piece is too narrow otherwise.
 
-    Text never crosses closed outlines. It crosses lines_inside (k,2) only if there is no room beside them.
+    Text never crosses closed outlines. kinds: lines (k,2) inside the piece, by kind. The text crosses lines only if
+    there is no room beside them, and lines of the first kinds rather than lines of later ones.
     """
-    clear = _place(lines, outlines, lines_inside, largest)
-    return clear if clear.height >= SMALL * largest else _place(lines, outlines, [], largest)
+    for crossed in range(len(kinds) + 1):
+        text = _place(lines, outlines, [line for kind in kinds[crossed:] for line in kind], largest)
+        if text.height >= SMALL * largest:
+            break
+    return text
 
 
 def _place(

@@ -8,8 +8,9 @@ import numpy as np
 
 from ..checks import problem
 from ..geometry import Motion
+from ..grain import GRAIN, grain_line
 from ..model import Line, PatternPiece
-from .pieces import FOLD_NAME, GRAIN, grain_line
+from .pieces import FOLD_NAME
 
 ON_FOLD = 0.05  # millimeters: a nearer point is on the fold
 BESIDE_FOLD = 15.0  # millimeters between the fold and a grain arrow along it
@@ -43,7 +44,7 @@ def _grain(piece: PatternPiece, grain: Line, fold: np.ndarray, outward: np.ndarr
 
 def _kept(line: Line, origin: np.ndarray, outward: np.ndarray) -> list[tuple[np.ndarray, bool]]:
     """Return the parts of a line on the outward side of the fold."""
-    points = np.concatenate([line.points, line.points[:1]]) if line.closed else line.points
+    points = line.path
     height = (points - origin) @ outward
     if np.all(height > ON_FOLD):
         return [(line.points, line.closed)]

@@ -6,7 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..geometry import Rays, innermost_point, signed_area
+from ..geometry import Rays, signed_area
+from ..grain import grain_line
 from ..model import Line, PatternPiece, Point
 from ..progress import Steps
 from ..units import UnitSystem
@@ -16,7 +17,6 @@ from .seams import SewnSide, longer_texts
 from .sections import Outline, Rules, outline
 from .widths import Widths
 
-GRAIN = 0.7  # length of the grain arrow as a share of the distance across the piece
 FOLD_NAME = "Place on the fold"
 CLOSED_GAP = "the allowance closes a gap in the outline. It is not cut out; a smaller allowance opens it."
 STRAIGHT = 0.5  # millimeters; a fold with a smaller error counts as straight, because fabric stretches that much
@@ -134,15 +134,6 @@ def _sewn(laid: Laid, describe: Callable[[Side], Mapping[str, str]]) -> list[Lin
                 words = {} if run.side.seam is None else describe(run.side)
                 lines.append(Line("sew", points, is_whole, width=run.width, seam=run.side.seam, **words))
     return lines
-
-
-def grain_line(outlines: Sequence[np.ndarray], lines_inside: Sequence[np.ndarray], along: np.ndarray) -> Line:
-    """Return the grain line that has the most room inside closed outlines (k,2) and between lines (k,2). along (2,):
-    unit vector."""
-    center, _ = innermost_point(outlines, lines_inside)
-    rays = Rays(outlines)
-    up, down = (GRAIN * rays.length(center, sign * along) for sign in (1, -1))
-    return Line("grain", center + np.array([-down * along, up * along]))
 
 
 def finished(

@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Moves the grain arrow of a piece out of a text."""
+
+import math
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from ..grain import grain_line
+from ..model import Line, Text
+from .room import corners, touches
+
+SHORTEST = 10.0  # millimeters; fabric cannot be aligned with a shorter arrow
+BESIDE = 3.0  # millimeters between a text and an arrow; the heads are 2.8 mm wide on each side
+HATCHING = 2.0  # millimeters between lines over a text, so that the search for room finds none in the text
+
+
+def grain_beside(
+    text: Text,
+    grain: Line,
+    outlines: Sequence[np.ndarray],
+    lines_inside: Sequence[np.ndarray],
+    limits: Sequence[np.ndarray],
+) -> Line:
+    """Return the grain line, moved to the room that the text leaves if it crosses the text.
+
+    Without enough room, it keeps its place. outlines, lines_inside and limits: as for grain_line.
+    """
+    if not touches(text, (grain.points[:1], grain.points[1:]), BESIDE):
+        return grain
+    box = corners(text, BESIDE)
+    shares = np.linspace(0, 1, 1 + math.ceil(float(np.linalg.norm(box[3] - box[0])) / HATCHING))[:, None]
+    rows = np.stack([box[0] + shares * (box[3] - box[0]), box[1] + shares * (box[2] - box[1])], axis=1)
+    along = (grain.points[1] - grain.points[0]) / np.linalg.norm(grain.points[1] - grain.points[0])
+    moved = grain_line(outlines, lines_inside, along, [*limits, box[[0, 1, 2, 3, 0]], *rows])
+    is_long = np.linalg.norm(moved.points[1] - moved.points[0]) >= SHORTEST
+    return replace(grain, points=moved.points) if is_long else grain
