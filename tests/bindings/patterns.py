@@ -9,7 +9,7 @@ import pypdfium2
 import shapely
 import wirewarp
 from samples import flattened
-from wirewarp.pattern import Line, Pattern, PatternPiece
+from wirewarp.pattern import Line, Pattern, PatternPiece, Text
 
 MILLIMETER = 72 / 25.4  # length in points of PDF
 SCALE = 4.0  # pixels per millimeter of measured pages
@@ -59,6 +59,13 @@ def sew_polygon(piece: PatternPiece) -> shapely.Polygon:
 
 def line_string(line: Line) -> shapely.LineString:
     return shapely.LineString([*line.points, *line.points[:1]] if line.closed else line.points)
+
+
+def letters(text: Text) -> shapely.Polygon:
+    """Return the approximate place of the letters of a text of one line, at least half as wide as high."""
+    half = np.array([len(text.lines[0]) / 2, 1.0]) * text.height / 2
+    turned = shapely.affinity.rotate(shapely.box(*-half, *half), text.angle, origin=(0, 0))
+    return shapely.affinity.translate(turned, *text.center)
 
 
 def cut_points(pattern: Pattern) -> list[np.ndarray]:

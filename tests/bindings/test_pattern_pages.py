@@ -4,15 +4,18 @@
 import re
 from dataclasses import replace
 from functools import cache
+from itertools import combinations
 
 import numpy as np
 import pypdfium2
 import pytest
 import shapely
 import wirewarp
-from patterns import MILLIMETER, quads, rectangle, sample
+from patterns import MILLIMETER, letters, quads, rectangle, sample
 from wirewarp.pattern import Pattern
+from wirewarp.pattern.geometry import Motion
 from wirewarp.pattern.make.outline import flat_piece
+from wirewarp.pattern.sheet.plan import plan
 
 
 @pytest.mark.parametrize(
@@ -158,3 +161,20 @@ def test_sheets_name_only_neighbors_that_are_printed(tmp_path):
     pages = list(pypdfium2.PdfDocument(tmp_path / "a.pdf"))[1:]
     named = {name for page in pages for name in re.findall("[A-Z]+[0-9]", page.get_textpage().get_text_range())}
     assert named == names and len(names) == len(pages)
+
+
+@pytest.mark.parametrize("keep_places", [False, True])
+@pytest.mark.parametrize("name", ["Toy", "Swimsuit"])
+def test_the_names_of_sheets_and_their_neighbors_cross_no_line_and_no_text(name, keep_places):
+    planned = plan(sample(name), "a4", keep_places)
+    crossed = []
+    for sheet in planned.sheets:
+        pieces = [planned.pattern.pieces[index] for index in sheet.pieces]
+        drawn = shapely.MultiLineString([line.path for piece in pieces for line in piece.lines])
+        written = [letters(text) for piece in pieces for text in piece.texts if len(text.lines) == 1]
+        (marks,) = sheet.marks(planned.pattern)
+        names = [letters(text.placed(Motion(sheet.low - sheet.corner))) for text in marks.texts]
+        assert names
+        crossed += [sheet.name for own in names if own.intersects(drawn) or any(map(own.intersects, written))]
+        crossed += [sheet.name for one, other in combinations(names, 2) if one.intersects(other)]
+    assert crossed == []

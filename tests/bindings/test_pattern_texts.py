@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 import shapely
 import wirewarp
-from patterns import cut_polygon, flattened, grid, quads, rectangle, sample, sew_polygon, turn
+from patterns import cut_polygon, flattened, grid, letters, quads, rectangle, sample, sew_polygon, turn
 from wirewarp.pattern import FlatPiece, Pattern, Text
 from wirewarp.pattern.label.leaders import FARTHEST, Beside
 from wirewarp.pattern.label.text_place import LINE
@@ -70,13 +70,6 @@ def test_texts_without_room_are_beside_the_piece_with_a_leader_line():
     assert piece.bounds == (pytest.approx(low), pytest.approx(high))
     assert pattern.with_only(["texts"]).pieces[0].of_role("card leader")
     assert not pattern.with_only(["sew"]).pieces[0].of_role("card leader")
-
-
-def letters(text):
-    """Return the approximate place of the letters of a text of one line, at least half as wide as high."""
-    half = np.array([len(text.lines[0]) / 2, 1.0]) * text.height / 2
-    turned = shapely.affinity.rotate(shapely.box(*-half, *half), text.angle, origin=(0, 0))
-    return shapely.affinity.translate(turned, *text.center)
 
 
 @pytest.mark.parametrize("angle", [0, 30, 90])

@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ..label.room import Segments
 from ..model import PatternPiece, Text
 
 
@@ -60,6 +61,11 @@ class Stroke:
     @property
     def look(self) -> Look:
         return SHEET if self.role == "sheet" else LOOKS[self.role]
+
+    @property
+    def segments(self) -> Segments:
+        following = np.roll(self.points, -1, axis=0)
+        return (self.points, following) if self.closed else (self.points[:-1], following[:-1])
 
 
 def strokes_of(piece: PatternPiece) -> Iterator[Stroke]:

@@ -1,15 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Prints squares and bars to measure, marks that join sheets, and a map of the sheets."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
 
 from ..label import helvetica
-from ..label.room import joined, touches
+from ..label.room import Segments, joined, touches
+from ..label.room import strokes as text_strokes
 from ..label.text_place import text_width
-from ..model import Text
+from ..model import PatternPiece, Text
 from ..pattern_data import OVERLAP, PatternData
 from ..units import INCH, UnitSystem, counted
 from .drawing import LOOKS, Stroke, strokes_of
@@ -19,6 +20,10 @@ from .tiles import Tile, Tiles
 SIZE = np.array([166.0, 158.0])  # size of the squares and bars in millimeters; fits on A4 and Letter
 CORNER = 4.0
 NAME_TEXT, NEIGHBOR_TEXT = 5.0, 4.0  # millimeters: height of the name of a sheet, and of the names of its neighbors
+# Places to try: for the name of a sheet, as shares of its width and height; for the name of a neighbor, in millimeters
+# from the middle of the edge, and from the middle of the overlap inwards
+NAME_PLACES = np.linspace(0, 1, 9)
+NEIGHBOR_STEP, DEPTHS = 12.0, (0.0, OVERLAP, 2 * OVERLAP)
 KEY = (18.0, 150.0)  # millimeters from the lower left corner of all squares and bars to the upper left one of the key
 KEY_ROWS, KEY_WIDTH, KEY_HEIGHT, KEY_SAMPLE, KEY_TEXT = 3, 44.0, 7.0, 12.0, 3.0
 TICK = 3.0
@@ -91,41 +96,56 @@ def grid_marks(pattern: PatternData, size: np.ndarray) -> Marks:
     return Marks(GRID_LAYER, [Stroke("scale", np.array(line)) for line in lines], [])
 
 
-def sheet_marks(plan: Tiles, row: int, column: int) -> Marks:
-    """Return the frame, the sheet's name, half diamonds that the neighbors complete, and the names of the neighbors."""
+def sheet_marks(plan: Tiles, tile: Tile, pieces: Sequence[PatternPiece]) -> Marks:
+    """Return the frame, the sheet's name, half diamonds that the neighbors complete, and the names of the neighbors.
+    The names do not cross other lines and texts if there is room. pieces: those on the sheet, in their places."""
+    row, column = tile.row, tile.column
     low, high = np.array([MARGIN, MARGIN]), MARGIN + plan.shown
-    strokes = [Stroke("sheet", low + plan.shown * UNIT, True)]
-    texts = [_own_name(plan, row, column)]
     middle = (low + high) / 2
-    printed = {(tile.row, tile.column) for tile in plan.tiles}
+    printed = {(other.row, other.column) for other in plan.tiles}
     sides = (
         (np.array([-1, 0]), (row, column - 1), np.array([low[0] + OVERLAP / 2, middle[1]])),
         (np.array([1, 0]), (row, column + 1), np.array([high[0] - OVERLAP / 2, middle[1]])),
         (np.array([0, 1]), (row - 1, column), np.array([middle[0], high[1] - OVERLAP / 2])),
         (np.array([0, -1]), (row + 1, column), np.array([middle[0], low[1] + OVERLAP / 2])),
     )
-    for direction, (other_row, other_column), at in sides:
-        if plan.overlap and (other_row, other_column) in printed:
+    diamonds, names = [], [_own_names(plan, tile)]
+    for outward, other, at in sides:
+        if plan.overlap and other in printed:
             # Both sheets show the whole overlap, so the two diamonds in its middle coincide.
-            strokes.append(Stroke("sheet", at + OVERLAP / 2 * np.array([[1, 0], [0, 1], [-1, 0], [0, -1]]), True))
-            aside = np.array([direction[1], direction[0]])
-            angle = 90.0 if direction[0] else 0.0
-            name = sheet_name(other_row, other_column)
-            texts.append(Text((name,), at + 12.0 * np.abs(aside), NEIGHBOR_TEXT, angle))
-    return Marks(SHEET_LAYER, strokes, texts)
+            diamonds.append(Stroke("sheet", at + OVERLAP / 2 * np.array([[1, 0], [0, 1], [-1, 0], [0, -1]]), True))
+            names.append(_neighbor_names(sheet_name(*other), at, outward, plan.shown))
+    drawn = _segments(pieces, diamonds, MARGIN - tile.low)
+    texts: list[Text] = []
+    for choices in names:
+        texts.append(next((text for text in choices if not touches(text, drawn)), choices[0]))
+        drawn = joined([drawn, text_strokes(texts[-1])])
+    return Marks(SHEET_LAYER, [Stroke("sheet", low + plan.shown * UNIT, True), *diamonds], texts)
 
 
-def _own_name(plan: Tiles, row: int, column: int) -> Text:
-    """Return a text such as "C3 of 11", in a corner of the sheet that has no piece, if there is such a corner."""
-    low = next(tile.low for tile in plan.tiles if (tile.row, tile.column) == (row, column))
-    words = f"{sheet_name(row, column)} of {len(plan.tiles)}"
+def _neighbor_names(name: str, at: np.ndarray, outward: np.ndarray, shown: np.ndarray) -> list[Text]:
+    """Return places for the name of a neighbor, the nearest to its diamond first. at (2,): the diamond. outward (2,):
+    unit vector to the neighbor. shown (2,): size of the sheet."""
+    along, angle = np.abs(outward[::-1]), 90.0 if outward[0] else 0.0
+    steps = np.arange(NEIGHBOR_STEP, shown @ along / 2 - NEIGHBOR_STEP, NEIGHBOR_STEP)
+    places = [at + sign * step * along - depth * outward for depth in DEPTHS for step in steps for sign in (1, -1)]
+    return [Text((name,), place, NEIGHBOR_TEXT, angle) for place in places]
+
+
+def _own_names(plan: Tiles, tile: Tile) -> list[Text]:
+    """Return places for a text such as "C3 of 11": the corners of the sheet, then the nearest places to them."""
+    words = f"{tile.name} of {len(plan.tiles)}"
     inset = np.array([text_width(words, NAME_TEXT) / 2 + 2.0, 7.0])
-    places = [inset + np.array(side) * (plan.shown - 2 * inset) for side in ((0, 0), (1, 0), (0, 1), (1, 1))]
-    cut = [line.points for piece in plan.pattern.pieces for line in piece.of_role("cut")]
-    near = joined([(line, np.roll(line, -1, axis=0)) for line in cut])
-    choices = [Text((words,), low + place, NAME_TEXT) for place in places]
-    chosen = next((number for number, text in enumerate(choices) if not touches(text, near)), 0)
-    return Text((words,), MARGIN + places[chosen], NAME_TEXT)
+    shares = [np.array([x, y]) for y in NAME_PLACES for x in NAME_PLACES]
+    shares.sort(key=lambda share: float(np.minimum(share, 1 - share).sum()))
+    return [Text((words,), MARGIN + inset + share * (plan.shown - 2 * inset), NAME_TEXT) for share in shares]
+
+
+def _segments(pieces: Sequence[PatternPiece], marks: Sequence[Stroke], offset: np.ndarray) -> Segments:
+    """Return all lines and texts of the pieces, moved by the offset (2,), and the marks."""
+    texts = [text_strokes(text) for piece in pieces for text in piece.texts]
+    first, second = joined([*(stroke.segments for piece in pieces for stroke in strokes_of(piece)), *texts])
+    return joined([(first + offset, second + offset), *(mark.segments for mark in marks)])
 
 
 def part_marks(corner: np.ndarray, size: np.ndarray, page: int, is_first: bool, is_last: bool) -> Marks:

@@ -16,7 +16,7 @@ from ..pattern_data import OVERLAP, PatternData
 from ..units import UnitSystem
 from .furniture import GRID_LAYER, SHEET_LAYER, SIZE, Marks, grid_marks, map_marks, part_marks, scale_marks, sheet_marks
 from .papers import LONGEST, MARGIN, PROJECTOR, SHEETS, Page, roll_width
-from .tiles import divided
+from .tiles import Tile, Tiles, divided
 
 PROJECTED = 0.5  # millimeters; a projector shows thinner lines as dots
 BORDER = 5.0  # millimeters around a piece's box, for notches and letters that extend beyond it
@@ -29,7 +29,7 @@ class Sheet(Page):
     paper: np.ndarray  # (2,) width and height, margins included
     corner: np.ndarray  # (2,) place of `low` on the paper
     pieces: Sequence[int]  # indices of the pieces on the sheet
-    marks: Callable[[], list[Marks]]  # called only when they are drawn
+    marks: Callable[[PatternData], list[Marks]]  # for the drawn pattern; called only when they are drawn
     is_clipped: bool = False  # the drawing is clipped to the shown part
 
 
@@ -68,8 +68,8 @@ def _one_page(pattern: P) -> Plan[P]:
             "sheets."
         )
 
-    def marks() -> list[Marks]:
-        return [grid_marks(pattern, size), scale_marks(pattern, AT_MARGIN)]
+    def marks(drawn: PatternData) -> list[Marks]:
+        return [grid_marks(drawn, size), scale_marks(drawn, AT_MARGIN)]
 
     low = pattern.bounds[0] - MARGIN - (0, SIZE[1])
     sheet = Sheet("1", low, size, size, np.zeros(2), range(len(pattern.pieces)), marks)
@@ -85,13 +85,13 @@ def _roll(pattern: P, width: float, keep_places: bool) -> Plan[P]:
         low, high = bounds[:, 0, 1].min(), bounds[:, 1, 1].max()
         block = SIZE[1] if number == 0 else 0.0  # the squares to measure
         size = np.array([width, high - low + 2 * MARGIN + block])
-        marks = partial(_scale_on_first, arranged, number)
+        marks = partial(_scale_on_first, number)
         corner = np.array([-MARGIN, low - MARGIN - block])
         sheets.append(Sheet(str(number + 1), corner, size, size, np.zeros(2), pieces, marks))
     return Plan(arranged, sheets)
 
 
-def _scale_on_first(pattern: PatternData, number: int) -> list[Marks]:
+def _scale_on_first(number: int, pattern: PatternData) -> list[Marks]:
     return [scale_marks(pattern, AT_MARGIN)] if number == 0 else []
 
 
@@ -163,14 +163,14 @@ def _marker(pattern: P, marker: Marker, width: float) -> Plan[P]:
             corner = AT_MARGIN if sheets else AT_MARGIN + (0, SIZE[1])
             paper = np.array([width, size[1] + MARGIN + corner[1]])
             place = len(sheets) + 1
-            marks = partial(_marker_marks, pattern, marker, corner, size, place, number == 0, number == count - 1)
+            marks = partial(_marker_marks, marker, corner, size, place, number == 0, number == count - 1)
             pieces = _met(pattern.pieces, low, low + size)
             sheets.append(Sheet(str(place), low, size, paper, corner, pieces, marks, is_clipped=True))
     return Plan(pattern, sheets, (SHEET_LAYER,))
 
 
 def _marker_marks(
-    pattern: PatternData, marker: Marker, corner: np.ndarray, size: np.ndarray, page: int, is_first: bool, is_last: bool
+    marker: Marker, corner: np.ndarray, size: np.ndarray, page: int, is_first: bool, is_last: bool, pattern: PatternData
 ) -> list[Marks]:
     edges = part_marks(corner, size, page, is_first, is_last)
     if page > 1:
@@ -183,22 +183,18 @@ def _tiles(pattern: P, paper: str, keep_places: bool) -> Plan[P]:
     """Plan a first page with a map and squares to measure, then the sheets."""
     tiles = divided(pattern, paper, keep_places)
     upright = np.array(SHEETS[paper])
-    cover = Sheet("", np.zeros(2), upright, upright, np.zeros(2), (), partial(map_marks, tiles, upright))
-    sheets = [
-        Sheet(
-            tile.name,
-            tile.low,
-            tiles.shown,
-            tiles.paper,
-            AT_MARGIN,
-            _met(tiles.pattern.pieces, tile.low, tile.low + tiles.shown),
-            lambda tile=tile: [sheet_marks(tiles, tile.row, tile.column)],  # type: ignore[misc]
-            is_clipped=True,
-        )
-        for tile in tiles.tiles
-    ]
+    cover = Sheet("", np.zeros(2), upright, upright, np.zeros(2), (), lambda _: map_marks(tiles, upright))
+    sheets = []
+    for tile in tiles.tiles:
+        met = _met(tiles.pattern.pieces, tile.low, tile.low + tiles.shown)
+        marks = partial(_tile_marks, tiles, tile, met)
+        sheets.append(Sheet(tile.name, tile.low, tiles.shown, tiles.paper, AT_MARGIN, met, marks, is_clipped=True))
     texts = Sheets(tiles.boxes, tiles.borders) if tiles.overlap and not pattern.marker else None
     return Plan(tiles.pattern, sheets, (SHEET_LAYER,), cover=cover, text_sheets=texts)
+
+
+def _tile_marks(tiles: Tiles[P], tile: Tile, met: Sequence[int], pattern: PatternData) -> list[Marks]:
+    return [sheet_marks(tiles, tile, [pattern.pieces[index] for index in met])]
 
 
 def _met(pieces: Sequence[PatternPiece], low: np.ndarray, high: np.ndarray) -> list[int]:
