@@ -153,44 +153,6 @@ def test_a_hem_is_wider_and_side_allowances_differ_by_side():
     assert sorted(pattern.pieces[0].size) == pytest.approx([100 + 15 + 6, 300 + 30], abs=1e-3)
 
 
-def dart(mouth: float, depth: float) -> wirewarp.FlattenResult:
-    """Return a rectangle of 300 x 200 with a dart from the middle of its lower edge. The mouth of the dart is folded
-    away."""
-    # The dart's legs are sewn, so the model is a cone and the flat piece opens by itself.
-    half = mouth / 2
-    leg = math.hypot(half, depth)
-    rise = math.sqrt(leg**2 - depth**2)
-    points = np.array(
-        [(-150 + half, 0, 0), (0, 0, 0), (150 - half, 0, 0), (-150, depth, 0), (0, depth, rise), (150, depth, 0)]
-        + [(-150, 200, 0), (0, 200, rise), (150, 200, 0)]
-    )
-    faces = [(0, 1, 4), (0, 4, 3), (1, 2, 5), (1, 5, 4), (3, 4, 7), (3, 7, 6), (4, 5, 8), (4, 8, 7)]
-    return wirewarp.flatten(points / 1000, np.array(faces), seams=[(1, 4)])
-
-
-def test_a_dart_is_closed_cut_out_or_slit():
-    result = dart(40, 100)
-    areas = {}
-    for how in ("close", "cut", "slit"):
-        (piece,) = Pattern.from_result(result, darts=how, allowance=3).pieces
-        areas[how] = cut_polygon(piece).area
-        holes = [point for point in piece.points if point.role == "drill"]
-        assert len(holes) == (0 if how == "cut" else 1)
-    assert areas["close"] > areas["cut"] > areas["slit"]
-    (piece,) = Pattern.from_result(result, allowance=0.0).pieces
-    gap = cut_polygon(piece).difference(sew_polygon(piece))
-    (hole,) = [point for point in piece.points if point.role == "drill"]
-    assert gap.contains(shapely.Point(hole.at))  # the hole is in the fold of the dart, where the seam hides it
-
-
-def test_no_notch_starts_on_a_distant_cutting_line():
-    # Between the legs of a narrow cut-out dart, the allowances merge and cannot be notched.
-    (piece,) = Pattern.from_result(dart(40, 100), darts="cut").pieces
-    outline = sew_polygon(piece)
-    assert all(outline.distance(shapely.Point(point.at)) < 10.01 for point in piece.points)
-    assert not any(point.pair for point in piece.points)
-
-
 def test_a_slit_inside_a_piece(tmp_path):
     result = grid(range(0, 360, 40), range(0, 360, 40), seams=[(38, 39), (39, 40), (40, 41)])
     found = {}

@@ -10,6 +10,7 @@ from typing import Literal, get_args
 import numpy as np
 
 from ..checks import problem
+from ..geometry import signed_area
 from .allowance import Corner, Section
 from .corners import CORNER_TYPES
 from .outline import Side
@@ -91,9 +92,13 @@ class Rules:
 
 
 def outline(loop: Sequence[Side], widths: Widths, rules: Rules) -> Outline:
+    count = len(loop)
     # A slit inside a piece counts as two darts, because it has two tips.
     corners_of_loop = [*pairwise([*loop, loop[0]])] if rules.darts != "cut" else []
     darts = [Dart(first, second) for first, second in corners_of_loop if is_dart(first, second, WIDEST_DART)]
+    is_outer = signed_area(np.concatenate([side.points[:-1] for side in loop])) > 0
+    if rules.darts == "close" and is_outer and 2 * len(darts) == count:
+        darts = []  # no part of the outline is between the darts, so they are cut out
     legs = [side for dart in darts for side in (dart.first, dart.second)]
 
     def is_leg(side: Side) -> bool:
@@ -111,7 +116,6 @@ def outline(loop: Sequence[Side], widths: Widths, rules: Rules) -> Outline:
     if all(map(is_leg, loop)) and (rules.darts == "close" or slits):
         return Outline(runs, [], darts, slits[:1])
     sections: list[Section] = []
-    count = len(loop)
     for number, (side, own) in enumerate(zip(loop, by_side, strict=True)):
         following = loop[(number + 1) % count]
         if rules.darts == "close" and is_leg(side):
@@ -119,7 +123,9 @@ def outline(loop: Sequence[Side], widths: Widths, rules: Rules) -> Outline:
             # without a gap, the outline continues
             if dart and np.linalg.norm(dart.mouth[1] - dart.mouth[0]) > LEAST_GAP:
                 before, after = by_side[number - 1][-1], by_side[(number + 2) % count][0]
-                sections.append(Section(_cap(dart, before, after), before.width or 0.0))
+                # Nothing of the outline is between two darts that begin at one point.
+                cap = dart.mouth if None in (before.width, after.width) else _cap(dart, before, after)
+                sections.append(Section(cap, _width_before(by_side, number)))
             continue
         corners = [Corner()] * (len(own) - 1) + [rules.corner(side, following)]
         if rules.darts != "cut" and is_leg(following):
@@ -135,6 +141,12 @@ def _runs(side: Side, widths: np.ndarray, folds: np.ndarray) -> list[Run]:
         Run(side, side.points[a : b + 1], float(widths[a]), bool(folds[a]))
         for a, b in zip(ends[:-1], ends[1:], strict=True)
     ]
+
+
+def _width_before(by_side: Sequence[Sequence[Run]], number: int) -> float:
+    """Return the allowance of the nearest run before a side that is not a leg of a closed dart. number: of the side."""
+    runs = [run for own in (*by_side[number:], *by_side[:number]) for run in own]
+    return next(run.width for run in reversed(runs) if run.width is not None)
 
 
 def _cap(dart: Dart, before: Run, after: Run) -> np.ndarray:

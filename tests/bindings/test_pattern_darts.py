@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Darts on patterns: closed, cut out or slit."""
+
+import math
+
+import numpy as np
+import shapely
+import wirewarp
+from patterns import cut_polygon, line_string, sample, sew_polygon
+from wirewarp.pattern import Chain, FlatPiece, Pattern
+
+
+def dart(mouth: float, depth: float) -> wirewarp.FlattenResult:
+    """Return a rectangle of 300 x 200 with a dart from the middle of its lower edge. The mouth of the dart is folded
+    away."""
+    # The dart's legs are sewn, so the model is a cone and the flat piece opens by itself.
+    half = mouth / 2
+    leg = math.hypot(half, depth)
+    rise = math.sqrt(leg**2 - depth**2)
+    points = np.array(
+        [(-150 + half, 0, 0), (0, 0, 0), (150 - half, 0, 0), (-150, depth, 0), (0, depth, rise), (150, depth, 0)]
+        + [(-150, 200, 0), (0, 200, rise), (150, 200, 0)]
+    )
+    faces = [(0, 1, 4), (0, 4, 3), (1, 2, 5), (1, 5, 4), (3, 4, 7), (3, 7, 6), (4, 5, 8), (4, 8, 7)]
+    return wirewarp.flatten(points / 1000, np.array(faces), seams=[(1, 4)])
+
+
+def test_a_dart_is_closed_cut_out_or_slit():
+    result = dart(40, 100)
+    areas = {}
+    for how in ("close", "cut", "slit"):
+        (piece,) = Pattern.from_result(result, darts=how, allowance=3).pieces
+        areas[how] = cut_polygon(piece).area
+        holes = [point for point in piece.points if point.role == "drill"]
+        assert len(holes) == (0 if how == "cut" else 1)
+    assert areas["close"] > areas["cut"] > areas["slit"]
+    (piece,) = Pattern.from_result(result, allowance=0.0).pieces
+    gap = cut_polygon(piece).difference(sew_polygon(piece))
+    (hole,) = [point for point in piece.points if point.role == "drill"]
+    assert gap.contains(shapely.Point(hole.at))  # the hole is in the fold of the dart, where the seam hides it
+
+
+def least_distance(piece):
+    """Return the smallest distance in millimeters of a point of a stitching line from the cutting line."""
+    (cut,) = piece.of_role("cut")
+    points = np.concatenate([line.points for line in piece.of_role("sew")])
+    return shapely.distance(line_string(cut), shapely.points(points)).min()
+
+
+def test_closed_darts_that_begin_at_one_point_have_their_allowance_there():
+    """Three pieces of the toy have two darts that begin at one point of their outline."""
+    assert min(map(least_distance, sample("Toy", allowance=10.0).pieces)) > 9.99
+
+
+def test_closed_darts_are_cut_out_if_nothing_else_is_on_the_outline():
+    """The piece is a star of 8 points, which are one point of the model."""
+    count = 8
+    rows = np.arange(2 * count)
+    is_inner, angles = rows % 2 == 1, np.pi / count * rows
+    points = np.where(is_inner, 10.0, 100.0)[:, None] * np.column_stack([np.cos(angles), np.sin(angles)])
+    sources, edges = np.where(is_inner, rows, 0), np.column_stack([rows, np.roll(rows, -1)])
+    chains = [Chain(sources[edge], row // 2) for row, edge in enumerate(edges)]
+    star = FlatPiece("Star", points, sources, edges, chains, [])
+    names = [f"Seam {number + 1}" for number in range(count)]
+    closed, out = (Pattern.from_pieces([star], names, darts=how).pieces[0] for how in ("close", "cut"))
+    assert cut_polygon(closed).equals(cut_polygon(out))
+    assert least_distance(closed) > 9.99
+
+
+def test_no_notch_starts_on_a_distant_cutting_line():
+    # Between the legs of a narrow cut-out dart, the allowances merge and cannot be notched.
+    (piece,) = Pattern.from_result(dart(40, 100), darts="cut").pieces
+    outline = sew_polygon(piece)
+    assert all(outline.distance(shapely.Point(point.at)) < 10.01 for point in piece.points)
+    assert not any(point.pair for point in piece.points)
