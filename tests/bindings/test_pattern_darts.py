@@ -4,9 +4,10 @@
 import math
 
 import numpy as np
+import pytest
 import shapely
 import wirewarp
-from patterns import cut_polygon, line_string, sample, sew_polygon
+from patterns import cut_polygon, grid, line_string, sample, sew_polygon
 from wirewarp.pattern import Chain, FlatPiece, Pattern
 
 
@@ -38,6 +39,33 @@ def test_a_dart_is_closed_cut_out_or_slit():
     gap = cut_polygon(piece).difference(sew_polygon(piece))
     (hole,) = [point for point in piece.points if point.role == "drill"]
     assert gap.contains(shapely.Point(hole.at))  # the hole is in the fold of the dart, where the seam hides it
+
+
+@pytest.mark.parametrize("mouth", [50, 100])
+def test_closed_darts_have_notches_on_the_extensions_of_their_legs(mouth):
+    """Once the dart is folded, the legs meet, and so do the notches."""
+    (piece,) = Pattern.from_result(dart(mouth, 120), allowance=12.0).pieces
+    notches = [point for point in piece.points if point.role == "notch"]
+    legs = [line.points for line in piece.of_role("sew") if line.width is None]
+    ends = [leg if np.array_equal(leg[-1], legs[1 - number][0]) else leg[::-1] for number, leg in enumerate(legs)]
+    assert len(notches) == len(ends) == 2
+    for notch, (start, after) in zip(notches, (leg[:2] for leg in ends), strict=True):
+        assert line_string(piece.of_role("cut")[0]).distance(shapely.Point(notch.at)) < 1e-3
+        inward = (after - start) / np.linalg.norm(after - start)
+        assert notch.direction == pytest.approx(inward)
+        assert start - notch.at == pytest.approx(inward * np.linalg.norm(start - notch.at), abs=1e-6)
+        assert notch.depth == pytest.approx(5.0)
+    for how in ("cut", "slit"):
+        (piece,) = Pattern.from_result(dart(mouth, 120), darts=how, notch_spacing=0).pieces
+        assert not [point for point in piece.points if point.role == "notch"]
+
+
+def test_a_closed_dart_without_a_gap_has_one_notch():
+    sheet = grid([-100, 0, 100], [0, 100, 200], seams=[(1, 4)])
+    (piece,) = Pattern.from_result(sheet).pieces
+    (notch,) = (point for point in piece.points if point.role == "notch")
+    (hole,) = (point for point in piece.points if point.role == "drill")
+    assert notch.direction == pytest.approx((hole.at - notch.at) / np.linalg.norm(hole.at - notch.at))
 
 
 def least_distance(piece):

@@ -11,7 +11,7 @@ from ..geometry import Rays
 from ..model import Point
 from ..pattern_data import SeamWalk
 from .copies import SeamGroup
-from .notches import DOUBLE, clips, drill_hole, notch, places_along, symmetric_places, turns_little
+from .notches import DOUBLE, clips, drill_hole, leg_notches, notch, places_along, symmetric_places, turns_little
 from .outline import Side
 from .pieces import Laid
 from .seams import SewnLengths, SewnSide
@@ -53,6 +53,10 @@ def marks(
         for outline, loop in zip(piece.outlines, piece.loops, strict=True):
             found[piece.index] += _free_notches(loop, wire_ends[piece.index], own_rays, widths)
             found[piece.index] += [drill_hole(dart) for dart in outline.darts]
+            if outline.sections:
+                widest = max(widths[id(side)] for side in loop)
+                for dart in outline.closed_darts:
+                    found[piece.index] += leg_notches(dart, own_rays, widest)
             if outline.sections and not outline.darts:
                 found[piece.index] += clips(loop, own_rays, stitching)
     return found

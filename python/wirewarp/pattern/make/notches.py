@@ -3,6 +3,7 @@
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -12,7 +13,7 @@ from ..model import Point
 from .corners import MITRE_LIMIT
 from .outline import Side
 from .seams import SewnSide, turn_between
-from .sections import Dart
+from .sections import LEAST_GAP, Dart
 
 DEEPEST = 5.0  # millimeters
 SHARE = 0.5  # depth as a share of the allowance; notches never reach the stitching line
@@ -84,11 +85,28 @@ def notch(own: SewnSide, length: float, rays: Rays, width: float, pair: tuple[in
     """Return a notch that begins where the side's normal at this length meets the cut line, and points inwards. width:
     the widest allowance of the side. Returns None if the cut line is much farther, because allowances meet there."""
     at_sew, outward = own.at(length)
+    found = _notch_at(at_sew, outward, rays, width)
+    return replace(found, pair=pair, along=length) if found and pair else found
+
+
+def _notch_at(at_sew: np.ndarray, outward: np.ndarray, rays: Rays, width: float) -> Point | None:
+    """Return a notch at a point (2,) of the stitching line, where the unit vector outward (2,) meets the cut line."""
     allowance = rays.length(at_sew, outward)
     if allowance > MITRE_LIMIT * width + NEXT_TO:
         return None
     room = SHARE * allowance if allowance > 0 else ACROSS * rays.length(at_sew - outward * NEXT_TO, -outward)
-    return Point("notch", at_sew + allowance * outward, -outward, min(DEEPEST, room), pair, length if pair else None)
+    return Point("notch", at_sew + allowance * outward, -outward, min(DEEPEST, room))
+
+
+def leg_notches(dart: Dart, rays: Rays, width: float) -> list[Point]:
+    """Return the notches of a closed dart, on the extensions of its legs, which meet once the dart is folded. A dart
+    without a gap has one. width: the widest allowance beside the dart."""
+    legs = [dart.first.points, dart.second.points[::-1]]
+    if np.linalg.norm(dart.mouth[1] - dart.mouth[0]) <= LEAST_GAP:
+        del legs[1]
+    extensions = ((leg[0], (leg[0] - leg[1]) / np.linalg.norm(leg[0] - leg[1])) for leg in legs)
+    found = (_notch_at(start, outward, rays, width) for start, outward in extensions)
+    return [point for point in found if point]
 
 
 def clips(loop: Sequence[Side], rays: Rays, stitching: Rays) -> list[Point]:

@@ -61,6 +61,11 @@ class Outline:
     darts: list[Dart]
     slits: list[np.ndarray]  # (k,2) each: darts without a gap that are cut along their legs
 
+    @property
+    def closed_darts(self) -> list[Dart]:
+        closed = {id(run.side) for run in self.runs if run.width is None}
+        return [dart for dart in self.darts if id(dart.first) in closed]
+
 
 class Rules:
     """Rules for the ends of allowances at corners, and for cutting darts."""
