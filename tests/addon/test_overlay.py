@@ -393,5 +393,7 @@ def test_proposed_seams_are_drawn_while_a_button_marks_them(addon):
     drawn = addon.overlay.failures.failures(source).lines["proposed"]
     ends = [tuple(source.data.vertices[vertex].co) for pair in issue.proposed_seams for vertex in sorted(pair)]
     assert sorted(map(tuple, drawn.tolist())) == sorted(ends)
+    bpy.ops.object.mode_set(mode="EDIT")
+    assert np.array_equal(addon.overlay.failures.failures(source).lines["proposed"], drawn)
     assert bpy.ops.object.wirewarp_suggest_seams() == {"FINISHED"}  # the button now marks these cuts
     assert "proposed" not in addon.overlay.failures.failures(source).lines

@@ -3,6 +3,7 @@
 
 import math
 
+import bmesh
 import bpy
 import numpy as np
 import pytest
@@ -126,6 +127,27 @@ def test_the_chosen_cut_is_drawn_on_model_and_pieces(addon, at_once):
     bpy.context.view_layer.objects.active = None
     for operator in (bpy.ops.object.wirewarp_choose_suggestion, bpy.ops.object.wirewarp_drop_suggestions):
         assert not operator.poll()
+
+
+def test_the_chosen_cut_is_drawn_in_edit_mode_until_the_mesh_changes(addon, at_once):
+    source = grid("Bump", bump, size=6)
+    bpy.ops.object.wirewarp_flatten()
+    SUGGEST["DARTS"]()
+
+    def drawn(target=source):
+        (own,) = (each for each in addon.overlay.shown.drawings(view_context()) if each.target == target)
+        return own.failures.lines["proposed"] if own.failures else None
+
+    in_object_mode, on_flat = drawn(), drawn(flat_of(source))
+    bpy.ops.object.mode_set(mode="EDIT")
+    assert np.array_equal(drawn(), in_object_mode)
+    assert np.array_equal(drawn(flat_of(source)), on_flat)
+    edit = bmesh.from_edit_mesh(source.data)
+    edit.verts.ensure_lookup_table()
+    edit.verts[24].co.z += 0.1
+    bmesh.update_edit_mesh(source.data)
+    bpy.context.view_layer.update()
+    assert drawn() is None and drawn(flat_of(source)) is None
 
 
 @pytest.mark.parametrize(

@@ -7,11 +7,20 @@ import bpy
 import numpy as np
 
 from ..blender.attributes import find_values, has_attributes
-from ..blender.mesh import corner_edges, corner_vertices, edge_vertices, faces_of_corners, next_loops, vertex_places
+from ..blender.mesh import (
+    corner_edges,
+    corner_vertices,
+    current_mesh,
+    edge_vertices,
+    faces_of_corners,
+    next_loops,
+    vertex_places,
+)
 from ..core import Issue, Kind
 from ..names import SOURCE_FACE, SOURCE_VERTEX
 from ..solve.chains import edge_keys
 from ..solve.cut_faces import Segments, places_on
+from ..solve.report import ObjectReport
 from ..state.changes import has_changed
 from ..state.owners import model_of, model_or_self
 from ..state.reports import pieces_report
@@ -40,35 +49,46 @@ class _Elements:
 
 
 def failures(target: bpy.types.Object, *, in_map: bool = False) -> Failures | None:
-    """Return the failures on a model or its flat pieces, or in the map of the pieces, for an object in Object Mode."""
-    found = _elements(target)
-    if found is None:
-        return None
-    mesh, triangles = target.data, gather_triangles(target.data)
-    if in_map:
-        following = next_loops(mesh)
-        ends = np.column_stack([np.arange(len(following)), following])
-        places, edges, corners = uv_places(mesh), corner_edges(mesh), triangles.corners
-    else:
-        ends = edge_vertices(mesh)
-        places, edges, corners = vertex_places(mesh), np.arange(len(ends)), triangles.vertices
-    lines = {kind: places[ends[mask[edges]].ravel()] for kind, mask in found.edges.items()}
-    return Failures(lines, places[corners[np.isin(triangles.polygons, found.faces)].ravel()])
+    """Return the failures on a model or its flat pieces, or in the map of the pieces.
 
-
-def _elements(target: bpy.types.Object) -> _Elements | None:
-    """Return the elements; None if there are none, or if they belong to another mesh."""
-    report = current_report(target)
+    In Edit Mode, only the proposed seams are returned, because the selection shows the failed elements.
+    in_map: the object must be in Object Mode.
+    """
+    report = None if _hides_changes(target) else current_report(target)
     if report is None or report.with_modifiers or not report.issues:
         return None
-    mesh, source = target.data, np.arange(len(target.data.vertices))
+    with current_mesh(target) as mesh:
+        found = _elements(target, mesh, report)
+        if found is None:
+            return None
+        triangles = gather_triangles(mesh)
+        if in_map:
+            following = next_loops(mesh)
+            ends = np.column_stack([np.arange(len(following)), following])
+            places, edges, corners = uv_places(mesh), corner_edges(mesh), triangles.corners
+        else:
+            ends = edge_vertices(mesh)
+            places, edges, corners = vertex_places(mesh), np.arange(len(ends)), triangles.vertices
+        lines = {kind: places[ends[mask[edges]].ravel()] for kind, mask in found.edges.items()}
+        return Failures(lines, places[corners[np.isin(triangles.polygons, found.faces)].ravel()])
+
+
+def _hides_changes(target: bpy.types.Object) -> bool:
+    """Return whether changes of the model cannot be noticed, so that lines may belong to another mesh."""
+    mesh = model_or_self(target).data
+    return mesh.is_editmode and mesh.shape_keys is not None
+
+
+def _elements(target: bpy.types.Object, mesh: bpy.types.Mesh, report: ObjectReport) -> _Elements | None:
+    """Return the elements on the present mesh of the target; None if they belong to another mesh."""
+    source = np.arange(len(mesh.vertices))
     if model_of(target):
         if not has_attributes(mesh, SOURCE_VERTEX, SOURCE_FACE):
             return None
         source = find_values(mesh, SOURCE_VERTEX)
     # A model that has no cut yet has not failed.
     is_uncut = {line.kind for line in report.tables.verdict.lines} <= {Kind.CLOSED, Kind.NEEDS_SEAM}
-    issues = [] if is_uncut else report.issues
+    issues = [] if is_uncut or target.data.is_editmode else report.issues
     faces = _failed_faces(mesh, issues)
     pairs = np.sort(source[edge_vertices(mesh)], axis=1)
     masks = {
@@ -114,7 +134,7 @@ def with_cut(failed: Failures | None, ends: np.ndarray) -> Failures | None:
 
 
 def suggested_lines(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> np.ndarray:
-    """Return the ends (2k,3) of the chosen cut on a model or flat pieces in Object Mode; no ends without a choice."""
+    """Return the ends (2k,3) of the chosen cut on a model or flat pieces; no ends without a choice."""
     segments = _segments(target)
     if segments is None:
         return NO_LINES
@@ -140,7 +160,7 @@ def uv_suggested_lines(model: bpy.types.Object) -> np.ndarray:
 def _segments(target: bpy.types.Object) -> Segments | None:
     """Return the segments of the chosen cut; None if they cannot be shown, for example on a mesh with modifiers."""
     source = model_or_self(target)
-    found = current_suggestions(source)
+    found = None if _hides_changes(target) else current_suggestions(source)
     if found is None:
         return None
     if source == target:

@@ -137,7 +137,7 @@ def gather_side_eases(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) 
 
 
 def gather_triangles(mesh: bpy.types.Mesh) -> Triangles:
-    """Return the triangles of a mesh that is not in Edit Mode."""
+    """Return the triangles of a mesh that is not in Edit Mode, or of its copy."""
     mesh.calc_loop_triangles()
     return Triangles(
         positions=vertex_places(mesh),

@@ -142,14 +142,13 @@ def _drawing(context: bpy.types.Context, target: bpy.types.Object, color_map: Co
                 (*made_of, Same(cut)),
                 lambda: _with_cut(_or_none(marked_lines, target, depsgraph), cut, context.scene),
             )
-        if not target.data.is_editmode:
-            of_model = stamp(source.data), Same(suggestions_of(source))
-            failed = kept_drawing(
-                target,
-                "failures",
-                (*made_of, *of_model),
-                lambda: with_cut(failures(target), suggested_lines(target, depsgraph)),
-            )
+        of_model = stamp(source.data), Same(suggestions_of(source))
+        failed = kept_drawing(
+            target,
+            "failures",
+            (*made_of, *of_model),
+            lambda: with_cut(failures(target), suggested_lines(target, depsgraph)),
+        )
     if context.scene.wirewarp.show_pages and target != source and not target.data.is_editmode:
         pages, without = shown_pages(context, source, target), lines
         lines = kept_drawing(
