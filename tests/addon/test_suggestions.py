@@ -52,7 +52,7 @@ def test_the_figures_are_those_of_flattening_with_the_cut(addon, kind, faces):
         assert needed(addon, source) == pytest.approx(suggestions.cuts[0].strain, rel=1e-5)
 
 
-def test_mirror_images_are_one_suggestion_and_the_least_strain_is_first(addon):
+def test_mirror_images_are_one_suggestion_and_the_least_strain_is_first(addon, capfd):
     source = two_hills()
     bpy.context.scene.wirewarp.dart_lines = "EDGES"
     SUGGEST["DARTS"]()
@@ -61,6 +61,7 @@ def test_mirror_images_are_one_suggestion_and_the_least_strain_is_first(addon):
     assert twins and [cut.strain for cut in cuts] == sorted(cut.strain for cut in cuts)
     assert all(are_mirrored(source, cut.edges) for cut in twins)
     assert "2×" in draw_panels(addon)
+    assert f"{len(cuts)} suggestions. Best: stretch" in capfd.readouterr().out  # the number of rows
 
 
 def test_the_list_belongs_to_the_chosen_piece_and_is_cleared_when_the_model_changes(addon, capfd):
@@ -72,7 +73,7 @@ def test_the_list_belongs_to_the_chosen_piece_and_is_cleared_when_the_model_chan
     assert {"object.wirewarp_suggest_darts", "object.wirewarp_suggest_seams"} <= set(buttons)
     assert "object.wirewarp_choose_suggestion" not in buttons
     SUGGEST["DARTS"](piece=1)
-    assert 'suggested; for "Left Half": stretch' in capfd.readouterr().out
+    assert ', for "Left Half".' in capfd.readouterr().out
     assert {cut.piece for cut in found(addon, source).cuts} == {1}
     buttons.clear()
     words = draw_panels(addon, buttons)
@@ -180,7 +181,7 @@ def test_other_settings_are_reported(addon, capfd):
     source = grid("Bump", bump, size=6, wire=on_line(0, 0.0))
     settings = bpy.context.scene.wirewarp
     SUGGEST["DARTS"]()
-    assert "suggested; for Piece 1: stretch" in capfd.readouterr().out  # the piece has no name yet
+    assert ", for Piece 1." in capfd.readouterr().out  # the piece has no name yet
     settings.spacing, settings.mirror, settings.layout_kind = 50, True, "ROW"
     settings.orientation, settings.grain_angle, settings.gives_across = "BOUNDARY", 0.5, 10
     assert "Suggest again" not in draw_panels(addon)  # no request to suggest again, because the figures are the same

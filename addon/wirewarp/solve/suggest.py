@@ -285,13 +285,13 @@ def _has_corner(ends: np.ndarray) -> bool:
 WORDS = {"DARTS": ("dart", "darts"), "SEAMS": ("seam", "seams")}
 
 
-def found_words(kind: str, cuts: list[Cut]) -> str:
-    """Return the number and kind of the cuts, such as "1 dart", "2 sets of seams" or "2 ways to simplify"."""
+def found_words(cuts: list[Cut]) -> str:
+    """Return the number of rows: "5 suggestions", "2 sets of seams" or "2 ways to simplify"."""
     if cuts[0].is_first:
         return counted(len(cuts), "set of seams", "sets of seams")
     if cuts[0].cleared:
         return counted(len(cuts), "way to simplify", "ways to simplify")
-    return counted(sum(len(cut.lengths) for cut in cuts), *WORDS[kind])
+    return counted(len(cuts), "suggestion")
 
 
 def taken_words(kind: str, cut: Cut) -> str:

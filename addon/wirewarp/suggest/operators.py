@@ -42,7 +42,7 @@ from ..ui import window_run
 from ..ui.editing import OnMesh, reporting_refusals
 from ..ui.window_run import WindowSteps, fault_sentence
 
-STOPPED = "The search was stopped early; a longer one may find better cuts."
+STOPPED = "Stopped early"
 CHOOSE_FABRIC = "Choose a fabric that stretches more."
 SET_TARGET = "Set a larger target."
 # Maximum stretches of the fabric if they are unknown: of plush and knits, of which most closed models are sewn, and of
@@ -223,9 +223,10 @@ class SuggestCuts(OnMesh, WindowSteps):
         return None
 
     def _keep(self, context: bpy.types.Context, cuts: list[Cut], remark: str = "") -> set[str]:
-        """Keep and report the cuts. remark: a sentence at the end of the report. Raises ObjectError.
+        """Keep and report the cuts. remark: a sentence at the beginning of the report. Raises ObjectError.
 
-        This works in any mode, because leaving Edit Mode while a tool runs would crash Blender.
+        This works in any mode, because leaving Edit Mode while a tool runs would crash Blender. The report begins with
+        the figures and ends with the name, because the status bar cuts off long texts.
         """
         found = keep_found(self._search, cuts, self.place)
         redraw_views()
@@ -234,12 +235,12 @@ class SuggestCuts(OnMesh, WindowSteps):
         piece = quoted([name]) if is_named else name
         if found.target:
             step = step_text(self.kind, cuts[-1], lengths)
-            said = [f"Stretch of {piece} with {step}", shortfall(self.kind, cuts, found.target)]
+            said = [f"Stretch with {step}, for {piece}", shortfall(self.kind, cuts, found.target)]
         elif cuts[0].is_set:
-            said = [f"{found_words(self.kind, cuts)} suggested", f"Chosen: {cut_text(cuts[found.chosen], lengths)}"]
+            said = [found_words(cuts), f"Chosen: {cut_text(cuts[found.chosen], lengths)}"]
         else:
-            said = [f"{found_words(self.kind, cuts)} suggested; for {piece}: {cut_text(cuts[0], lengths)}"]
-        self.report({"INFO"}, paragraph(each for each in [*said, remark] if each))
+            said = [found_words(cuts), f"Best: {cut_text(cuts[0], lengths)}, for {piece}"]
+        self.report({"INFO"}, paragraph(each for each in [remark, *said] if each))
         return {"FINISHED"}
 
 

@@ -112,7 +112,7 @@ class WindowRun(Generic[T]):
     def _show(self, fraction: float) -> None:
         if fraction != self.shown and time.monotonic() - self._begun > UNSEEN_SECONDS:
             self.shown = fraction
-            self._workspace.status_text_set(f"{self.task.doing} {self._what}    Esc: {self.task.escape}")
+            self._workspace.status_text_set(f"Esc: {self.task.escape}    {self.task.doing} {self._what}")
             redraw_sidebars()
 
     def result(self) -> T:
