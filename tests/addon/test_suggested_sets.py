@@ -149,7 +149,8 @@ def test_a_set_beyond_the_fabric_says_so_before_it_is_marked(addon):
     SUGGEST["SEAMS"]()
     cut, shown, verdict = flattened_for(addon, source, 0)
     across, along = (addon.core.percent_text(each) for each in (cut.threads.across, cut.threads.along))
-    assert f"A piece must stretch {across} across and {along} along, more than this minky can." in shown
+    said = f"A piece must stretch {across} across and {along} along, more than this minky can."
+    assert f"{said} Choose a fabric that stretches more, or mark this set and then add darts." in shown
     assert verdict.kind is addon.core.Kind.BEYOND_FABRIC and any(along in line.text for line in verdict.lines)
 
 

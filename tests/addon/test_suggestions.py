@@ -2,12 +2,13 @@
 """Suggested darts and seams have the figures of flattening with them; they are shown, taken, undone and refused."""
 
 import math
+from dataclasses import replace
 
 import bmesh
 import bpy
 import numpy as np
 import pytest
-from everything import draw_panels
+from everything import AnyLayout, draw_panels, sidebar
 from suggesting import SUGGEST, are_mirrored, found, needed, pairs
 from surfaces import bump, edge_vertices, flat_of, grid, half_cylinder, make_object, mark, on_line, read, tube
 from test_proposals import seams_of
@@ -149,6 +150,56 @@ def test_the_chosen_cut_is_drawn_in_edit_mode_until_the_mesh_changes(addon, at_o
     bmesh.update_edit_mesh(source.data)
     bpy.context.view_layer.update()
     assert drawn() is None and drawn(flat_of(source)) is None
+
+
+class Buttons(AnyLayout):
+    """Keeps which operators are drawn as buttons that can be clicked."""
+
+    def __init__(self, words, clickable, is_enabled=True):
+        vars(self).update(words=words, clickable=clickable, is_enabled=is_enabled)
+
+    def __getattr__(self, _name):
+        return lambda *_, **__: Buttons(self.words, self.clickable, self.is_enabled)
+
+    def __setattr__(self, name, value):
+        if name == "enabled":
+            vars(self)["is_enabled"] &= value
+
+    def operator(self, name, **_):
+        if self.is_enabled:
+            self.clickable.append(name)
+        return Buttons(self.words, self.clickable, self.is_enabled)
+
+
+def test_the_list_of_an_earlier_search_cannot_be_clicked_during_the_next_one(addon, monkeypatch):
+    grid("Bump", bump, size=6)
+    SUGGEST["DARTS"]()
+    panel = addon.suggest.panel
+
+    def drawn():
+        words, clickable = [], []
+        panel.draw_suggestions(sidebar(600), Buttons(words, clickable), "FLATTEN")
+        return " ".join(words), clickable
+
+    assert panel.EARLIER not in drawn()[0] and "object.wirewarp_choose_suggestion" in drawn()[1]
+    monkeypatch.setattr(panel, "is_running", lambda task: task is panel.SUGGEST)
+    assert panel.EARLIER in drawn()[0] and drawn()[1] == []
+
+
+def test_a_set_beyond_the_fabric_names_the_rows_within_it(addon):
+    bpy.ops.mesh.primitive_uv_sphere_add(segments=24, ring_count=12, radius=0.1)
+    source = bpy.context.object
+    settings = bpy.context.scene.wirewarp
+    settings.cloth, settings.gives_across, settings.gives_along = "MINKY", 30, 0.5
+    SUGGEST["SEAMS"]()
+    suggestions = found(addon, source)
+    beyond = suggestions.cuts[0]
+    enough = replace(beyond, threads=replace(beyond.threads, across=0.0, along=0.0))
+    addon.state.suggestions.keep(source, replace(suggestions, cuts=[beyond, enough], names=2 * suggestions.names[:1]))
+    bpy.ops.object.wirewarp_choose_suggestion(index=0)
+    assert "more than this minky can. Click a row with less stretch." in draw_panels(addon)
+    bpy.ops.object.wirewarp_choose_suggestion(index=1)
+    assert "more than this minky can" not in draw_panels(addon)
 
 
 @pytest.mark.parametrize(

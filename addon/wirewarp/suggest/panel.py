@@ -17,7 +17,7 @@ from ..state.settings import TargetSettings
 from ..state.suggestions import Place, Suggestions, current_suggestions, suggestions_of
 from ..ui.layout import draw_progress, draw_sentence
 from ..ui.settings import figures_sentence, shown_source
-from ..ui.window_run import SUGGEST
+from ..ui.window_run import SUGGEST, is_running
 
 KINDS = ("darts", "seams")
 LABELS = {"DARTS": "Suggested Darts", "SEAMS": "Suggested Seams", "FEWER": "Fewer Seams"}
@@ -29,6 +29,9 @@ WIDTH = "Narrowest place of a piece: {}."
 NARROW = "A piece is only {} wide in one place, less than two allowances. It may be too narrow to sew."
 MANY = "With these seams, the model has {} pieces, too many to sew. Simplify the model before you suggest seams."
 UNMEASURED = "The search was canceled before it compared this set with the fabric."
+LESS_STRETCH = "Click a row with less stretch."
+MORE_CUTS = "Choose a fabric that stretches more, or mark this set and then add darts."
+EARLIER = "These are from an earlier search. The present one is still running."
 TARGET = ("aim_stretch", "aim_cuts", "aim_length")
 
 
@@ -81,6 +84,10 @@ def draw_suggestions(context: bpy.types.Context, layout: bpy.types.UILayout, pla
     found = _shown(context)
     if found is None or found.place != place:
         return
+    if is_running(SUGGEST):  # the rows come back if the search ends without a result
+        draw_sentence(context, layout, EARLIER, "INFO")
+        layout = layout.column()
+        layout.enabled = False
     lengths, labels = length_text(context.scene), TARGET_LABELS if found.target else LABELS
     cut = found.cuts[found.chosen]
     take = layout.row(align=True)  # above the rows and the sentences, whose number depends on the chosen row
@@ -103,9 +110,9 @@ def draw_suggestions(context: bpy.types.Context, layout: bpy.types.UILayout, pla
         draw_sentence(context, layout, WIDTH.format(lengths.rough(cut.width)), "INFO")
     if cut.is_set and found.pieces_after(cut) > MOST_SEWN:
         draw_sentence(context, layout, MANY.format(found.pieces_after(cut)), "AMBER")
-    limits = known_stretch(found.choices.cloth)
-    if cut.is_set and limits and (cut.threads is None or cut.excess(limits) > 0):
-        draw_sentence(context, layout, set_beyond_fabric(cut.threads) if cut.threads else UNMEASURED, "AMBER")
+    beyond = _beyond_fabric(found)
+    if beyond:
+        draw_sentence(context, layout, beyond, "AMBER")
     sentence = _explained(found.cuts)
     if sentence:
         draw_sentence(context, layout, sentence, "INFO")
@@ -123,6 +130,19 @@ def draw_suggestions(context: bpy.types.Context, layout: bpy.types.UILayout, pla
     if found.with_modifiers:
         taking = "Clearing them" if cut.cleared else "Marking it"
         draw_sentence(context, layout, f"{taking} applies the modifiers of the model.", "INFO")
+
+
+def _beyond_fabric(found: Suggestions) -> str:
+    """Return why the fabric may not do for the chosen set, and the next step; empty if it does."""
+    cut, limits = found.cuts[found.chosen], known_stretch(found.choices.cloth)
+    if not (cut.is_set and limits):
+        return ""
+    if cut.threads is None:
+        return UNMEASURED
+    if cut.excess(limits) <= 0:
+        return ""
+    is_another_enough = any(each.threads and each.excess(limits) <= 0 for each in found.cuts)
+    return f"{set_beyond_fabric(cut.threads)} {LESS_STRETCH if is_another_enough else MORE_CUTS}"
 
 
 def _explained(cuts: Sequence[Cut]) -> str:
