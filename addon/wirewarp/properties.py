@@ -188,12 +188,6 @@ class WIREWARP_PG_settings(FlattenSettings, PatternSettings, TargetSettings, Eas
         "leave Edit Mode",
         update=_look_for_changes,
     )
-    true_height: number(
-        "Model Height (cm)",
-        "Real height of the model, from its lowest to its highest point. To correct a wrong height, undo it (Ctrl+Z)",
-        (0.1, 170.0, 300.0, 100000.0),  # default: the height of a person
-        step=100,
-    )
     tolerance_percent: number(
         "Tolerance ±%",
         "How much an elastic wire may become longer or shorter, in percent of its length. Each part between "

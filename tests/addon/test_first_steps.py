@@ -2,6 +2,7 @@
 """The panel offers samples and a guide in a file without a model, and other units for a model of implausible size."""
 
 import math
+from types import SimpleNamespace
 
 import blf
 import bpy
@@ -122,21 +123,44 @@ def test_one_click_gives_the_pattern_the_intended_size(addon, sized):
     assert flat_of(bpy.data.objects["Chair"]).dimensions.x > 77
 
 
+def begun_height(addon):
+    """Return the height in cm with which the dialog of Set Model Height begins."""
+    dialog = SimpleNamespace(height=None)
+    manager = SimpleNamespace(invoke_props_dialog=lambda _: {"RUNNING_MODAL"})
+    context = SimpleNamespace(active_object=bpy.context.active_object, scene=bpy.context.scene, window_manager=manager)
+    addon.marks.mark_operators.SCENE_OT_wirewarp_set_height.invoke(dialog, context, None)
+    return dialog.height
+
+
+def test_a_flat_model_has_no_height_to_set(addon, sized):
+    sized(77)
+    bpy.context.object.scale.z = 0.0
+    bpy.context.view_layer.update()
+    buttons = []
+    draw_panels(addon, buttons)
+    assert "scene.wirewarp_set_unit" in buttons and "scene.wirewarp_set_height" not in buttons
+    with pytest.raises(RuntimeError, match="is flat and has no height"):
+        bpy.ops.scene.wirewarp_set_height(height=120)
+
+
 def test_the_unit_follows_from_the_real_height(addon, sized):
     sized(77)
     source, buttons = bpy.data.objects["Chair"], []
     draw_panels(addon, buttons)
     # three units and the height, in a narrow and in a wide sidebar
-    assert buttons.count("scene.wirewarp_set_unit") == 4 * 2
+    assert buttons.count("scene.wirewarp_set_unit") == 3 * 2 and buttons.count("scene.wirewarp_set_height") == 2
+    assert begun_height(addon) == pytest.approx(100 * source.dimensions.z)  # not that of a person
     across = source.dimensions.x
     source.rotation_euler.y = math.pi / 2  # as importers rotate models
     bpy.context.view_layer.update()
-    assert addon.blender.objects.unit_of_height(source, 1.2) == pytest.approx(1.2 / across)
+    bpy.ops.scene.wirewarp_set_height(height=120)
+    unit = addon.blender.objects.meters_per_blender_unit
+    assert unit(bpy.context.scene) == pytest.approx(1.2 / across)
+    assert begun_height(addon) == pytest.approx(120)
     source.rotation_euler.y = 0.0
     bpy.context.view_layer.update()
-    meters = addon.blender.objects.unit_of_height(source, 1.2)
-    bpy.ops.scene.wirewarp_set_unit(meters=meters)
-    assert source.dimensions.z * addon.blender.objects.meters_per_blender_unit(bpy.context.scene) == pytest.approx(1.2)
+    bpy.ops.scene.wirewarp_set_height(height=120)
+    assert source.dimensions.z * unit(bpy.context.scene) == pytest.approx(1.2)
     bpy.context.scene.unit_settings.system = "NONE"  # Set Unit also works in a scene without units
     assert sized(150)[0]
     bpy.ops.scene.wirewarp_set_unit(meters=0.01)

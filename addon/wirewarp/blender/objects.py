@@ -141,10 +141,9 @@ def likely_units(target: bpy.types.Object) -> Sequence[float]:
     return [unit for unit in UNITS if SMALLEST <= largest * unit <= LARGEST][:SHOWN]
 
 
-def unit_of_height(target: bpy.types.Object, height: float) -> float | None:
-    """Return meters per Blender unit for which the model has this height in meters; None if it is flat."""
-    own = float(np.ptp(world_box(target)[:, 2]))
-    return height / own if own > 0 else None
+def height_of(target: bpy.types.Object) -> float:
+    """Return the distance in Blender units from the lowest to the highest point."""
+    return float(np.ptp(world_box(target)[:, 2]))
 
 
 def unit_text(target: bpy.types.Object, unit: float) -> str:

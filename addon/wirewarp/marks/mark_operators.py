@@ -9,14 +9,14 @@ import bpy
 from bpy.props import BoolProperty, EnumProperty
 
 from ..blender.mesh import selected_edges
-from ..blender.objects import meters_per_blender_unit
+from ..blender.objects import height_of, meters_per_blender_unit
 from ..blender.selection import hold_whole_file, in_object_mode
 from ..core import counted, quoted
 from ..issues import object_error
 from ..state.allowances import NONE, check_allowances, mark_edges, mark_sides, scale_lengths
-from ..state.owners import check_not_edited, model_of
+from ..state.owners import check_not_edited, model_of, model_or_self
 from ..state.settings import in_percent, number
-from ..ui.editing import OnModel, change_edited, reporting_refusals
+from ..ui.editing import OnMesh, OnModel, change_edited, reporting_refusals
 from .mark import plan_clear, plan_wires, seams_from_uv, selected_sides
 
 KINDS = [
@@ -299,15 +299,51 @@ class SCENE_OT_wirewarp_set_unit(bpy.types.Operator):
 
     @reporting_refusals
     def execute(self, context: bpy.types.Context) -> set[str]:
-        scene, settings = context.scene, context.scene.unit_settings
-        before = meters_per_blender_unit(scene)
-        with in_object_mode(context):
-            _keep_lengths(scene, before / self.meters)
-        if settings.system == "NONE":
-            settings.system = "METRIC"
-        settings.scale_length = self.meters
-        hold_whole_file()
+        _set_unit(context, self.meters)
         return {"FINISHED"}
+
+
+class SCENE_OT_wirewarp_set_height(OnMesh, bpy.types.Operator):
+    """Enter the real height of the model. The unit of this scene follows from it, and nothing moves in the view"""
+
+    bl_idname = "scene.wirewarp_set_height"
+    bl_label = "Set Model Height"
+    bl_options = {"REGISTER", "UNDO"}
+
+    height: number(
+        "Model Height (cm)",
+        "Real height of the model, from its lowest to its highest point",
+        (1e-4, 100.0, 300.0, 1e6),
+        step=100,
+    )
+
+    def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> set[str]:
+        """Begin with the present height."""
+        own = height_of(model_or_self(context.active_object))
+        if own > 0:
+            self.height = 100 * meters_per_blender_unit(context.scene) * own
+        return context.window_manager.invoke_props_dialog(self)
+
+    @reporting_refusals
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        source = model_or_self(context.active_object)
+        own = height_of(source)
+        if own == 0:
+            raise object_error("flat", f'"{source.name}" is flat and has no height. Set the unit instead.')
+        _set_unit(context, self.height / 100 / own)
+        return {"FINISHED"}
+
+
+def _set_unit(context: bpy.types.Context, meters: float) -> None:
+    """Set the length of a Blender unit, and keep the marked lengths. Raises ObjectError before any change."""
+    scene, settings = context.scene, context.scene.unit_settings
+    before = meters_per_blender_unit(scene)
+    with in_object_mode(context):
+        _keep_lengths(scene, before / meters)
+    if settings.system == "NONE":
+        settings.system = "METRIC"
+    settings.scale_length = meters
+    hold_whole_file()
 
 
 def _keep_lengths(scene: bpy.types.Scene, factor: float) -> None:
@@ -328,4 +364,5 @@ CLASSES = (
     OBJECT_OT_wirewarp_mark_model,
     MESH_OT_wirewarp_mark_seam,
     SCENE_OT_wirewarp_set_unit,
+    SCENE_OT_wirewarp_set_height,
 )

@@ -6,7 +6,7 @@ import math
 import bpy
 
 from ..blender.mesh import read_seams
-from ..blender.objects import likely_units, meters_per_blender_unit, size_text, strange_size, unit_of_height, unit_text
+from ..blender.objects import height_of, likely_units, meters_per_blender_unit, size_text, strange_size, unit_text
 from ..core import Cloth, Kind, Level, as_seen, listed
 from ..flatten.auto_update import EDIT_LIMIT, is_left, waits_for_object_mode
 from ..issues import ObjectError
@@ -145,12 +145,9 @@ def _draw_size(context: bpy.types.Context, layout: bpy.types.UILayout, source: b
         is_now = math.isclose(unit, now, rel_tol=1e-5)  # stored in single precision
         row = column.operator("scene.wirewarp_set_unit", text=unit_text(source, unit), depress=is_now)
         row.meters = unit
-    settings = context.scene.wirewarp
-    unit = unit_of_height(source, settings.true_height / 100)
-    if unit:
+    if height_of(source) > 0:
         column.separator()
-        column.prop(settings, "true_height")
-        column.operator("scene.wirewarp_set_unit", text="Set This Height").meters = unit
+        column.operator("scene.wirewarp_set_height")
 
 
 def _draw_state(
