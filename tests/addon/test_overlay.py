@@ -309,7 +309,7 @@ def test_the_legend_shows_the_figures_of_the_piece_list_and_no_others(addon, sou
         "WEFT_STRAIN_COLOR": addon.core.percent_text(across),
         "WARP_STRAIN_COLOR": addon.core.percent_text(along),
         "SHEAR_ANGLE_COLOR": f"{math.degrees(shear):.0f}°",
-        "STRETCH_COLOR": f"{addon.core.percent_text(max(across, along))} along the threads",
+        "STRETCH_COLOR": f"{addon.core.percent_text(across)} across and {addon.core.percent_text(along)} along",
     }
     for shown_map, figure in figures.items():
         assert notes(shown_map, "map_notes") == [f"99% of the area: up to {figure}"]

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """wirewarp.report: how far fabric must stretch, the verdict, and where a dart would help."""
 
+import csv
+import io
 import json
 import math
 from dataclasses import replace
@@ -15,17 +17,21 @@ from wirewarp.report import (
     COARSE,
     Issue,
     Kind,
+    LengthText,
     Level,
     Report,
     as_seen,
     failure_report,
+    figure_text,
     from_dict,
     make_report,
+    report_csv,
     to_dict,
     verdict,
 )
 from wirewarp.report.asked import asked_of_outline
 from wirewarp.report.model import ANY_FABRIC, Threads, Ways
+from wirewarp.report.rows import piece_rows
 from wirewarp.report.strain import connected_regions, piece_strain
 from wirewarp.report.verdict import kept_text
 from wirewarp.report.wording import strain_text
@@ -112,6 +118,27 @@ def test_the_verdict_names_the_stretch_the_pieces_and_the_fabric():
     assert close.text.startswith("Piece 1 must stretch 20.04% across, but this denim stretches only 20.00%. ")
     (ready,) = verdict(report_of_pieces(0.0, 0.0)).lines
     assert ready.text == "Ready to cut from any fabric: 2 pieces, every length kept"
+
+
+def test_lists_show_the_figures_that_the_verdict_compares_with_the_fabric():
+    """Across, the first piece must stretch more, but only the second is beyond the fabric, which is tighter along."""
+    report = report_of_pieces(0.15, 0.13, limits=0.2)
+    for piece, along in zip(report.pieces, (0.01, 0.07), strict=True):
+        piece.threads = replace(piece.threads, along=along, gives=Ways(across=0.2, along=0.05))
+        piece.wires = []  # the report has none
+    beyond, _ = verdict(report).lines
+    assert beyond.text.startswith("Piece 2 must stretch 7.0% along, but this denim stretches only 5.0%.")
+    rows = piece_rows(report)
+    assert [(row.name, figure_text(row.needed, row.threads)) for row in rows] == [
+        ("Piece 2", "13/7.0%"),
+        ("Piece 1", "15/1.0%"),
+    ]
+    figures = [figure_text(row.needed, row.threads) for row in piece_rows(report_of_pieces(0.086, 1.5))]
+    assert figures == [">100%", "8.6%"]
+    table = csv.DictReader(io.StringIO(report_csv(report, LengthText("m", 1.0))))
+    lines = [line for line in table if line["Kind"] == "Piece"]
+    ways = [[float(line[f"Stretch {way} (%)"]) for way in ("across", "along")] for line in lines]
+    assert ways == [pytest.approx([15, 1]), pytest.approx([13, 7])]
 
 
 def test_many_pieces_are_counted_and_those_of_several_models_have_its_name():

@@ -68,7 +68,7 @@ def test_json_of_a_free_wire_and_of_a_closed_piece():
     assert (piece["area_2d"], piece["stretch"], piece["ok"]) == (None, None, False)
     (line,) = csv.DictReader(io.StringIO(report_csv(report, LengthText("m", 1.0))))
     assert float(line["Area on model (m²)"]) == pytest.approx(6)
-    assert [line[title] for title in ("Flat area (m²)", "Area difference (%)", "Stretch (%)", "Kept")] == [
+    assert [line[title] for title in ("Flat area (m²)", "Stretch (%)", "Stretch across (%)", "Kept")] == [
         "", "", "", "no",
     ]  # fmt: skip
 

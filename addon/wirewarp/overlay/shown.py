@@ -11,7 +11,7 @@ import numpy as np
 
 from ..blender.attributes import stored_text
 from ..blender.objects import meters_per_blender_unit, metric
-from ..core import percent_text
+from ..core import by_way, percent_text
 from ..export.export import GRAINS, Cloth, PatternParts, library_paper
 from ..export.steps import copies_of_piece, copies_sentences
 from ..issues import ObjectError
@@ -82,8 +82,9 @@ def _figure(reports: Sequence[ObjectReport], color_map: ColorMap) -> str:
     pieces = [piece for report in reports for piece in report.pieces if piece.ok]
     threads = [piece.threads for piece in pieces if piece.threads]
     if color_map in STRETCH_MAPS and pieces:
-        worst = max(pieces, key=lambda piece: piece.needed)
-        return f"{percent_text(worst.needed)} {'along the threads' if worst.threads else 'in the worst direction'}"
+        if threads:
+            return by_way(max(each.across for each in threads), max(each.along for each in threads))
+        return f"{percent_text(max(piece.needed for piece in pieces))} in the worst direction"
     if color_map is SHEAR and threads:
         return f"{math.degrees(max(each.shear for each in threads)):.0f}°"
     if color_map in CLOTH_MAPS and threads:

@@ -210,7 +210,7 @@ def piece_to_cut(report: ObjectReport, step: NextStep | None) -> int | None:
     if step:
         return report.hints[step.settings["index"]].piece if step.settings.get("what") == "HINT" else None
     strained = [piece for piece in report.pieces if piece.is_strained]
-    return max(strained, key=lambda piece: piece.needed).index if strained else None
+    return max(strained, key=lambda piece: piece.excess).index if strained else None
 
 
 def _show(what: str, text: str, places: list[int]) -> NextStep | None:

@@ -28,7 +28,7 @@ from .flatten import (
     result_of,
 )
 from .steps import CanceledError, Steps, of_all, reported_as
-from .suggest import Cut, NoSeam, SearchOptions, excess_of, from_few_pieces, suggest_cuts
+from .suggest import Cut, NoSeam, SearchOptions, from_few_pieces, suggest_cuts
 
 LIMITS = (0.05, 0.1, 0.2)  # accepted stretches: woven fabric stretches by the first, plush and knits by the last
 
@@ -204,7 +204,7 @@ def _measured_set(
         return replace(cut, strain=math.inf)
     # seams are cleared for the strain of the whole model, and with the fabric
     strain = cut.strain if cut.cleared else max(each.needed for each in own_reports)
-    return replace(cut, strain=strain, threads=max(threads, key=excess_of))
+    return replace(cut, strain=strain, threads=max(threads, key=lambda each: each.excess))
 
 
 def _own_allowances(arrays: MeshArrays) -> tuple[np.ndarray, np.ndarray]:

@@ -83,12 +83,7 @@ class Cut:
         Before the set is measured, its strain counts in the tighter direction. limits: maximum stretches, the smaller
         direction first.
         """
-        return excess_of(self.threads) if self.threads else self.strain - limits[0]
-
-
-def excess_of(threads: Threads) -> float:
-    """Return by how much a piece must stretch more than the fabric can; at most 0 if the fabric suffices."""
-    return max(threads.across - threads.limit("across"), threads.along - threads.limit("along"))
+        return self.threads.excess if self.threads else self.strain - limits[0]
 
 
 @dataclass(frozen=True)

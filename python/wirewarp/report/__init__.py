@@ -27,7 +27,7 @@ from .verdict import (
     place_name,
     verdict,
 )
-from .wording import needs_text, set_beyond_fabric
+from .wording import by_way, figure_text, needs_text, set_beyond_fabric
 from .words import LengthText, counted, ease_text, paragraph, quoted, tolerance_text, wire_text
 
 __all__ = [
@@ -86,6 +86,8 @@ __all__ = [
     "listed",
     "place_name",
     "verdict",
+    "by_way",
+    "figure_text",
     "needs_text",
     "set_beyond_fabric",
     "LengthText",

@@ -38,6 +38,8 @@ def _header(units: LengthText) -> list[str]:
         f"Flat area{areas}",
         "Area difference (%)",
         "Stretch (%)",
+        "Stretch across (%)",
+        "Stretch along (%)",
         "Largest stretch (%)",
         "Largest compression (%)",
         "Kept",
@@ -71,7 +73,7 @@ def _length_row(
         *(_number(length, units.per_blender_unit) for length in lengths),
         _number(entry.percent[side]),
         _tolerance(entry.tolerance if isinstance(entry, WirePart) else 0.0),
-        *[""] * 6,
+        *[""] * 8,
         _kept(is_kept),
         _number(entry.asked_ease(side), 100),
     ]
@@ -79,6 +81,7 @@ def _length_row(
 
 def _piece_row(piece: Piece, units: LengthText) -> list[str]:
     flat, model = piece.area_2d, piece.area_3d
+    ways = (piece.threads.across, piece.threads.along) if piece.threads else (None, None)
     return [
         "Piece",
         piece.name,
@@ -86,7 +89,7 @@ def _piece_row(piece: Piece, units: LengthText) -> list[str]:
         *[""] * 5,
         *(_number(area, units.area_per_blender_unit) for area in (model, flat)),
         _number(flat / model - 1, 100) if flat is not None and model else "",
-        *(_number(share, 100) for share in (piece.stretch, piece.stretch_max, piece.ease_max)),
+        *(_number(share, 100) for share in (piece.stretch, *ways, piece.stretch_max, piece.ease_max)),
         _kept(piece.ok),
         "",
     ]

@@ -119,6 +119,11 @@ class Threads:
         """Return whether the fabric must stretch further than it can."""
         return self.is_over("across") or self.is_over("along")
 
+    @property
+    def excess(self) -> float:
+        """Return how much further the fabric must stretch than it can, in the worse direction; at most 0 if it can."""
+        return max(self.across - self.limit("across"), self.along - self.limit("along"))
+
     def is_over(self, way: str) -> bool:
         needed: float = getattr(self, way)
         return needed > self.limit(way)
@@ -142,7 +147,7 @@ class Piece:
     area_2d: float | None
     arap_energy: float | None
     cloth_energy: float | None
-    stretch: float | None  # see strain.py: the figure of the verdict; inf for a collapsed piece
+    stretch: float | None  # see strain.py; with a fabric, the larger of Threads.across and along
     aspect_ratio_max: float | None
     stretch_max: float | None  # stretch of the worst face
     stretch_faces: list[int]  # faces around the worst face
@@ -174,6 +179,11 @@ class Piece:
         The limit is the maximum stretch of the chosen fabric or, if none is chosen, the stretch that all fabrics allow.
         """
         return self.ok and (self.threads.over if self.threads else self.needed > ANY_FABRIC)
+
+    @property
+    def excess(self) -> float:
+        """Return how far the piece is beyond the limit of is_strained, by which lists put the worst piece first."""
+        return self.threads.excess if self.threads else self.needed - ANY_FABRIC
 
     @property
     def needed(self) -> float:

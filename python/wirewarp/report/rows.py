@@ -57,7 +57,7 @@ class PieceRow:
     has_layout: bool
     area_3d: float | None
     area_2d: float | None
-    needed: float  # figure of the verdict, a share of the flat length
+    needed: float  # see Piece.needed
     stretch_max: float  # stretch of the worst face; inf if a face has no area
     ease_max: float
     threads: Threads | None
@@ -104,7 +104,7 @@ def outline_rows(report: Report) -> list[ReportRow]:
 
 
 def piece_rows(report: Report) -> list[PieceRow]:
-    """Return failed pieces first, then by the stretch that they need."""
+    """Return failed pieces first, then by how far they are beyond the fabric."""
     return [
         PieceRow(
             index=piece.index,
@@ -119,7 +119,7 @@ def piece_rows(report: Report) -> list[PieceRow]:
             ease_max=_or_inf(piece.ease_max),
             threads=piece.threads,
         )
-        for piece in sorted(report.pieces, key=lambda piece: (piece.ok, -piece.needed))
+        for piece in sorted(report.pieces, key=lambda piece: (piece.ok, -piece.excess))
     ]
 
 

@@ -92,7 +92,7 @@ def verdict(*reports: Report) -> Verdict:
     whole = [report.object or "the model" for report in reports if any(issue.piece is None for issue in report.issues)]
     lines = [Line(Kind.FAILED, wording.failed_models(listed(whole, ", ")))] if whole else []
     for kind in Kind:
-        own = sorted(by_kind.get(kind, []), key=lambda entry: -entry.piece.needed)
+        own = sorted(by_kind.get(kind, []), key=lambda entry: -entry.piece.excess)
         if own:
             lines += [Line(kind, text) for text in _texts(kind, own, entries, with_objects)]
     return Verdict(tuple(lines))

@@ -98,6 +98,16 @@ def ignored(makers: Sequence[str]) -> str:
     return f"{' and '.join(makers).capitalize()} were ignored, so sizes differ from what you see"
 
 
+def figure_text(stretch: float, threads: Threads | None) -> str:
+    """Return the figure of a piece for a narrow column: "13%", or "13/7.0%" across and along the grain.
+
+    The menu of fabrics writes the maximum stretch in the same way.
+    """
+    shares = (threads.across, threads.along) if threads else (stretch,)
+    *others, last = (percent_text(share) if share < 1 else ">100%" for share in shares)
+    return "/".join([*(text.removesuffix("%") for text in others), last])
+
+
 def needs_text(threads: Threads) -> str:
     """Return "4.0% across and 2.0% along (shear 18°)"."""
     return f"{by_way(threads.across, threads.along)} (shear {math.degrees(threads.shear):.0f}°)"
