@@ -186,7 +186,7 @@ def test_the_list_of_an_earlier_search_cannot_be_clicked_during_the_next_one(add
     assert panel.EARLIER in drawn()[0] and drawn()[1] == []
 
 
-def test_a_set_beyond_the_fabric_names_the_rows_within_it(addon):
+def test_a_set_beyond_the_fabric_names_the_next_step(addon):
     bpy.ops.mesh.primitive_uv_sphere_add(segments=24, ring_count=12, radius=0.1)
     source = bpy.context.object
     settings = bpy.context.scene.wirewarp
@@ -200,6 +200,9 @@ def test_a_set_beyond_the_fabric_names_the_rows_within_it(addon):
     assert "more than this minky can. Click a row with less stretch." in draw_panels(addon)
     bpy.ops.object.wirewarp_choose_suggestion(index=1)
     assert "more than this minky can" not in draw_panels(addon)
+    cleared = replace(beyond, cleared=[(0, 1)])
+    addon.state.suggestions.keep(source, replace(suggestions, cuts=[cleared], names=suggestions.names[:1], chosen=0))
+    assert "can. Choose a fabric that stretches more, or enter a smaller Max Stretch" in draw_panels(addon)
 
 
 @pytest.mark.parametrize(

@@ -31,7 +31,8 @@ MANY = "With these seams, the model has {} pieces, too many to sew. Simplify the
 UNMEASURED = "The search was canceled before it compared this set with the fabric."
 LESS_STRETCH = "Click a row with less stretch."
 MORE_CUTS = "Choose a fabric that stretches more, or mark this set and then add darts."
-EARLIER = "These are from an earlier search. The present one is still running."
+FEWER_CLEARED = "Choose a fabric that stretches more, or enter a smaller Max Stretch and search again."
+EARLIER = "These suggestions are from an earlier search. Another search is running."
 TARGET = ("aim_stretch", "aim_cuts", "aim_length")
 
 
@@ -141,8 +142,11 @@ def _beyond_fabric(found: Suggestions) -> str:
         return UNMEASURED
     if cut.excess(limits) <= 0:
         return ""
-    is_another_enough = any(each.threads and each.excess(limits) <= 0 for each in found.cuts)
-    return f"{set_beyond_fabric(cut.threads)} {LESS_STRETCH if is_another_enough else MORE_CUTS}"
+    if any(each.threads and each.excess(limits) <= 0 for each in found.cuts):
+        remedy = LESS_STRETCH
+    else:
+        remedy = FEWER_CLEARED if cut.cleared else MORE_CUTS  # seams to clear may be beyond it only with a target
+    return f"{set_beyond_fabric(cut.threads)} {remedy}"
 
 
 def _explained(cuts: Sequence[Cut]) -> str:
