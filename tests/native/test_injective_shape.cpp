@@ -68,6 +68,20 @@ TEST(InjectiveShape, InjectiveShapesDoNotChange) {
   EXPECT_EQ(budget.spent(), 0);
 }
 
+TEST(InjectiveShape, TheScaleOfTheModelDoesNotMatter) {
+  for (const FlattenInput& input : {finger(), saddle_with_vent(), spiral_on_a_saddle()}) {
+    const Solution expected = refine(input);
+    for (const double scale : {1.0 / 1024, 1024.0}) {  // powers of 4, so that square roots are not rounded otherwise
+      FlattenInput scaled = input;
+      scaled.vertices *= scale;
+      const Solution found = refine(scaled);
+      ASSERT_TRUE(found.is_exact()) << scale;
+      EXPECT_EQ(found.injectivity, expected.injectivity) << scale;
+      EXPECT_NEAR(found.objective, expected.objective, 1e-9 * expected.objective) << scale;
+    }
+  }
+}
+
 TEST(InjectiveShape, MoreToleranceIsNeverWorse) {
   double before = refine(finger()).objective;
   for (const double tolerance : {0.01, 0.03, 0.1}) {

@@ -57,6 +57,17 @@ TEST_F(OutlineOfANotch, IsZeroForAWideNotchAndInfiniteIfTheOutlineTouches) {
   EXPECT_EQ(barrier.value(closed_to(0)), std::numeric_limits<double>::infinity());
 }
 
+/// As every energy of a shape. Otherwise the shape would depend on the unit of length.
+TEST_F(OutlineOfANotch, IsProportionalToTheArea) {
+  const double scale = 1024;
+  FlattenInput large = plate();
+  large.vertices *= scale;
+  const Chart chart_of_large = test::chart_of(large);
+  const OutlineBarrier barrier_of_large(chart_of_large, scale * narrow);
+  EXPECT_NEAR(barrier_of_large.value(scale * narrow), scale * scale * barrier.value(narrow),
+              1e-12 * scale * scale * barrier.value(narrow));
+}
+
 TEST_F(OutlineOfANotch, GradientEqualsDifferences) {
   Positions2 uv = narrow, gradient = Positions2::Zero(uv.rows(), 2);
   for (int v = 0; v < uv.rows(); ++v) uv.row(v) += 2e-3 * Eigen::RowVector2d(std::sin(3.0 * v), std::cos(5.0 * v));

@@ -39,8 +39,7 @@ std::vector<double> roots(double a, double b, double c) {
 }  // namespace
 
 OutlineBarrier::OutlineBarrier(const Chart& chart, const Positions2& layout)
-    : size_(std::sqrt(surface_area(chart.mesh))),
-      reach_(chart.mesh.n_vertices(), std::numeric_limits<double>::infinity()),
+    : reach_(chart.mesh.n_vertices(), std::numeric_limits<double>::infinity()),
       outline_length_(chart.mesh.n_vertices(), 0) {
   for (const HalfEdgeChain& loop : chart.boundary_loops) {
     for (const HalfedgeHandle h : loop) {
@@ -94,7 +93,7 @@ double OutlineBarrier::value(const Positions2& uv) const {
   for (const Contact& contact : find_contacts(uv, 1)) {
     sum += outline_length_[contact.p] * contact.reach * LogBarrier(distance(uv, contact).value / contact.reach).value;
   }
-  return kWeight * size_ * sum;
+  return kWeight * sum;
 }
 
 double OutlineBarrier::add_gradient(const Positions2& uv, Positions2& gradient) const {
@@ -104,13 +103,13 @@ double OutlineBarrier::add_gradient(const Positions2& uv, Positions2& gradient) 
     const LogBarrier barrier(d.value / contact.reach);
     const Edge& edge = edges_[contact.edge];
     const Eigen::RowVector2d force =
-        kWeight * size_ * outline_length_[contact.p] * barrier.slope * d.normal.transpose();
+        kWeight * outline_length_[contact.p] * barrier.slope * d.normal.transpose();
     gradient.row(contact.p) += force;
     gradient.row(edge.a) -= (1 - d.along) * force;
     gradient.row(edge.b) -= d.along * force;
     sum += outline_length_[contact.p] * contact.reach * barrier.value;
   }
-  return kWeight * size_ * sum;
+  return kWeight * sum;
 }
 
 void OutlineBarrier::list_pairs(std::vector<VertexPair>& pairs) const {
@@ -126,7 +125,7 @@ void OutlineBarrier::add_hessian(const Positions2& uv, VertexMatrix& hessian) co
     const double curvature = LogBarrier(d.value / contact.reach).curvature;
     if (curvature == 0) continue;
     const Eigen::Matrix2d block =
-        kWeight * size_ * outline_length_[contact.p] / contact.reach * curvature * d.normal * d.normal.transpose();
+        kWeight * outline_length_[contact.p] / contact.reach * curvature * d.normal * d.normal.transpose();
     const int vertices[3] = {contact.p, edges_[contact.edge].a, edges_[contact.edge].b};
     const double shares[3] = {1, d.along - 1, -d.along};
     for (int i = 0; i < 3; ++i) {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A barrier that prevents the outline of a flat shape from crossing itself: infinite if a vertex touches an edge.
 //
-//   B(u) = Σ_c κ √A w_p d̂_c b(d_c / d̂_c)    over contacts c = (vertex p, edge ab) of the outline, b: log_barrier.h
+//   B(u) = Σ_c κ w_p d̂_c b(d_c / d̂_c)    over contacts c = (vertex p, edge ab) of the outline, b: log_barrier.h
 //
 //   d    distance of p from the segment from a to b; ∇d = n at p, −(1 − s) n at a, −s n at b, if the nearest point is
 //        (1 − s) a + s b and n the direction from there to p
 //   d̂    where the barrier begins: ⅒ of the shortest outline edge that meets p, a or b
 //   w_p  half the outline edges at p, so that the sum over p is an integral along the outline
 //
-// The Gauss-Newton Hessian κ √A w b″ ∇d ∇dᵀ / d̂ is used: positive semidefinite, with all the stiff terms.
+// The Gauss-Newton Hessian κ w b″ ∇d ∇dᵀ / d̂ is used: positive semidefinite, with all the stiff terms.
 #pragma once
 
 #include <vector>
@@ -58,7 +58,6 @@ class OutlineBarrier {
   Distance distance(const Positions2& uv, const Contact& contact) const;
   std::vector<Contact> find_contacts(const Positions2& uv, double reaches) const;
 
-  double size_;  // √A
   std::vector<Edge> edges_;
   std::vector<int> vertices_;                   // vertices of the outline
   std::vector<double> reach_, outline_length_;  // d̂ of the edges at p, and w; one per chart vertex
