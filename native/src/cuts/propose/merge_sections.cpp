@@ -2,12 +2,14 @@
 #include "cuts/propose/merge_sections.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <limits>
 #include <numeric>
 #include <optional>
+#include <thread>
 #include <utility>
 
 #include "base/attempt.h"
@@ -30,9 +32,9 @@ namespace {
 /// on the input's orientation.
 constexpr double kSameLength = 1e-9;
 
-/// With a limit of 20 factorizations, no section can be removed from the finest set of a penguin; with 40, a third of
-/// the set's length can be removed.
-constexpr int kMergeFactorizations = 40;
+/// Unions that overlap themselves rarely converge, and spend all factorizations. With 20 and with 40, twelve toys, a
+/// penguin, a cow, a goat's head and a koala have the same sets.
+constexpr int kMergeFactorizations = 20;
 
 /// A free map, which has no fixed lengths, has about the least strain. For 90 accepted unions on a cow and a penguin,
 /// its strain was at most 1.09 times the allowed strain, and at most 2.1% of its area was folded. These limits save
@@ -203,31 +205,36 @@ bool SectionMerger::is_unwanted(const Chart& chart) const {
   return std::any_of(unwanted_.begin(), unwanted_.end(), [&](const auto& piece) { return contains(chart, *piece); });
 }
 
-/// Removes one more section or part of a section. Returns false if no section can be removed. Evaluates several
-/// candidates at a time. The first allowed candidate is removed if its shapes are final, or if it is still allowed
-/// after more factorizations.
+/// Removes one more section or part of a section: the first allowed candidate. Returns false if there is none.
+/// Candidates are tried in their order on all cores. Those that come after the first allowed one, but were tried
+/// meanwhile, are only remembered.
 bool SectionMerger::open_one(bool is_half) {
   exact_.stop().check();
   const std::vector<CutMask> candidates = list_candidates(is_half);
-  const std::size_t at_once = num_cores();
-  for (std::size_t first = 0; first < candidates.size(); first += at_once) {
-    report_((static_cast<double>(first) / static_cast<double>(candidates.size()) + (is_half ? 1 : 0)) / 2);
-    std::vector<Trial> tried(std::min(at_once, candidates.size() - first));
-    run_on_all_cores(tried.size(), exact_.stop(),
-                     [&](std::size_t i) { tried[i] = try_without(candidates[first + i]); });
-    for (std::size_t i = 0; i < tried.size(); ++i) {
-      const CutMask& mask = candidates[first + i];
-      const double allowed = allowed_beside(beside(mask));
-      if (is_allowed(tried[i].strain, allowed) && !tried[i].is_final) tried[i] = without(mask, allowed, exact_);
-      const bool are_allowed = is_allowed(tried[i].strain, allowed);
-      if (const Replacement* same = known(mask); same == nullptr || same->after.empty())
-        remember(mask, tried[i], are_allowed);
-      if (!are_allowed) continue;
-      earlier_.push_back(std::exchange(state_, std::move(tried[i].after)));
-      return true;
-    }
+  const auto is_allowed_at = [&](std::size_t i, double strain) {
+    return is_allowed(strain, allowed_beside(beside(candidates[i])));
+  };
+  std::vector<std::optional<Trial>> tried(candidates.size());
+  std::atomic<bool> is_found{false};  // later work than this is not needed, because work starts in order
+  const std::thread::id caller = std::this_thread::get_id();
+  run_on_all_cores(candidates.size(), exact_.stop(), [&](std::size_t i) {
+    if (is_found) return;
+    if (std::this_thread::get_id() == caller)
+      report_((static_cast<double>(i) / static_cast<double>(candidates.size()) + (is_half ? 1 : 0)) / 2);
+    tried[i] = try_without(candidates[i]);
+    if (is_allowed_at(i, tried[i]->strain)) is_found = true;
+  });
+  std::optional<CutState> opened;
+  for (std::size_t i = 0; i < tried.size(); ++i) {
+    if (!tried[i]) continue;
+    const bool are_allowed = is_allowed_at(i, tried[i]->strain);
+    if (const Replacement* same = known(candidates[i]); same == nullptr || same->after.empty())
+      remember(candidates[i], *tried[i], are_allowed);
+    if (are_allowed && !opened) opened = std::move(tried[i]->after);
   }
-  return false;
+  if (!opened) return false;
+  earlier_.push_back(std::exchange(state_, std::move(*opened)));
+  return true;
 }
 
 /// Returns the last trial of a section whose pieces are all in the state; nullptr if there is none.
@@ -372,12 +379,15 @@ SectionMerger::Trial SectionMerger::without(const CutMask& mask, double allowed,
   return trial;
 }
 
-/// Flattens the new pieces only if they are not known, and if their free maps need no more than the allowed strain.
+/// Flattens the new pieces only if they are not known, and if their free maps need no more than the allowed strain. If
+/// shapes that are allowed are not final, flattens them again with more factorizations.
 SectionMerger::Trial SectionMerger::try_without(const CutMask& mask) const {
-  const Replacement* trial = known(mask);
-  if (trial != nullptr && !trial->after.empty()) return replaced(mask, *trial);
+  const Replacement* same = known(mask);
+  if (same != nullptr && !same->after.empty()) return replaced(mask, *same);
   const double allowed = allowed_beside(beside(mask)), least = least_strain_without(mask, allowed);
-  return is_allowed(least, allowed) ? without(mask, allowed, quick_) : Trial{least, {}, false};
+  if (!is_allowed(least, allowed)) return Trial{least, {}, false};
+  const Trial trial = without(mask, allowed, quick_);
+  return is_allowed(trial.strain, allowed) && !trial.is_final ? without(mask, allowed, exact_) : trial;
 }
 
 }  // namespace wirewarp
