@@ -156,7 +156,8 @@ def test_sets_with_a_piece_that_fails_with_the_fabric_are_left_out(addon, measur
     begin, found = measuring
     failed, good = replace(found[0], strain=math.inf), measured(5, 0.08, 0.03)
     assert addon.solve.steps.in_one_go(begin(failed, good)) == [good]
-    with pytest.raises(addon.issues.ObjectError, match="has a piece that fails with this fabric. Choose another fabric."):
+    sentence = "has a piece that fails with this fabric. Choose another fabric."
+    with pytest.raises(addon.issues.ObjectError, match=sentence):
         addon.solve.steps.in_one_go(begin(failed, replace(found[1], strain=math.inf)))
 
 

@@ -102,8 +102,7 @@ double OutlineBarrier::add_gradient(const Positions2& uv, Positions2& gradient) 
     const Distance d = distance(uv, contact);
     const LogBarrier barrier(d.value / contact.reach);
     const Edge& edge = edges_[contact.edge];
-    const Eigen::RowVector2d force =
-        kWeight * outline_length_[contact.p] * barrier.slope * d.normal.transpose();
+    const Eigen::RowVector2d force = kWeight * outline_length_[contact.p] * barrier.slope * d.normal.transpose();
     gradient.row(contact.p) += force;
     gradient.row(edge.a) -= (1 - d.along) * force;
     gradient.row(edge.b) -= d.along * force;

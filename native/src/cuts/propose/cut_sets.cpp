@@ -179,8 +179,8 @@ void CutSetSearch::add_lines(const CutSet& set, std::size_t part, std::vector<Ca
 }
 
 /// Adds candidates for one part: bisections, which help if no single line does. If a part folds in the coarse
-/// evaluation, its energy without a cut is unknown. Then the shortest bisections come first, those that fold, too, last,
-/// and exact evaluations measure their gain.
+/// evaluation, its energy without a cut is unknown. Then the shortest bisections come first, those that fold, too,
+/// last, and exact evaluations measure their gain.
 void CutSetSearch::add_bisections(const CutSet& set, std::size_t part, std::vector<Candidate>& found) const {
   const Chart& chart = set.pieces[set.parts[part]]->chart;
   const CoarseEvaluation trials(chart, exact_.options(), exact_.stop());
