@@ -55,6 +55,13 @@ def test_a_piece_in_the_middle_of_the_front_is_neither_left_nor_right(addon):
     assert names == ["Front", "Front Right", "Front Right"]
 
 
+def test_the_left_of_the_front_and_the_front_of_the_left_have_names_that_nobody_confuses(addon):
+    normals = np.array([[0, -1, 0]] * 2 + [[1, 0, 0]] * 2, dtype=float)
+    offsets = np.array([[0.2, -0.4, 0], [-0.2, -0.4, 0], [0.4, -0.2, 0], [0.4, 0.2, 0]])
+    names = addon.solve.identity.side_names(normals, offsets)
+    assert names == ["Front Left", "Front Right", "Left Side Front", "Left Back"]
+
+
 def test_the_chosen_set_has_the_fewest_pieces_for_the_fabric(addon):
     suggest = addon.solve.suggest
     # the last two sets have more pieces for little or no gain

@@ -45,7 +45,9 @@ def side_names(normals: np.ndarray, offsets: np.ndarray) -> list[str]:
         own = [index for index, name in enumerate(names) if name == side]
         for index, half in zip(own, _halves(side, offsets[own]), strict=True):
             names[index] = f"{side} {half}".rstrip()
-    return names
+    alike = {name for name in names for other in names if other != name and sorted(other.split()) == sorted(name.split())}
+    # "Left Front" is on the left, "Front Left" on the front
+    return [re.sub("^(Left|Right) ", r"\1 Side ", name) if name in alike else name for name in names]
 
 
 def region_side_names(regions: Sequence[str | None], normals: np.ndarray, offsets: np.ndarray) -> list[str | None]:
