@@ -18,7 +18,7 @@ import numpy as np
 FOLDER = Path(__file__).resolve().parent
 sys.path[:0] = [str(FOLDER), str(FOLDER.parent / "addon" / "wirewarp" / "blender")]
 
-from shapes import FAIRNESS, Shape, all_shapes  # noqa: E402 (the folder must be on the path first)
+from shapes import ALLOWANCE, FAIRNESS, Shape, all_shapes  # noqa: E402 (the folder must be on the path first)
 from views import Projection, fit  # noqa: E402 (the folder must be on the path first)
 
 CLOTHS = (  # in the order of the add-on's setting
@@ -93,6 +93,8 @@ def settings(shape: Shape) -> dict[str, int | float]:
         found["worn_across"], found["worn_along"] = (100 * share for share in shape.stretch)
     if shape.fairness != FAIRNESS:
         found["fairness"] = shape.fairness
+    if shape.allowance != ALLOWANCE:
+        found["allowance"] = shape.allowance
     return found
 
 

@@ -11,7 +11,7 @@ from .hat import hat
 from .jeans import jeans
 from .mask import mask
 from .set_in_sleeve import set_in_sleeve
-from .shape import FAIRNESS, Ease, Shape, ShapeBuilder, Wire, chain_of
+from .shape import ALLOWANCE, FAIRNESS, Ease, Shape, ShapeBuilder, Wire, chain_of
 from .skirt import gathered_skirt
 from .spheres import ball, quarter_sphere
 from .swimsuit import swimsuit
@@ -20,8 +20,8 @@ from .toy import toy
 from .wetsuit import wetsuit_upper_body
 
 __all__ = [
-    "FAIRNESS", "Ease", "Shape", "ShapeBuilder", "Wire", "all_shapes", "armchair_cover", "ball", "chain_of", "cushion",
-    "fitted_top", "gathered_skirt", "half_cylinder", "hat", "jeans", "lampshade", "mask", "quarter_sphere",
+    "ALLOWANCE", "FAIRNESS", "Ease", "Shape", "ShapeBuilder", "Wire", "all_shapes", "armchair_cover", "ball",
+    "chain_of", "cushion", "fitted_top", "gathered_skirt", "half_cylinder", "hat", "jeans", "lampshade", "mask", "quarter_sphere",
     "set_in_sleeve", "swimsuit", "toy", "wetsuit_collar", "wetsuit_upper_body",
 ]  # fmt: skip
 

@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 FAIRNESS = 0.05  # the default of wirewarp.Options
+ALLOWANCE = 10.0  # mm, the default of the add-on
 WELD_DISTANCE = 1e-7  # meters; common points of a sample's patches are equal to about 1e-15
 
 
@@ -42,6 +43,7 @@ class Shape:
     cloth: str = ""  # a name in wirewarp.Cloth.presets() that stretches far enough; empty: any fabric does
     stretch: tuple[float, float] = (0.0, 0.0)  # stretch of that fabric when worn, across and along the grain
     fairness: float = FAIRNESS  # option of wirewarp.Options
+    allowance: float = ALLOWANCE  # seam allowance in mm
     groups: dict[str, list[int]] = field(default_factory=dict)  # vertices of parts that give pieces their names
 
     def triangles(self) -> np.ndarray:
@@ -145,7 +147,12 @@ class ShapeBuilder:
         self._groups[name] = np.unique(vertices)
 
     def build(
-        self, name: str, cloth: str = "", stretch: tuple[float, float] = (0.0, 0.0), fairness: float = FAIRNESS
+        self,
+        name: str,
+        cloth: str = "",
+        stretch: tuple[float, float] = (0.0, 0.0),
+        fairness: float = FAIRNESS,
+        allowance: float = ALLOWANCE,
     ) -> Shape:
         """Return the finished surface, without the points inside holes. The other arguments are fields of Shape."""
         used = np.unique(np.concatenate(self._faces))
@@ -156,4 +163,5 @@ class ShapeBuilder:
         wires = [Wire(number[wire.vertices].tolist(), wire.name, wire.tolerance) for wire in self._wires]
         eases = [Ease(number[ease.half_edges], ease.ratio) for ease in self._eases]
         groups = {part: number[np.intersect1d(own, used)].tolist() for part, own in self._groups.items()}
-        return Shape(name, np.array(self._points)[used], faces, seams, wires, eases, cloth, stretch, fairness, groups)
+        vertices = np.array(self._points)[used]
+        return Shape(name, vertices, faces, seams, wires, eases, cloth, stretch, fairness, allowance, groups)

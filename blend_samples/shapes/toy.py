@@ -59,7 +59,7 @@ def toy(body_rows: int = 15, head_rows: int = 14, limb_rows: int = 9, ear_rows: 
                 builder.add_seam(chain)
             builder.add_wire(grid[limb_rows // 2], f"{side} {name} line", TOLERANCE)
         _add_ear(builder, builder.points(ears[0].loop(head)), ear_rows, mirror, f"{side} ear")
-    return builder.build("Toy", cloth="minky")
+    return builder.build("Toy", cloth="minky", allowance=5.0)
 
 
 def _add_trunk(

@@ -9,7 +9,7 @@ from pathlib import Path
 import bpy
 import numpy as np
 import pytest
-from surfaces import edge_vertices, read
+from surfaces import edge_vertices, flat_of, read
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "blend_samples"))
 
@@ -63,6 +63,7 @@ def test_the_file_contains_eases_and_fabric(name, addon):
     assert settings.cloth == (shape.cloth or "none").upper()
     assert (settings.worn_across, settings.worn_along) == pytest.approx([100 * share for share in shape.stretch])
     assert settings.fairness == pytest.approx(shape.fairness)
+    assert settings.allowance == pytest.approx(shape.allowance)
 
 
 @pytest.mark.parametrize("name", SAMPLES)
@@ -93,3 +94,10 @@ def test_the_sleeves_of_the_top_are_named_sleeves(tmp_path):
     open_sample("fitted_top")
     names = [piece["name"] for piece in flatten_as_the_file_says(tmp_path)["pieces"]]
     assert sorted(names) == ["Back", "Front", "Left sleeve", "Right sleeve"]
+
+
+@pytest.mark.parametrize("name", SAMPLES)
+def test_all_pieces_of_a_sample_have_room_for_their_allowances(name, addon, tmp_path):
+    source = open_sample(name)
+    flatten_as_the_file_says(tmp_path)
+    assert addon.overlay.shown.narrow_pieces(bpy.context, source, flat_of(source)) == []
