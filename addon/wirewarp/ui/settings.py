@@ -44,6 +44,9 @@ def untrue_sentence(active: bpy.types.Object, source: bpy.types.Object, report: 
     return earlier_sentence(active) if is_earlier(active) else ""
 
 
+WAYS = ("Across", "Along")  # of the grain; two settings have one heading, because their labels would be cut off
+
+
 def has_changed_since(source: bpy.types.Object, report: ObjectReport) -> bool:
     """Return whether the model has changed since its report. A large model with modifiers is not read at every redraw
     while it changes, because that takes as long as drawing."""
@@ -65,6 +68,9 @@ def draw_settings(layout: bpy.types.UILayout, settings: FlattenSettings, *parts:
     """Draw the settings of these PARTS, or all settings. Settings without effect are gray."""
     for setting in SETTINGS:
         if setting.part(settings) in (parts or PARTS) and setting.is_shown(settings):
+            heading, _, way = setting.full_label.rpartition(" ")
+            if way == WAYS[0]:
+                layout.label(text=heading)
             row = layout.row()
             row.use_property_split = not setting.is_wide
             row.use_property_decorate = False
@@ -74,15 +80,15 @@ def draw_settings(layout: bpy.types.UILayout, settings: FlattenSettings, *parts:
                 row.use_property_split = False
                 row.prop(settings, setting.name, text="", icon="MATCLOTH")
             else:
-                row.prop(settings, setting.name, text=_label(settings, setting))
+                row.prop(settings, setting.name, text=_label(settings, setting, way if way in WAYS else ""))
 
 
-def _label(settings: FlattenSettings, setting: Setting) -> str:
-    """Return the label of a setting. While a maximum stretch is 0, it names the usual value of the fabric."""
+def _label(settings: FlattenSettings, setting: Setting, way: str) -> str:
+    """Return the label of a setting; below the heading of two ways, only the way. While a maximum stretch is 0, it
+    names the usual value of the fabric."""
     usual = usual_stretch(settings).get(setting.name)
-    if usual is None or getattr(settings, setting.name):
-        return setting.full_label
-    return f"{setting.full_label} (0 = {percent_text(usual)})"
+    note = "" if usual is None or getattr(settings, setting.name) else f" (0 = {percent_text(usual)})"
+    return (way or setting.full_label) + note
 
 
 def known_choices(settings: WIREWARP_PG_settings) -> FlattenChoices | None:
