@@ -10,7 +10,7 @@ from types import SimpleNamespace
 import bpy
 import numpy as np
 import pytest
-from everything import draw_panels, sidebar
+from everything import draw_panels
 from surfaces import bump, edge_lengths, edge_vertices, flat_of, flatten_fails, grid, mark, mark_seam, on_line
 
 WIRE, SEAM = on_line(1, 0.0), on_line(0, 0.0)
@@ -282,7 +282,7 @@ def has_marks(source, addon):
     addon.state.drawings.forget()
     row, listed = MarkedRow(), bpy.types.WIREWARP_UL_pieces
     for index, entry in enumerate(source.wirewarp_pieces):
-        listed.draw_item(None, sidebar(), row, source, entry, 0, source, "", index)
+        listed.draw_item(None, bpy.context, row, source, entry, 0, source, "", index)
     return row.marks
 
 
@@ -307,10 +307,3 @@ def test_the_list_of_pieces_has_marks_only_while_the_verdict_is_about_them(addon
     bpy.context.view_layer.update()
     assert not addon.ui.settings.has_changed_since(source, addon.state.reports.pieces_report(source))
     assert has_marks(source, addon) == [False, False]  # neither has a tick, because the last run failed
-
-
-def test_the_list_shows_both_directions_of_a_fabric(addon, source):
-    bpy.ops.object.wirewarp_flatten(cloth="MINKY")
-    threads = addon.state.reports.last_report(source).pieces[0].threads
-    across, along = (addon.core.percent_text(each) for each in (threads.across, threads.along))
-    assert f"{across.removesuffix('%')}/{along}" in draw_panels(addon)

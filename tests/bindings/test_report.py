@@ -22,12 +22,12 @@ from wirewarp.report import (
     Report,
     as_seen,
     failure_report,
-    figure_text,
     from_dict,
     make_report,
     report_csv,
     to_dict,
     verdict,
+    with_narrow,
 )
 from wirewarp.report.asked import asked_of_outline
 from wirewarp.report.model import ANY_FABRIC, Threads, Ways
@@ -129,12 +129,7 @@ def test_lists_show_the_figures_that_the_verdict_compares_with_the_fabric():
     beyond, _ = verdict(report).lines
     assert beyond.text.startswith("Piece 2 must stretch 7.0% along, but this denim stretches only 5.0%.")
     rows = piece_rows(report)
-    assert [(row.name, figure_text(row.needed, row.threads)) for row in rows] == [
-        ("Piece 2", "13/7.0%"),
-        ("Piece 1", "15/1.0%"),
-    ]
-    figures = [figure_text(row.needed, row.threads) for row in piece_rows(report_of_pieces(0.086, 1.5))]
-    assert figures == [">100%", "8.6%"]
+    assert [(row.name, row.shown) for row in rows] == [("Piece 2", 0.07), ("Piece 1", 0.15)]
     table = csv.DictReader(io.StringIO(report_csv(report, LengthText("m", 1.0))))
     lines = [line for line in table if line["Kind"] == "Piece"]
     ways = [[float(line[f"Stretch {way} (%)"]) for way in ("across", "along")] for line in lines]
@@ -188,6 +183,16 @@ def test_ignored_modifiers_make_no_piece_ready():
     assert (line.kind, found.is_ready) == (Kind.NOT_AS_SEEN, False)
     assert line.text == "Modifiers and shape keys were ignored, so sizes differ from what you see"
     assert as_seen(verdict(report_of_pieces(0.0)), []).is_ready
+
+
+def test_pieces_without_room_for_their_allowances_are_not_ready():
+    found = with_narrow(verdict(report_of_pieces(0.0, 0.1)), ["Piece 1", "Piece 2"])
+    assert [line.kind for line in found.lines] == [Kind.NEEDS_STRETCH, Kind.TOO_NARROW]
+    sentence = "no room for two allowances in one place, and may be too narrow to sew."
+    assert found.lines[1].text == f"Piece 1 and Piece 2 have {sentence}"
+    (line,) = with_narrow(verdict(report_of_pieces(0.0)), ["Piece 1"]).lines
+    assert line.text == f"Piece 1 has {sentence}"
+    assert with_narrow(verdict(report_of_pieces(0.0)), []).is_ready
 
 
 def test_success_mentions_exact_lengths_only_if_they_are_fixed():

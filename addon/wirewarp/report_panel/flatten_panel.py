@@ -7,7 +7,7 @@ import bpy
 
 from ..blender.mesh import read_seams
 from ..blender.objects import height_of, likely_units, meters_per_blender_unit, size_text, strange_size, unit_text
-from ..core import Cloth, Kind, Level, as_seen, listed
+from ..core import Cloth, Kind, as_seen, with_narrow
 from ..flatten.auto_update import EDIT_LIMIT, is_left, waits_for_object_mode
 from ..issues import ObjectError
 from ..marks.mark import has_new_seams
@@ -164,7 +164,7 @@ def _draw_state(
         draw_suggestions(context, layout, "FLATTEN")
         return
     left_out = _left_out(context, source, report)
-    verdict = as_seen(report.tables.verdict, left_out)
+    verdict = with_narrow(as_seen(report.tables.verdict, left_out), narrow_names(context, source, report))
     lines = verdict.lines
     if is_updated:  # the rows stay, gray, so that nothing below moves
         draw_sentence(context, layout, DUE, "INFO", as_high_as=lines[0].text)
@@ -174,12 +174,10 @@ def _draw_state(
     changed = settings_sentence(source, report, context.scene.wirewarp) if has_flat_object(source) else ""
     if changed:
         draw_sentence(context, layout, changed, "INFO")
-    narrow = too_narrow(narrow_names(context, source, report))
+    of_last_run = layout.column()
+    of_last_run.enabled = not changed
     for line in lines:
-        level = Level.CAUTION if narrow and line.kind.level is Level.GOOD else line.kind.level
-        draw_sentence(context, layout, line.text, "BLANK1" if changed else LEVEL_ICONS[level])
-    if narrow:
-        draw_sentence(context, layout, narrow, "BLANK1" if changed else "AMBER")
+        draw_sentence(context, of_last_run, line.text, "BLANK1" if changed else LEVEL_ICONS[line.kind.level])
     step = next_step(report, left_out)
     kinds = {line.kind for line in verdict.lines}
     if report.issues and (verdict.kind is not Kind.CLOSED or Kind.NEEDS_SEAM in kinds):
@@ -216,14 +214,6 @@ def narrow_names(context: bpy.types.Context, source: bpy.types.Object, report: O
     """Return the names of the pieces of the report without room for their allowances; none while they are edited."""
     flat = find_flat_object(source) if report.flat_object is not None and has_flat_object(source) else None
     return [] if flat is None or flat.data.is_editmode else narrow_pieces(context, source, flat)
-
-
-def too_narrow(names: list[str]) -> str:
-    """Return the sentence about pieces without room for their allowances; "" if there are none."""
-    if not names:
-        return ""
-    have = f"{listed(names)} {'has' if len(set(names)) == 1 else 'have'}"
-    return f"{have} no room for two allowances in one place, and may be too narrow to sew."
 
 
 def _will_update(context: bpy.types.Context, source: bpy.types.Object) -> bool:

@@ -4,20 +4,20 @@
 import bpy
 
 from ..blender.objects import length_text
-from ..core import PieceRow, figure_text, needs_text
+from ..core import PieceRow, needs_text, percent_text
 from ..overlay.shown import piece_copies
 from ..solve.report import ObjectReport
 from ..state.owners import find_flat_object
 from ..state.reports import pieces_report
 from ..suggest.panel import draw_simplify, draw_suggest, draw_suggestions
-from ..ui.layout import SidebarPanel, draw_cells, draw_sentence, mark_of, text_width
+from ..ui.layout import SidebarPanel, draw_cells, draw_sentence, mark_of
 from ..ui.settings import settings_sentence, shown_report, shown_source, untrue_sentence
 from .flatten_panel import narrow_names, offered_piece
 from .panel import draw_select
 
 NO_STRAIN = 5e-4  # smaller values are shown as 0.0%
 MOST_ROWS = 16  # more rows get a scroll bar, in the place of the buttons that select a piece
-BESIDE_LINE, BESIDE_FIGURE = 56, 16  # pixels at interface scale 1 beside name and figure, and beside the figure
+NAMES, SHORT_NAMES = 0.78, 0.7  # share of a line for the name, beside "8.6%" and beside ">100%"
 SELECT = "Select Piece"
 WORTH_A_CUT = 0.005  # smallest strain for which the library proposes cuts
 
@@ -40,7 +40,8 @@ class WIREWARP_UL_pieces(bpy.types.UIList):
         if row is None:
             line.prop(entry, "name", text="", emboss=False, icon="BLANK1")
             return
-        columns = line.split(factor=_names_share(context))
+        is_long = any(each.has_layout and each.shown >= 1 for each in shown_pieces(context).tables.pieces)
+        columns = line.split(factor=SHORT_NAMES if is_long else NAMES)
         mark = {"icon": "BLANK1"}
         if _is_current(context):
             narrow = narrow_names(context, shown_source(context), shown_pieces(context))
@@ -49,7 +50,8 @@ class WIREWARP_UL_pieces(bpy.types.UIList):
         if row.has_layout:
             figure = columns.row()
             figure.alignment = "RIGHT"
-            figure.label(text=figure_text(row.needed, row.threads))
+            # a longer text would not fit the column
+            figure.label(text=percent_text(row.shown) if row.shown < 1 else ">100%")
             if len(source.wirewarp_pieces) <= MOST_ROWS:
                 draw_select(line, "PIECE", index)
 
@@ -73,14 +75,6 @@ def shown_pieces(context: bpy.types.Context) -> ObjectReport | None:
     """Return the report of the existing pieces, even if a later run failed."""
     source = shown_source(context)
     return pieces_report(source) if source else None
-
-
-def _names_share(context: bpy.types.Context) -> float:
-    """Return the share of a line for the name, beside the longest figure."""
-    rows, unit = shown_pieces(context).tables.pieces, context.preferences.system.ui_scale
-    figures = {figure_text(row.needed, row.threads) for row in rows if row.has_layout}
-    longest = max((text_width(context, text) for text in figures), default=0.0)
-    return 1 - (longest + BESIDE_FIGURE * unit) / (context.region.width - BESIDE_LINE * unit)
 
 
 def _row_of(context: bpy.types.Context, index: int) -> PieceRow | None:
@@ -147,7 +141,7 @@ def draw_figures(context: bpy.types.Context, layout: bpy.types.UILayout, row: Pi
         draw_sentence(context, column, "Unfolds without any stretch")
     if row.needed >= NO_STRAIN:
         line = column.row(align=True)
-        draw_cells(line, "Stretch", [figure_text(row.needed, row.threads)], 0.5)
+        draw_cells(line, "Stretch", [percent_text(row.shown)], 0.5)
         draw_select(line, "STRETCH" if row.stretch_max >= row.ease_max else "EASE", row.index)
 
 

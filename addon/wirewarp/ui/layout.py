@@ -62,33 +62,19 @@ def broken(context: bpy.types.Context, text: str, reserved: int = 0) -> list[str
     """Return the text in lines that fit the region beside an icon. reserved: further pixels to leave free, at interface
     scale 1."""
     unit = context.preferences.system.ui_scale
-    return _lines(text, context.region.width - (BESIDE_TEXT + reserved) * unit, _font_size(context))
-
-
-def text_width(context: bpy.types.Context, text: str) -> float:
-    """Return the width of a label's text in pixels of the screen."""
-    return _width(text, _font_size(context))
-
-
-def _font_size(context: bpy.types.Context) -> float:
-    """Return the size of labels in pixels of the screen."""
-    return context.preferences.ui_styles[0].widget.points * context.preferences.system.ui_scale
-
-
-@lru_cache(maxsize=1000)
-def _width(text: str, size: float) -> float:
-    blf.size(FONT, size)
-    return blf.dimensions(FONT, text)[0]
+    points = context.preferences.ui_styles[0].widget.points
+    return _lines(text, context.region.width - (BESIDE_TEXT + reserved) * unit, points * unit)
 
 
 @lru_cache(maxsize=1000)
 def _lines(text: str, width: float, size: float) -> list[str]:
     """Return the text, broken only at spaces. width and font size: pixels of the screen."""
+    blf.size(FONT, size)
     first, *words = text.split(" ")
     lines = [first]
     for word in words:
         longer = f"{lines[-1]} {word}"
-        if _width(longer, size) <= width:
+        if blf.dimensions(FONT, longer)[0] <= width:
             lines[-1] = longer
         else:
             lines.append(word)

@@ -26,8 +26,9 @@ from .verdict import (
     listed,
     place_name,
     verdict,
+    with_narrow,
 )
-from .wording import by_way, figure_text, needs_text, set_beyond_fabric
+from .wording import by_way, needs_text, set_beyond_fabric
 from .words import LengthText, counted, ease_text, paragraph, quoted, tolerance_text, wire_text
 
 __all__ = [
@@ -86,8 +87,8 @@ __all__ = [
     "listed",
     "place_name",
     "verdict",
+    "with_narrow",
     "by_way",
-    "figure_text",
     "needs_text",
     "set_beyond_fabric",
     "LengthText",

@@ -124,6 +124,12 @@ class Threads:
         """Return how much further the fabric must stretch than it can, in the worse direction; at most 0 if it can."""
         return max(self.across - self.limit("across"), self.along - self.limit("along"))
 
+    @property
+    def shown(self) -> float:
+        """Return the stretch in the direction that the verdict names; the larger if the fabric stretches far enough."""
+        ways = self.across - self.limit("across"), self.along - self.limit("along")
+        return max(self.across, self.along) if not self.over else self.across if ways[0] >= ways[1] else self.along
+
     def is_over(self, way: str) -> bool:
         needed: float = getattr(self, way)
         return needed > self.limit(way)
@@ -184,6 +190,11 @@ class Piece:
     def excess(self) -> float:
         """Return how far the piece is beyond the limit of is_strained, by which lists put the worst piece first."""
         return self.threads.excess if self.threads else self.needed - ANY_FABRIC
+
+    @property
+    def shown(self) -> float:
+        """Return the figure in lists of pieces, which is that of the verdict."""
+        return self.threads.shown if self.threads else self.needed
 
     @property
     def needed(self) -> float:

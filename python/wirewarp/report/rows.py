@@ -58,6 +58,7 @@ class PieceRow:
     area_3d: float | None
     area_2d: float | None
     needed: float  # see Piece.needed
+    shown: float  # see Piece.shown
     stretch_max: float  # stretch of the worst face; inf if a face has no area
     ease_max: float
     threads: Threads | None
@@ -115,6 +116,7 @@ def piece_rows(report: Report) -> list[PieceRow]:
             area_3d=piece.area_3d,
             area_2d=piece.area_2d,
             needed=piece.needed,
+            shown=piece.shown,
             stretch_max=_or_inf(piece.stretch_max),
             ease_max=_or_inf(piece.ease_max),
             threads=piece.threads,

@@ -5,7 +5,7 @@ The figure of a piece is the stretch that 99% of its area stays below, in the wo
 1/σ2) - 1, with the principal stretches of the map from flat to model. Compression therefore counts as much as the
 stretch that would undo it. DartProposal.strain, which ranks suggestions, is the same figure. Eases are intended: the
 piece is measured beyond them. With a fabric, the stretch along its threads counts (Threads): the verdict compares each
-direction with the fabric, lists show both, and a single figure is the larger.
+direction with the fabric, lists show the direction that the verdict names, and other single figures are the larger.
 """
 
 import math

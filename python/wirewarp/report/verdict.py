@@ -34,6 +34,7 @@ class Kind(StrEnum):
     BEYOND_FABRIC = "beyond fabric"  # the chosen fabric does not stretch as far
     NEEDS_STRETCH = "needs stretch"  # no fabric is chosen, and not every fabric stretches far enough
     NOT_AS_SEEN = "not as seen"  # modifiers or shape keys were ignored
+    TOO_NARROW = "too narrow"  # pieces have no room for their allowances
     READY = "ready"  # can be cut from the chosen fabric
     READY_FOR_ANY = "ready for any fabric"
 
@@ -105,6 +106,17 @@ def as_seen(found: Verdict, makers: Iterable[str]) -> Verdict:
         return found
     lines = [line for line in found.lines if line.kind not in CUTTABLE]
     return Verdict((*lines, Line(Kind.NOT_AS_SEEN, wording.ignored(names))))
+
+
+def with_narrow(found: Verdict, names: Sequence[str]) -> Verdict:
+    """Return the verdict if the pieces with these names have no room for their allowances, which reports do not know.
+
+    It says what the pieces need, but not that they are ready to cut.
+    """
+    if not names:
+        return found
+    lines = [line for line in found.lines if line.kind.level is not Level.GOOD]
+    return Verdict((*lines, Line(Kind.TOO_NARROW, wording.too_narrow(listed(names), len(set(names)) == 1))))
 
 
 def _kind_of(entry: _Entry) -> Kind:

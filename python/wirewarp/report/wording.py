@@ -98,14 +98,9 @@ def ignored(makers: Sequence[str]) -> str:
     return f"{' and '.join(makers).capitalize()} were ignored, so sizes differ from what you see"
 
 
-def figure_text(stretch: float, threads: Threads | None) -> str:
-    """Return the figure of a piece for a narrow column: "13%", or "13/7.0%" across and along the grain.
-
-    The menu of fabrics writes the maximum stretch in the same way.
-    """
-    shares = (threads.across, threads.along) if threads else (stretch,)
-    *others, last = (percent_text(share) if share < 1 else ">100%" for share in shares)
-    return "/".join([*(text.removesuffix("%") for text in others), last])
+def too_narrow(names: str, is_one: bool) -> str:
+    have = "has" if is_one else "have"
+    return f"{names} {have} no room for two allowances in one place, and may be too narrow to sew."
 
 
 def needs_text(threads: Threads) -> str:
