@@ -88,7 +88,7 @@ class PatternSettings:
                 "CLOSE",
                 "Closed",
                 "Cut straight across the open end, so that the dart can be folded, with notches at its legs and a "
-                "drill hole before its tip",
+                "drill hole before its tip. Darts wider than 50 mm are cut out",
             ),
             ("CUT", "Cut Out", "The dart is cut out, with seam allowance on its legs"),
             ("SLIT", "Slit", "Cut along the legs"),

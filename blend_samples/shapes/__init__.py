@@ -21,8 +21,8 @@ from .wetsuit import wetsuit_upper_body
 
 __all__ = [
     "ALLOWANCE", "FAIRNESS", "Ease", "Shape", "ShapeBuilder", "Wire", "all_shapes", "armchair_cover", "ball",
-    "chain_of", "cushion", "fitted_top", "gathered_skirt", "half_cylinder", "hat", "jeans", "lampshade", "mask", "quarter_sphere",
-    "set_in_sleeve", "swimsuit", "toy", "wetsuit_collar", "wetsuit_upper_body",
+    "chain_of", "cushion", "fitted_top", "gathered_skirt", "half_cylinder", "hat", "jeans", "lampshade", "mask",
+    "quarter_sphere", "set_in_sleeve", "swimsuit", "toy", "wetsuit_collar", "wetsuit_upper_body",
 ]  # fmt: skip
 
 

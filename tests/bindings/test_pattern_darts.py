@@ -60,6 +60,16 @@ def test_closed_darts_have_notches_on_the_extensions_of_their_legs(mouth):
         assert not [point for point in piece.points if point.role == "notch"]
 
 
+@pytest.mark.parametrize(("mouth", "is_folded"), [(120, True), (140, False)])
+def test_a_dart_that_would_fold_over_50_mm_is_cut_out(mouth, is_folded):
+    result = dart(mouth, 190)
+    (flat,) = result.pieces
+    ends = flat.vertices[flat.source_vertex == 1]
+    assert (1000 * np.linalg.norm(ends[1] - ends[0]) <= 50) == is_folded
+    closed, out = (Pattern.from_result(result, darts=how, allowance=3).pieces[0] for how in ("close", "cut"))
+    assert cut_polygon(closed).equals(cut_polygon(out)) != is_folded
+
+
 def test_a_closed_dart_without_a_gap_has_one_notch():
     sheet = grid([-100, 0, 100], [0, 100, 200], seams=[(1, 4)])
     (piece,) = Pattern.from_result(sheet).pieces

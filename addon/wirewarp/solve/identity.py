@@ -45,7 +45,8 @@ def side_names(normals: np.ndarray, offsets: np.ndarray) -> list[str]:
         own = [index for index, name in enumerate(names) if name == side]
         for index, half in zip(own, _halves(side, offsets[own]), strict=True):
             names[index] = f"{side} {half}".rstrip()
-    alike = {name for name in names for other in names if other != name and sorted(other.split()) == sorted(name.split())}
+    words = {name: sorted(name.split()) for name in names}
+    alike = {name for name in names for other in words if other != name and words[other] == words[name]}
     # "Left Front" is on the left, "Front Left" on the front
     return [re.sub("^(Left|Right) ", r"\1 Side ", name) if name in alike else name for name in names]
 

@@ -20,6 +20,7 @@ from .widths import Widths
 Darts = Literal["close", "cut", "slit"]
 # radians; a dart of this angle is folded; a wider gap, such as that of a cone, is cut out
 WIDEST_DART = math.radians(50)
+WIDEST_FOLD = 50.0  # millimeters of fabric in a closed dart: 25 on each side; a wider dart is cut out, as tailors do
 LEAST_GAP = 0.01  # millimeters; no cut line fits between the legs of a narrower dart, which is cut as one line
 HIGHEST_CAP = 1.0  # multiple of the mouth of the dart; a cap that would extend farther is made flat
 
@@ -101,6 +102,8 @@ def outline(loop: Sequence[Side], widths: Widths, rules: Rules) -> Outline:
     # A slit inside a piece counts as two darts, because it has two tips.
     corners_of_loop = [*pairwise([*loop, loop[0]])] if rules.darts != "cut" else []
     darts = [Dart(first, second) for first, second in corners_of_loop if is_dart(first, second, WIDEST_DART)]
+    if rules.darts == "close":
+        darts = [dart for dart in darts if dart.gap <= WIDEST_FOLD]
     is_outer = signed_area(np.concatenate([side.points[:-1] for side in loop])) > 0
     if rules.darts == "close" and is_outer and 2 * len(darts) == count:
         darts = []  # no part of the outline is between the darts, so they are cut out
