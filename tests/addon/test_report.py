@@ -10,7 +10,7 @@ from types import SimpleNamespace
 import bpy
 import numpy as np
 import pytest
-from everything import draw_panels
+from everything import draw_panels, sidebar
 from surfaces import bump, edge_lengths, edge_vertices, flat_of, flatten_fails, grid, mark, mark_seam, on_line
 
 WIRE, SEAM = on_line(1, 0.0), on_line(0, 0.0)
@@ -282,7 +282,7 @@ def has_marks(source, addon):
     addon.state.drawings.forget()
     row, listed = MarkedRow(), bpy.types.WIREWARP_UL_pieces
     for index, entry in enumerate(source.wirewarp_pieces):
-        listed.draw_item(None, bpy.context, row, source, entry, 0, source, "", index)
+        listed.draw_item(None, sidebar(), row, source, entry, 0, source, "", index)
     return row.marks
 
 

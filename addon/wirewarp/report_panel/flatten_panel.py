@@ -39,8 +39,8 @@ from .next_step import (
 )
 
 ICON = "MATCLOTH"
-FAR_ENOUGH = "These stretch far enough for the present pieces"
-TO_TRY = "Other fabrics: flatten to see whether they stretch far enough"
+FAR_ENOUGH = "Fabrics with a tick stretch far enough for the present pieces"
+TO_TRY = "Flatten to see whether a fabric stretches far enough"
 # fabrics sold for clothes; woven fabrics are left out, because they stretch only 3%
 EVERYDAY = {"fleece", "jersey", "swim"}
 
@@ -69,12 +69,11 @@ class VIEW3D_MT_wirewarp_fabrics(bpy.types.Menu):
         report, layout, present = shown_report(context), self.layout, context.scene.wirewarp.cloth.lower()
         layout.operator_context = "INVOKE_DEFAULT"
         found = fabrics_to_choose(report, present) if report else ([], [])
-        for heading, names in zip((FAR_ENOUGH, TO_TRY), found, strict=True):
-            if not names:
-                continue
-            layout.label(text=heading)
+        layout.label(text=FAR_ENOUGH if found[0] else TO_TRY)
+        # not with a heading each, because Blender turns a menu around that opens upward
+        for icon, names in zip(("CHECKMARK", "BLANK1"), found, strict=True):
             for name in names:
-                button = layout.operator("object.wirewarp_mend", text=fabric_label(name))
+                button = layout.operator("object.wirewarp_mend", text=fabric_label(name), icon=icon)
                 button.what, button.cloth = "FABRIC", name.upper()
 
 

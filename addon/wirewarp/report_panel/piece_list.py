@@ -10,13 +10,14 @@ from ..solve.report import ObjectReport
 from ..state.owners import find_flat_object
 from ..state.reports import pieces_report
 from ..suggest.panel import draw_simplify, draw_suggest, draw_suggestions
-from ..ui.layout import SidebarPanel, draw_cells, draw_sentence, mark_of
+from ..ui.layout import SidebarPanel, draw_cells, draw_sentence, is_wide, mark_of
 from ..ui.settings import settings_sentence, shown_report, shown_source, untrue_sentence
 from .flatten_panel import narrow_names, offered_piece
 from .panel import draw_select
 
 NO_STRAIN = 5e-4  # smaller values are shown as 0.0%
 MOST_ROWS = 16  # more rows get a scroll bar, in the place of the buttons that select a piece
+MOST_LETTERS = 12  # of a name beside such a button in a sidebar of the default width
 NAMES, SHORT_NAMES = 0.78, 0.7  # share of a line for the name, beside "8.6%" and beside ">100%"
 SELECT = "Select Piece"
 WORTH_A_CUT = 0.005  # smallest strain for which the library proposes cuts
@@ -52,7 +53,7 @@ class WIREWARP_UL_pieces(bpy.types.UIList):
             figure.alignment = "RIGHT"
             # a longer text would not fit the column
             figure.label(text=percent_text(row.shown) if row.shown < 1 else ">100%")
-            if len(source.wirewarp_pieces) <= MOST_ROWS:
+            if _have_buttons(context, source):
                 draw_select(line, "PIECE", index)
 
     def filter_items(
@@ -69,6 +70,13 @@ class WIREWARP_UL_pieces(bpy.types.UIList):
         if places.keys() != set(range(len(entries))):
             return shown, []
         return shown, [places[index] for index in range(len(entries))]
+
+
+def _have_buttons(context: bpy.types.Context, source: bpy.types.Object) -> bool:
+    """Return whether each row has a button that selects the piece; otherwise, one button is below the list."""
+    pieces = source.wirewarp_pieces
+    longest = max((len(entry.name) for entry in pieces), default=0)
+    return len(pieces) <= MOST_ROWS and (is_wide(context) or longest <= MOST_LETTERS)
 
 
 def shown_pieces(context: bpy.types.Context) -> ObjectReport | None:
@@ -105,7 +113,7 @@ class VIEW3D_PT_wirewarp_pieces(SidebarPanel, bpy.types.Panel):
             "WIREWARP_UL_pieces", "", source, "wirewarp_pieces", source, "wirewarp_active_piece", rows=rows
         )
         chosen = _row_of(context, source.wirewarp_active_piece)
-        if chosen and chosen.has_layout and len(source.wirewarp_pieces) > MOST_ROWS:
+        if chosen and chosen.has_layout and not _have_buttons(context, source):
             button = self.layout.operator("mesh.wirewarp_select_result", text=SELECT, icon="RESTRICT_SELECT_OFF")
             button.what, button.index = "PIECE", chosen.index
         if chosen:  # above the figures, so that what the buttons list below them stays in view
