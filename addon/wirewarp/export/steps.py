@@ -231,7 +231,8 @@ class PatternExport(OnMesh, WindowSteps, ExportHelper):
         only, settings = self._notes
         sizes = " ".join(self.size_sentences(made))
         off = max(math.ceil(100 * written.off), 1) / 100
-        said = f'Print at 100% scale. "{written.path.name}": {sizes} Its lengths are right to {off:g} mm.'
+        # the status bar cuts off what comes last
+        said = f'Print at 100% scale. Lengths in "{written.path.name}" are right to {off:g} mm. {sizes}'
         warnings = [sentence for sentence in [crossing_sentence(made), *written.warnings] if sentence]
         if self.report_path:
             try:
