@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from everything import draw_panels
 from suggesting import add_layers, bent_ring, check_layers, choose_smooth, found, places
-from test_smooth_darts import drawn_on, lengths, rounded
+from test_smooth_darts import are_alike, drawn_on, lengths
 from test_smooth_lines import seam_places, surface
 
 pytestmark = pytest.mark.api
@@ -49,7 +49,7 @@ def test_a_set_beside_a_painted_face_is_cut_as_drawn_and_has_the_claimed_figures
     assert bpy.ops.object.wirewarp_mend(what="SUGGESTION") == {"FINISHED"}
     assert surface(source) == pytest.approx(area, rel=1e-5)
     assert len(mesh.vertices) > len(before) and np.array_equal(places(source)[: len(before)], before)
-    assert rounded(seam_places(source)) == rounded(drawn)
+    assert are_alike(seam_places(source), drawn)
     assert lengths(seam_places(source)).sum() == pytest.approx(cut.lengths[0], rel=1e-5)
     pieces = addon.state.reports.last_report(source).pieces
     assert len(pieces) == cut.num_pieces and all(piece.ok for piece in pieces)

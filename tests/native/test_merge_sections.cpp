@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/in_threads.h"
 #include "cuts/propose/flat_width.h"
 #include "cuts/propose/merge_sections.h"
 #include "cuts/propose/solidity.h"
@@ -55,6 +56,25 @@ std::vector<VertexPair> across(int n) {
   const std::vector<int> column = test::grid_column(n, n, n / 2);
   for (std::size_t i = 1; i < column.size(); ++i) cut.push_back({column[i - 1], column[i]});
   return cut;
+}
+
+/// Several rows and columns of a grid are cut, so that sections are tried at the same time.
+TEST(MergeSections, TheNumberOfCoresChangesNoResult) {
+  const int n = 12;
+  std::vector<VertexPair> cut;
+  for (const int at : {3, 6, 9}) {
+    for (const std::vector<int>& line : {test::grid_column(n, n, at), test::grid_row(n, at)}) {
+      for (std::size_t i = 1; i < line.size(); ++i) cut.push_back({line[i - 1], line[i]});
+    }
+  }
+  const CutSurface surface(bump(n));
+  const CutState state = surface.with(cut);
+  const auto merged_for = [&](double strain) { return merge_sections(state, surface.chart, surface.exact, strain); };
+  for (const double strain : {0.02, 0.05, 0.1}) {
+    const CutState on_all = merged_for(strain);
+    const OnOneCore on_one_core;
+    EXPECT_EQ(on_all.cut, merged_for(strain).cut) << strain;
+  }
 }
 
 TEST(MergeSections, MeasuresTheThreadsOfAFabric) {

@@ -57,7 +57,7 @@ TEST_F(OutlineOfANotch, IsZeroForAWideNotchAndInfiniteIfTheOutlineTouches) {
   EXPECT_EQ(barrier.value(closed_to(0)), std::numeric_limits<double>::infinity());
 }
 
-/// As every energy of a shape. Otherwise the shape would depend on the unit of length.
+/// Every energy of a shape is proportional to the area. Otherwise the shape would depend on the unit of length.
 TEST_F(OutlineOfANotch, IsProportionalToTheArea) {
   const double scale = 1024;
   FlattenInput large = plate();

@@ -142,7 +142,7 @@ def likely_units(target: bpy.types.Object) -> Sequence[float]:
 
 
 def height_of(target: bpy.types.Object) -> float:
-    """Return the distance in Blender units from the lowest to the highest point."""
+    """Return the height of the bounding box in Blender units."""
     return float(np.ptp(world_box(target)[:, 2]))
 
 

@@ -31,7 +31,7 @@ from .pages import CutLines, PageChoices, PagePreview, cut_lines, cut_places, ou
 
 MODES = {"OBJECT", "EDIT"}
 STRETCH_MAPS = (STRETCH, ASPECT_RATIO)
-# maps for which the legend shows the figure of the list of pieces instead of the largest value
+# maps for which the legend shows the stretch of 99% of the area, as the list of pieces does, instead of the largest
 ONE_FIGURE = (*STRETCH_MAPS, *CLOTH_MAPS)
 
 
@@ -71,14 +71,14 @@ def _is_edited(target: bpy.types.Object) -> bool:
 
 
 def map_notes(shown: Sequence[Drawing], color_map: ColorMap) -> list[str]:
-    """Return why the map is missing on some objects and, for a map of stretch, the verdict's figure."""
+    """Return why the map is missing on some objects and, for a map of stretch, how far 99% of the area stretches."""
     reports = [last_report(model_or_self(each.target)) for each in shown if each.surface is not None]
     figure = _figure([report for report in reports if report], color_map)
     return [*missing_maps(shown, color_map), *([f"99% of the area: up to {figure}"] if figure else [])]
 
 
 def _figure(reports: Sequence[ObjectReport], color_map: ColorMap) -> str:
-    """Return the largest figure of the pieces that a map of stretch shows; empty without one."""
+    """Return the largest stretch of the pieces, with a fabric in each direction; empty for other maps."""
     pieces = [piece for report in reports for piece in report.pieces if piece.ok]
     threads = [piece.threads for piece in pieces if piece.threads]
     if color_map in STRETCH_MAPS and pieces:
@@ -143,7 +143,7 @@ def _drawing(context: bpy.types.Context, target: bpy.types.Object, color_map: Co
                 (*made_of, Same(cut)),
                 lambda: _with_cut(_or_none(marked_lines, target, depsgraph), cut, context.scene),
             )
-        of_model = stamp(source.data), Same(suggestions_of(source))
+        of_model = stamp(source.data), source.data.is_editmode, Same(suggestions_of(source))
         failed = kept_drawing(
             target,
             "failures",

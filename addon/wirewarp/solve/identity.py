@@ -21,12 +21,12 @@ from .limbs import limb_names
 # Names of the negative and positive side of each axis, for a person who faces Blender's front (-Y): the left hand is at
 # +X.
 SIDES = (("Right", "Left"), ("Front", "Back"), ("Bottom", "Top"))
-HALVES = (("Right", "Left"), ("Front", "Back"), ("Lower", "Upper"))  # distinguish two pieces on the same side
+HALVES = (("Right", "Left"), ("Front", "Back"), ("Lower", "Upper"))  # distinguish pieces on the same side
 FACES_ONE_WAY = (
     0.3  # shortest mean normal of a piece that faces one side; others, such as sleeves, are named after their place
 )
 WORD_ORDER = (2, 1, 0)  # axes of the words in a name: "Upper Front Left"
-IN_THE_MIDDLE = 0.13  # share of the distance between the outer ones of several pieces; halves of up to six even rows
+IN_THE_MIDDLE = 0.13  # share of the distance between the outermost pieces; one closer to their middle gets no word
 BESIDE = 0.05  # share of the model's size; a piece closer to the middle, such as a ball, has no side
 ROUNDED = 3  # digits of offsets that are compared, because models are seldom exactly symmetric
 NO_SIDE = "Around"
@@ -43,7 +43,7 @@ def side_names(normals: np.ndarray, offsets: np.ndarray) -> list[str]:
     names = [_side(normal, offset) for normal, offset in zip(normals, offsets, strict=True)]
     for side in dict.fromkeys(names):
         own = [index for index, name in enumerate(names) if name == side]
-        for index, half in zip(own, _halves(side, offsets[own]), strict=True):
+        for index, half in zip(own, _places_on(side, offsets[own]), strict=True):
             names[index] = f"{side} {half}".rstrip()
     words = {name: sorted(name.split()) for name in names}
     alike = {name for name in names for other in words if other != name and words[other] == words[name]}
@@ -56,7 +56,7 @@ def region_side_names(regions: Sequence[str | None], normals: np.ndarray, offset
     names = list(regions)
     for region in filter(None, dict.fromkeys(regions)):
         own = [index for index, name in enumerate(regions) if name == region]
-        sides = _halves("", offsets[own])
+        sides = _places_on("", offsets[own])
         if len(own) > 2:
             sides = side_names(normals[own], offsets[own])
         for index, side in zip(own, sides, strict=True):
@@ -72,18 +72,17 @@ def _side(normal: np.ndarray, offset: np.ndarray) -> str:
     return SIDES[axis][int(direction[axis] > 0)]
 
 
-def _halves(side: str, offsets: np.ndarray) -> list[str]:
+def _places_on(side: str, offsets: np.ndarray) -> list[str]:
     """Return words that distinguish pieces on one side by their place, such as "Upper Front"; some may be equal.
 
     Names of a mirrored pair differ only in the side.
     """
     axes: list[int] = []
-    names = [""] * len(offsets)
+    names, spread = [""] * len(offsets), np.ptp(offsets, axis=0).round(ROUNDED)
     while True:
         further = [sorted([*axes, axis], key=WORD_ORDER.index) for axis in WORD_ORDER if axis not in axes]
         further = [each for each in further if not any(side in SIDES[axis] for axis in each)]
         choices = [(_words(each, offsets), each) for each in further]
-        spread = np.ptp(offsets, axis=0).round(ROUNDED)
         better = max(choices, key=lambda each: (len(set(each[0])), sum(spread[each[1]])), default=(names, axes))
         if len(set(better[0])) <= len(set(names)):
             return names

@@ -42,7 +42,7 @@ from ..ui import window_run
 from ..ui.editing import OnMesh, reporting_refusals
 from ..ui.window_run import WindowSteps, fault_sentence
 
-STOPPED = "Stopped early"
+STOPPED = "Canceled early"
 CHOOSE_FABRIC = "Choose a fabric that stretches more."
 SET_TARGET = "Set a larger target."
 # Maximum stretches of the fabric if they are unknown: of plush and knits, of which most closed models are sewn, and of

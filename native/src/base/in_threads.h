@@ -46,9 +46,9 @@ std::optional<std::future<void>> begin_thread(const Work& work) {
   }
 }
 
-/// Calls work(0) to work(count - 1), started in this order, on at most num_threads threads. The calling thread does the
-/// first, then continues with others. Once all work has started, it calls meanwhile() from time to time. After an
-/// exception no further work starts; the exception is rethrown.
+/// Calls work(0) to work(count - 1), on at most num_threads threads, which take the next number each. The calling
+/// thread takes 0, perhaps later than others begin. Once all work has started, it calls meanwhile() from time to time.
+/// After an exception no further work starts; the exception is rethrown.
 template <typename Work>
 void run_in_threads(
     std::size_t count, std::size_t num_threads, const Work& work, const std::function<void()>& meanwhile = [] {}) {

@@ -11,6 +11,7 @@ from typing import Any
 
 Pairs = list[tuple[int, int]]  # edges as vertex pairs
 ANY_FABRIC = 0.03  # a stretch that every fabric allows: the smallest in the core's table, that of woven cotton
+WAYS = ("across", "along")  # directions of a fabric
 
 METHOD_NAMES = {"refined": "Refined", "wirewarp++": "WireWarping++", "wirewarping": "WireWarping, all wires rigid"}
 
@@ -122,17 +123,20 @@ class Threads:
     @property
     def excess(self) -> float:
         """Return how much further the fabric must stretch than it can, in the worse direction; at most 0 if it can."""
-        return max(self.across - self.limit("across"), self.along - self.limit("along"))
+        return max(map(self._excess, WAYS))
 
     @property
     def shown(self) -> float:
-        """Return the stretch in the direction that the verdict names; the larger if the fabric stretches far enough."""
-        ways = self.across - self.limit("across"), self.along - self.limit("along")
-        return max(self.across, self.along) if not self.over else self.across if ways[0] >= ways[1] else self.along
+        """Return the stretch in the direction that is furthest beyond the fabric; the larger if none is beyond it."""
+        worse: float = getattr(self, max(WAYS, key=self._excess))
+        return worse if self.over else max(self.across, self.along)
+
+    def _excess(self, way: str) -> float:
+        needed: float = getattr(self, way)
+        return needed - self.limit(way)
 
     def is_over(self, way: str) -> bool:
-        needed: float = getattr(self, way)
-        return needed > self.limit(way)
+        return self._excess(way) > 0
 
     def limit(self, way: str) -> float:
         """Return the maximum stretch; if unknown, the built-in stretch plus the stretch that every fabric allows."""

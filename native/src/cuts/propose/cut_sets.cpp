@@ -179,8 +179,8 @@ void CutSetSearch::add_lines(const CutSet& set, std::size_t part, std::vector<Ca
 }
 
 /// Adds candidates for one part: bisections, which help if no single line does. If a part folds in the coarse
-/// evaluation, its energy without a cut is unknown. Then the shortest bisections come first, those that fold, too,
-/// last, and exact evaluations measure their gain.
+/// evaluation, its energy without a cut is unknown. Then the shortest bisections come first, after them those whose
+/// parts fold, too, and exact evaluations measure their gain.
 void CutSetSearch::add_bisections(const CutSet& set, std::size_t part, std::vector<Candidate>& found) const {
   const Chart& chart = set.pieces[set.parts[part]]->chart;
   const CoarseEvaluation trials(chart, exact_.options(), exact_.stop());
@@ -188,8 +188,8 @@ void CutSetSearch::add_bisections(const CutSet& set, std::size_t part, std::vect
   std::vector<Candidate> tried(bisections.size());
   run_on_all_cores(bisections.size(), exact_.stop(), [&](std::size_t i) {
     const CutMask own = map_.on_part(chart, bisections[i]);
-    const double left = trials.energy_when_cut(own, exact_.stop()) / trials.energy_uncut();
-    const double gain = std::isnan(left) ? kWorthSewing : 1 - left;  // both are infinite
+    const double cut = trials.energy_when_cut(own, exact_.stop()), uncut = trials.energy_uncut();
+    const double gain = std::isinf(uncut) && std::isinf(cut) ? kWorthSewing : 1 - cut / uncut;
     tried[i] = {bisections[i], gain, gain / length_of_cut(chart.mesh, own)};
   });
   std::copy_if(tried.begin(), tried.end(), std::back_inserter(found),

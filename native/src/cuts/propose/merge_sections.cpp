@@ -80,6 +80,13 @@ bool is_part_of(const Chart& part, const FlatPieces& pieces) {
                      [&](const auto& piece) { return wirewarp::is_part_of(part, piece->chart); });
 }
 
+FlatPieces without_those(const FlatPieces& pieces, const FlatPieces& others) {
+  FlatPieces rest;
+  std::copy_if(pieces.begin(), pieces.end(), std::back_inserter(rest),
+               [&](const auto& piece) { return std::find(others.begin(), others.end(), piece) == others.end(); });
+  return rest;
+}
+
 /// Returns whether a chart contains all of a piece without a cut inside.
 bool contains(const Chart& chart, const FlatPiece& piece) {
   const std::vector<int>&all = chart.source_face, &part = piece.chart.source_face;
@@ -189,7 +196,9 @@ bool SectionMerger::undo(const FlatPieces& unwanted) {
   };
   for (auto& [mask, trials] : known_) {
     for (Replacement& trial : trials) {
-      if (has_unwanted(trial.after)) trial.strain = kNoFlatShape;
+      if (!has_unwanted(trial.after)) continue;
+      trial.after.clear();
+      trial.strain = kNoFlatShape;
     }
   }
   const std::size_t count = earlier_.size();
@@ -205,35 +214,30 @@ bool SectionMerger::is_unwanted(const Chart& chart) const {
   return std::any_of(unwanted_.begin(), unwanted_.end(), [&](const auto& piece) { return contains(chart, *piece); });
 }
 
-/// Removes one more section or part of a section: the first allowed candidate. Returns false if there is none.
-/// Candidates are tried in their order on all cores. Those that come after the first allowed one, but were tried
-/// meanwhile, are only remembered.
+/// Removes one more section or part of a section: the first allowed candidate. Returns false if there is none. Tries
+/// candidates in their order on all cores, but remembers none after the first allowed one, so that the number of cores
+/// changes no result.
 bool SectionMerger::open_one(bool is_half) {
   exact_.stop().check();
   const std::vector<CutMask> candidates = list_candidates(is_half);
-  const auto is_allowed_at = [&](std::size_t i, double strain) {
-    return is_allowed(strain, allowed_beside(beside(candidates[i])));
-  };
-  std::vector<std::optional<Trial>> tried(candidates.size());
-  std::atomic<bool> is_found{false};  // later work than this is not needed, because work starts in order
+  std::vector<std::optional<Replacement>> tried(candidates.size());
+  std::atomic<std::size_t> first_allowed{candidates.size()};
   const std::thread::id caller = std::this_thread::get_id();
   run_on_all_cores(candidates.size(), exact_.stop(), [&](std::size_t i) {
-    if (is_found) return;
+    if (i > first_allowed) return;
     if (std::this_thread::get_id() == caller)
       report_((static_cast<double>(i) / static_cast<double>(candidates.size()) + (is_half ? 1 : 0)) / 2);
     tried[i] = try_without(candidates[i]);
-    if (is_allowed_at(i, tried[i]->strain)) is_found = true;
+    if (tried[i]->after.empty()) return;
+    std::size_t first = first_allowed;
+    while (i < first && !first_allowed.compare_exchange_weak(first, i)) continue;
   });
-  std::optional<CutState> opened;
-  for (std::size_t i = 0; i < tried.size(); ++i) {
-    if (!tried[i]) continue;
-    const bool are_allowed = is_allowed_at(i, tried[i]->strain);
+  for (std::size_t i = 0; i < std::min(first_allowed + 1, candidates.size()); ++i) {
     if (const Replacement* same = known(candidates[i]); same == nullptr || same->after.empty())
-      remember(candidates[i], *tried[i], are_allowed);
-    if (are_allowed && !opened) opened = std::move(tried[i]->after);
+      known_[candidates[i]].push_back(*tried[i]);
   }
-  if (!opened) return false;
-  earlier_.push_back(std::exchange(state_, std::move(*opened)));
+  if (first_allowed == candidates.size()) return false;
+  earlier_.push_back(std::exchange(state_, replaced(candidates[first_allowed], *tried[first_allowed])));
   return true;
 }
 
@@ -252,30 +256,13 @@ const SectionMerger::Replacement* SectionMerger::known(const CutMask& mask) cons
   return found == trials->second.rend() ? nullptr : &*found;
 }
 
-SectionMerger::Trial SectionMerger::replaced(const CutMask& mask, const Replacement& replacement) const {
-  Trial trial{replacement.strain, {state_.cut, {}}, true};
-  const FlatPieces& before = replacement.before;
-  for (std::size_t e = 0; e < mask.size(); ++e) trial.after.cut[e] = state_.cut[e] != 0 && mask[e] == 0;
-  FlatPieces& after = trial.after.pieces;
-  std::copy_if(state_.pieces.begin(), state_.pieces.end(), std::back_inserter(after),
-               [&](const auto& piece) { return std::find(before.begin(), before.end(), piece) == before.end(); });
-  after.insert(after.end(), replacement.after.begin(), replacement.after.end());
-  sort_pieces(after);
-  return trial;
-}
-
-/// Remembers a trial; its new pieces only if they are allowed, because most are not, and take much memory.
-void SectionMerger::remember(const CutMask& mask, const Trial& trial, bool are_allowed) {
-  const auto without = [](const FlatPieces& all, const FlatPieces& others) {
-    FlatPieces rest;
-    std::copy_if(all.begin(), all.end(), std::back_inserter(rest),
-                 [&](const auto& piece) { return std::find(others.begin(), others.end(), piece) == others.end(); });
-    return rest;
-  };
-  const FlatPieces &before = state_.pieces, &after = trial.after.pieces;
-  Replacement replacement{after.empty() ? beside(mask) : without(before, after), {}, trial.strain};
-  if (are_allowed) replacement.after = without(after, before);
-  known_[mask].push_back(std::move(replacement));
+/// Returns the state after a trial.
+CutState SectionMerger::replaced(const CutMask& mask, const Replacement& replacement) const {
+  CutState state{state_.cut, without_those(state_.pieces, replacement.before)};
+  for (std::size_t e = 0; e < mask.size(); ++e) state.cut[e] = state_.cut[e] != 0 && mask[e] == 0;
+  state.pieces.insert(state.pieces.end(), replacement.after.begin(), replacement.after.end());
+  sort_pieces(state.pieces);
+  return state;
 }
 
 /// Returns symmetric candidates. Those beside narrow pieces come first, because they can be joined only as long as
@@ -361,18 +348,15 @@ bool SectionMerger::has_long_arms(const FlatPiece& piece, const FlatPieces& old)
 }
 
 SectionMerger::Trial SectionMerger::without(const CutMask& mask, double allowed, const ExactEvaluation& exact) const {
-  Trial trial{0, {state_.cut, exact.with_cut(state_.pieces, {}, edges_of(chart_, mask))}, true};
-  CutState& after = trial.after;
+  Trial trial{0, exact.with_cut(state_.pieces, {}, edges_of(chart_, mask)), true};
   const FlatPieces joined = beside(mask);
-  for (std::size_t e = 0; e < mask.size(); ++e) after.cut[e] = after.cut[e] != 0 && mask[e] == 0;
-  for (const std::shared_ptr<const FlatPiece>& piece : after.pieces) {
-    if (std::find(state_.pieces.begin(), state_.pieces.end(), piece) != state_.pieces.end()) continue;
+  for (const std::shared_ptr<const FlatPiece>& piece : without_those(trial.pieces, state_.pieces)) {
     trial.is_final = trial.is_final && piece->is_final;
     if (piece->error && !is_part_of(piece->chart, joined) && had_error(piece->chart)) continue;
     trial.strain = std::max(trial.strain, piece->error ? kNoFlatShape : piece->strain);
   }
   if (!is_allowed(trial.strain, allowed)) return trial;
-  const bool is_hard_to_sew = std::any_of(after.pieces.begin(), after.pieces.end(), [&](const auto& piece) {
+  const bool is_hard_to_sew = std::any_of(trial.pieces.begin(), trial.pieces.end(), [&](const auto& piece) {
     return is_part_of(piece->chart, joined) && (is_too_narrow(*piece, joined) || has_long_arms(*piece, joined));
   });
   if (is_hard_to_sew) trial.strain = kNoFlatShape;
@@ -381,13 +365,17 @@ SectionMerger::Trial SectionMerger::without(const CutMask& mask, double allowed,
 
 /// Flattens the new pieces only if they are not known, and if their free maps need no more than the allowed strain. If
 /// shapes that are allowed are not final, flattens them again with more factorizations.
-SectionMerger::Trial SectionMerger::try_without(const CutMask& mask) const {
+SectionMerger::Replacement SectionMerger::try_without(const CutMask& mask) const {
   const Replacement* same = known(mask);
-  if (same != nullptr && !same->after.empty()) return replaced(mask, *same);
-  const double allowed = allowed_beside(beside(mask)), least = least_strain_without(mask, allowed);
-  if (!is_allowed(least, allowed)) return Trial{least, {}, false};
-  const Trial trial = without(mask, allowed, quick_);
-  return is_allowed(trial.strain, allowed) && !trial.is_final ? without(mask, allowed, exact_) : trial;
+  if (same != nullptr && !same->after.empty()) return *same;
+  const FlatPieces joined = beside(mask);
+  const double allowed = allowed_beside(joined), least = least_strain_without(mask, allowed);
+  if (!is_allowed(least, allowed)) return {joined, {}, least};
+  Trial trial = without(mask, allowed, quick_);
+  if (is_allowed(trial.strain, allowed) && !trial.is_final) trial = without(mask, allowed, exact_);
+  Replacement made{without_those(state_.pieces, trial.pieces), {}, trial.strain};
+  if (is_allowed(trial.strain, allowed)) made.after = without_those(trial.pieces, state_.pieces);
+  return made;
 }
 
 }  // namespace wirewarp

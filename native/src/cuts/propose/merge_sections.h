@@ -57,18 +57,18 @@ class SectionMerger {
   const CutState& state() const { return state_; }
 
  private:
-  /// The result of opening a section.
+  /// All pieces with a section opened.
   struct Trial {
-    double strain;   // the strain of the new pieces; a lower bound if they were not flattened
-    CutState after;  // valid if the strain is allowed
-    bool is_final;   // whether FlatPiece::is_final is true for all new pieces
+    double strain;  // of the new pieces
+    FlatPieces pieces;
+    bool is_final;  // whether FlatPiece::is_final is true for all new pieces
   };
 
   /// What a trial changes: opening a section replaces these pieces, whatever the other pieces of the state are.
   struct Replacement {
     FlatPieces before;  // all that change; those beside the section if they were not flattened
-    FlatPieces after;   // empty if they were not allowed
-    double strain;      // as in Trial
+    FlatPieces after;   // the new pieces; empty if they were not allowed, because most are not, and take much memory
+    double strain;      // of the new pieces; a lower bound if they were not flattened
   };
 
   bool open_one(bool is_half);
@@ -82,10 +82,9 @@ class SectionMerger {
   bool has_long_arms(const FlatPiece& piece, const FlatPieces& old) const;
   double least_strain_without(const CutMask& mask, double allowed) const;
   Trial without(const CutMask& mask, double allowed, const ExactEvaluation& exact) const;
-  Trial try_without(const CutMask& mask) const;
+  Replacement try_without(const CutMask& mask) const;
   const Replacement* known(const CutMask& mask) const;
-  Trial replaced(const CutMask& mask, const Replacement& replacement) const;
-  void remember(const CutMask& mask, const Trial& trial, bool are_allowed);
+  CutState replaced(const CutMask& mask, const Replacement& replacement) const;
 
   CutState state_;
   const Chart& chart_;

@@ -3,7 +3,6 @@
 
 from collections.abc import Sequence
 from dataclasses import replace
-from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -49,8 +48,9 @@ def with_card(
     kinds = [grain, [*wires, *seams], sheets.borders]
     text = _card([tuple(line for line in lines if line.strip()), (piece.name,), (place,)], outlines, kinds)
     if text:
-        beside_card = partial(grain_beside, text[0], outlines=outlines, lines_inside=wires, limits=seams)
-        piece = replace(piece, lines=[beside_card(line) if line.role == "grain" else line for line in piece.lines])
+        places, widest = (outlines, wires, seams), max(piece.allowances, default=0.0)
+        moved = [grain_beside(text[0], line, *places, widest) if line.role == "grain" else line for line in piece.lines]
+        piece = replace(piece, lines=moved)
     drawn = [*(line.path for line in piece.of_role("wire", "grain", "sew")), *sheets.borders]
     notches = [point.stroke for point in piece.points]
     room, beside = Room(outlines, [*drawn, *notches], text), Beside(outlines, sheets.boxes, sheets.others)

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from ..geometry import distances_to
 from ..grain import grain_line
 from ..model import Line, Text
 from .room import corners, touches
@@ -22,17 +23,21 @@ def grain_beside(
     outlines: Sequence[np.ndarray],
     lines_inside: Sequence[np.ndarray],
     limits: Sequence[np.ndarray],
+    allowance: float,
 ) -> Line:
     """Return the grain line, moved to the room that the text leaves if it crosses the text.
 
-    Without enough room, it keeps its place. outlines, lines_inside and limits: as for grain_line.
+    Without enough room inside the allowance, it keeps its place. outlines: cutting lines; lines_inside and limits: as
+    for grain_line. allowance: the widest of the piece, in millimeters.
     """
     if not touches(text, (grain.points[:1], grain.points[1:]), BESIDE):
         return grain
     box = corners(text, BESIDE)
     shares = np.linspace(0, 1, 1 + math.ceil(float(np.linalg.norm(box[3] - box[0])) / HATCHING))[:, None]
     rows = np.stack([box[0] + shares * (box[3] - box[0]), box[1] + shares * (box[2] - box[1])], axis=1)
-    along = (grain.points[1] - grain.points[0]) / np.linalg.norm(grain.points[1] - grain.points[0])
+    along = grain.points[1] - grain.points[0]
+    along = along / np.linalg.norm(along)
     moved = grain_line(outlines, lines_inside, along, [*limits, box[[0, 1, 2, 3, 0]], *rows])
     is_long = np.linalg.norm(moved.points[1] - moved.points[0]) >= SHORTEST
-    return replace(grain, points=moved.points) if is_long else grain
+    is_inside = distances_to(moved.points.mean(axis=0, keepdims=True), outlines)[0] > allowance
+    return replace(grain, points=moved.points) if is_long and is_inside else grain

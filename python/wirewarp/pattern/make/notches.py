@@ -100,7 +100,7 @@ def _notch_at(at_sew: np.ndarray, outward: np.ndarray, rays: Rays, width: float)
 
 def leg_notches(dart: Dart, rays: Rays, width: float) -> list[Point]:
     """Return the notches of a closed dart, on the extensions of its legs, which meet once the dart is folded. A dart
-    without a gap has one. width: the widest allowance beside the dart."""
+    without a gap has one. width: the widest allowance of the outline."""
     legs = [dart.first.points, dart.second.points[::-1]]
     if np.linalg.norm(dart.mouth[1] - dart.mouth[0]) <= LEAST_GAP:
         del legs[1]
