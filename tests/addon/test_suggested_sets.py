@@ -9,7 +9,7 @@ import bpy
 import numpy as np
 import pytest
 from everything import draw_panels
-from suggesting import SUGGEST, found, needed, pairs
+from suggesting import SUGGEST, ball_beyond_its_fabric, found, needed, pairs
 from surfaces import bump, flat_of, grid, join_cube, on_line, read
 from test_proposals import seams_of
 from view_context import view_context
@@ -142,11 +142,7 @@ def test_seams_of_a_strained_piece_are_for_its_fabric(addon):
 
 
 def test_a_set_beyond_the_fabric_says_so_before_it_is_marked(addon):
-    bpy.ops.mesh.primitive_uv_sphere_add(segments=24, ring_count=12, radius=0.1)
-    source = bpy.context.object
-    settings = bpy.context.scene.wirewarp
-    settings.cloth, settings.gives_across, settings.gives_along = "MINKY", 30, 0.5
-    SUGGEST["SEAMS"]()
+    source = ball_beyond_its_fabric()
     cut, shown, verdict = flattened_for(addon, source, 0)
     across, along = (addon.core.percent_text(each) for each in (cut.threads.across, cut.threads.along))
     said = f"A piece must stretch {across} across and {along} along, more than this minky can."

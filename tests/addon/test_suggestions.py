@@ -9,7 +9,7 @@ import bpy
 import numpy as np
 import pytest
 from everything import AnyLayout, draw_panels, sidebar
-from suggesting import SUGGEST, are_mirrored, found, needed, pairs
+from suggesting import SUGGEST, are_mirrored, ball_beyond_its_fabric, found, needed, pairs
 from surfaces import bump, edge_vertices, flat_of, grid, half_cylinder, make_object, mark, on_line, read, tube
 from test_proposals import seams_of
 from view_context import view_context
@@ -187,11 +187,7 @@ def test_the_list_of_an_earlier_search_cannot_be_clicked_during_the_next_one(add
 
 
 def test_a_set_beyond_the_fabric_names_the_next_step(addon):
-    bpy.ops.mesh.primitive_uv_sphere_add(segments=24, ring_count=12, radius=0.1)
-    source = bpy.context.object
-    settings = bpy.context.scene.wirewarp
-    settings.cloth, settings.gives_across, settings.gives_along = "MINKY", 30, 0.5
-    SUGGEST["SEAMS"]()
+    source = ball_beyond_its_fabric()
     suggestions = found(addon, source)
     beyond = suggestions.cuts[0]
     enough = replace(beyond, threads=replace(beyond.threads, across=0.0, along=0.0))

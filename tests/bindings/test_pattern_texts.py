@@ -10,10 +10,11 @@ import shapely
 import wirewarp
 from patterns import cut_polygon, flattened, grid, letters, quads, rectangle, sample, sew_polygon, turn
 from wirewarp.pattern import FlatPiece, Pattern, Text
+from wirewarp.pattern.label.grain_beside import grain_beside
 from wirewarp.pattern.label.leaders import FARTHEST, Beside
 from wirewarp.pattern.label.text_place import LINE
 from wirewarp.pattern.make.outline import flat_piece
-from wirewarp.pattern.model import short_name
+from wirewarp.pattern.model import Line, short_name
 
 READABLE = 2.5  # millimeters
 
@@ -182,6 +183,16 @@ def test_the_grain_arrow_and_the_card_of_a_piece_keep_apart(width, height, angle
     assert card.disjoint(arrow)
     assert shapely.LineString(piece.of_role("grain")[0].points).length > 10
     assert sew_polygon(piece).contains(shapely.LineString(piece.of_role("grain")[0].points))
+
+
+def test_a_grain_arrow_that_crosses_a_text_is_not_moved_into_the_allowance():
+    """The text fills the stitching line, 40 by 40 mm, and the allowance around it is 30 mm wide."""
+    square = np.array([(0.0, 0.0), (100, 0), (100, 100), (0, 100)])
+    stitching = 30 + 0.4 * np.concatenate([square, square[:1]])
+    text, arrow = Text(("M" * 7,) * 4, np.array([50.0, 50.0]), 6.0), Line("grain", np.array([(50.0, 35.0), (50, 65)]))
+    assert grain_beside(text, arrow, [square], [], [stitching], 30.0) is arrow
+    moved = grain_beside(text, arrow, [square], [], [stitching], 0.0)
+    assert np.abs(moved.points.mean(axis=0) - 50).max() > 20
 
 
 def test_the_grain_arrows_and_the_cards_of_a_toy_keep_apart():

@@ -137,7 +137,7 @@ def gather_side_eases(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) 
 
 
 def gather_triangles(mesh: bpy.types.Mesh) -> Triangles:
-    """Return the triangles of a mesh that is not in Edit Mode, or of its copy."""
+    """Return the triangles of a mesh that is not in Edit Mode, or of the copy of one that is."""
     mesh.calc_loop_triangles()
     return Triangles(
         positions=vertex_places(mesh),

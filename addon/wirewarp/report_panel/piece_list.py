@@ -17,7 +17,7 @@ from .panel import draw_select
 
 NO_STRAIN = 5e-4  # smaller values are shown as 0.0%
 MOST_ROWS = 16  # more rows get a scroll bar, in the place of the buttons that select a piece
-MOST_LETTERS = 12  # of a name beside such a button in a sidebar of the default width
+MOST_LETTERS = 12  # letters of a name for which there is room beside a button in a sidebar of the default width
 NAMES, SHORT_NAMES = 0.78, 0.7  # share of a line for the name, beside "8.6%" and beside ">100%"
 SELECT = "Select Piece"
 WORTH_A_CUT = 0.005  # smallest strain for which the library proposes cuts

@@ -147,8 +147,8 @@ def with_measures(
         yield from reported_as(_measure(cuts, measured, library, arrays, choices), _after_search)
     sets = [cut for cut in [*measured, *cuts[len(measured) :]] if math.isfinite(cut.strain)]
     if not sets:
-        failed = "Each set of seams that was found has a piece that fails with this fabric. Choose another fabric."
-        raise object_error("no_proposal", failed)
+        sentence = "Each set of seams that was found has a piece that fails with this fabric. Choose another fabric."
+        raise object_error("no_proposal", sentence)
     return from_few_pieces(sets, limits) if cuts[0].is_first else sets
 
 

@@ -223,10 +223,10 @@ class SuggestCuts(OnMesh, WindowSteps):
         return None
 
     def _keep(self, context: bpy.types.Context, cuts: list[Cut], remark: str = "") -> set[str]:
-        """Keep and report the cuts. remark: a sentence at the beginning of the report. Raises ObjectError.
+        """Keep and report the cuts. remark: comes before the figures. Raises ObjectError.
 
-        This works in any mode, because leaving Edit Mode while a tool runs would crash Blender. The report begins with
-        the figures and ends with the name, because the status bar cuts off long texts.
+        This works in any mode, because leaving Edit Mode while a tool runs would crash Blender. The name of the piece
+        comes last, because the status bar cuts off long texts.
         """
         found = keep_found(self._search, cuts, self.place)
         redraw_views()

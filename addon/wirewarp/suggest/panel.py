@@ -31,7 +31,7 @@ MANY = "With these seams, the model has {} pieces, too many to sew. Simplify the
 UNMEASURED = "The search was canceled before it compared this set with the fabric."
 LESS_STRETCH = "Click a row with less stretch."
 MORE_CUTS = "Choose a fabric that stretches more, or mark this set and then add darts."
-FEWER_CLEARED = "Choose a fabric that stretches more, or enter a smaller Max Stretch and search again."
+SMALLER_TARGET = "Choose a fabric that stretches more, or enter a smaller Max Stretch and search again."
 EARLIER = "These suggestions are from an earlier search. Another search is running."
 TARGET = ("aim_stretch", "aim_cuts", "aim_length")
 
@@ -145,7 +145,8 @@ def _beyond_fabric(found: Suggestions) -> str:
     if any(each.threads and each.excess(limits) <= 0 for each in found.cuts):
         remedy = LESS_STRETCH
     else:
-        remedy = FEWER_CLEARED if cut.cleared else MORE_CUTS  # seams to clear may be beyond it only with a target
+        # Without a target, Simplify Seams clears no seam that the fabric needs.
+        remedy = SMALLER_TARGET if cut.cleared else MORE_CUTS
     return f"{set_beyond_fabric(cut.threads)} {remedy}"
 
 

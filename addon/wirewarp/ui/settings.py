@@ -19,6 +19,7 @@ from ..state.reports import HAS_CHANGED, last_report
 from ..state.settings import PARTS, SETTINGS, FlattenChoices, FlattenSettings, Setting, choices_of, usual_stretch
 from ..state.suggestions import Suggestions
 
+WAYS = ("Across", "Along")  # of the grain; two settings have one heading, because their labels would be cut off
 CHANGED = "The model has changed since. Flatten again."
 
 
@@ -42,9 +43,6 @@ def untrue_sentence(active: bpy.types.Object, source: bpy.types.Object, report: 
     if report.flat_object is not None and not has_flat_object(source):
         return no_pieces_sentence(source)
     return earlier_sentence(active) if is_earlier(active) else ""
-
-
-WAYS = ("Across", "Along")  # of the grain; two settings have one heading, because their labels would be cut off
 
 
 def has_changed_since(source: bpy.types.Object, report: ObjectReport) -> bool:

@@ -24,8 +24,8 @@ def place_text(
 
     The text is upright if the piece is too narrow otherwise.
 
-    Text never crosses closed outlines. kinds: lines (k,2) inside the piece, by kind. The text crosses lines only if
-    there is no room beside them, and lines of the first kinds rather than lines of later ones.
+    Text never crosses closed outlines. kinds: lines (k,2) inside the piece, in groups. Without enough room beside all
+    lines, the text may cross those of the first group, then also those of the second, and so on.
     """
     for crossed in range(len(kinds) + 1):
         text = _place(lines, outlines, [line for kind in kinds[crossed:] for line in kind], largest)
