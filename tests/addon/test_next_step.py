@@ -284,9 +284,11 @@ def test_a_fabric_is_offered_if_it_stretches_far_enough_in_each_direction(addon)
     ]
 
 
-def test_pieces_without_room_for_their_allowances_are_named(addon):
+def test_pieces_without_room_for_their_allowances_are_named(addon, capfd):
     source = grid("Strip", lambda x, y: (0.1 * x, 0.008 * y, 0.0))  # 200 by 16 mm
     bpy.ops.object.wirewarp_flatten()
+    message = capfd.readouterr().out
+    assert "no room for two allowances" in message and "Ready to cut" not in message
     words = "has no room for two allowances in one place, and may be too narrow to sew."
     for allowance, is_named in ((10.0, True), (5.0, False), (10.0, True)):
         bpy.context.scene.wirewarp.allowance = allowance
@@ -296,9 +298,11 @@ def test_pieces_without_room_for_their_allowances_are_named(addon):
     bpy.ops.mesh.select_all(action="SELECT")
     bpy.ops.mesh.wirewarp_allowance(kind="WIDTH", width=2.0)
     bpy.ops.object.mode_set(mode="OBJECT")
+    capfd.readouterr()
     bpy.ops.object.wirewarp_flatten()
-    shown = draw_panels(addon)
+    shown, message = draw_panels(addon), capfd.readouterr().out
     assert "Ready to cut" in shown and words not in shown
+    assert "Ready to cut" in message and words not in message
 
 
 def test_faces_are_turned_before_seams_are_marked(addon):

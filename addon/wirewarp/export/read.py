@@ -12,7 +12,7 @@ from ..blender.attributes import has_attributes, sealed, stored_text, unsealed
 from ..blender.mesh import current_mesh, evaluated_mesh
 from ..blender.objects import linear_part, meters_per_blender_unit
 from ..core import pattern
-from ..issues import object_error
+from ..issues import ObjectError, object_error
 from ..names import MARKER, PIECE_INDEX, SOURCE_VERTEX
 from ..solve.chains import chains_of_marks, edge_keys
 from ..solve.outlines import FlatPieces, OutlineEdges, outline_of, piece_of_vertices
@@ -58,6 +58,17 @@ def read_outlines(
     if report is None or not has_attributes(flat.data, PIECE_INDEX, SOURCE_VERTEX):
         return None
     return _parts(scene, source, report, flat, depsgraph)
+
+
+def read_narrow_pieces(
+    scene: bpy.types.Scene, source: bpy.types.Object, flat: bpy.types.Object, depsgraph: bpy.types.Depsgraph
+) -> list[str]:
+    """Return the names of the pieces without room for their allowances; none if they cannot make a pattern."""
+    try:
+        parts = read_outlines(scene, source, flat, depsgraph)
+    except ObjectError:
+        return []  # Export reports why
+    return parts.narrow(scene.wirewarp.allowance) if parts else []
 
 
 def _parts(

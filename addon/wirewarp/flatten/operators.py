@@ -13,6 +13,7 @@ from ..blender.objects import meters_per_blender_unit
 from ..blender.selection import WORKING_MODES, hold_whole_file
 from ..blender.views import is_over_sidebar, redraw_views, show_objects, work_area
 from ..core import Issue
+from ..export.read import read_narrow_pieces
 from ..issues import ObjectError, object_error
 from ..properties import preferences, take_settings
 from ..solve.report import ObjectReport, run_message
@@ -125,7 +126,7 @@ class FlattenSteps(WindowSteps, FlattenSettings):
         redraw_views()  # Blender redraws on its own only if the run changed data
         reports = [outcome.report for outcome in outcomes]
         self._write_report(context, reports)
-        level, text = run_message(reports)
+        level, text = run_message(reports, _narrow_pieces(context, outcomes))
         self.message(failed if level == "ERROR" else level, text)
         return {"FINISHED" if any(outcome.pieces for outcome in outcomes) else "CANCELLED"}
 
@@ -142,6 +143,18 @@ class FlattenSteps(WindowSteps, FlattenSettings):
                 unfinished.write_text(json.dumps(report, indent=1, allow_nan=False) + "\n", encoding="utf-8")
         except OSError as error:
             self.report({"ERROR"}, unwritten(self.report_file, error))
+
+
+def _narrow_pieces(context: bpy.types.Context, outcomes: list[Outcome]) -> list[str]:
+    """Return the names of the pieces without room for their allowances, with their objects if there are several."""
+    scene, depsgraph = context.scene, context.evaluated_depsgraph_get()
+    names: list[str] = []
+    for outcome in outcomes:
+        source = find_source(outcome.model)
+        flat = find_flat_object(source) if source and outcome.pieces else None
+        own = read_narrow_pieces(scene, source, flat, depsgraph) if flat else []
+        names += [f"{source.name}, {name}" for name in own] if len(outcomes) > 1 else own
+    return names
 
 
 def _place(context: bpy.types.Context) -> tuple[str, str]:

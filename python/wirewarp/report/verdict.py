@@ -108,15 +108,16 @@ def as_seen(found: Verdict, makers: Iterable[str]) -> Verdict:
     return Verdict((*lines, Line(Kind.NOT_AS_SEEN, wording.ignored(names))))
 
 
-def with_narrow(found: Verdict, names: Sequence[str]) -> Verdict:
+def with_narrow(found: Verdict, names: Sequence[str], with_objects: bool = False) -> Verdict:
     """Return the verdict if the pieces with these names have no room for their allowances, which reports do not know.
 
-    It says what the pieces need, but not that they are ready to cut.
+    It says what the pieces need, but not that they are ready to cut. with_objects: the names contain those of objects.
     """
     if not names:
         return found
     lines = [line for line in found.lines if line.kind.level is not Level.GOOD]
-    return Verdict((*lines, Line(Kind.TOO_NARROW, wording.too_narrow(listed(names), len(set(names)) == 1))))
+    every = listed(names, "; " if with_objects else ", ")
+    return Verdict((*lines, Line(Kind.TOO_NARROW, wording.too_narrow(every, len(set(names)) == 1))))
 
 
 def _kind_of(entry: _Entry) -> Kind:
