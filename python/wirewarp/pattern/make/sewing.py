@@ -27,7 +27,7 @@ ROOM_FOR_GAP = 150.0
 def sewing_steps(
     laid: Sequence[Laid], seams: Sequence[Sequence[SewnSide]], names: Sequence[str]
 ) -> Steps[list[SewingStep]]:
-    """Return each seam once, in the order of sewing. names: names of the seams. In a body without an open edge, one
+    """Return each seam once, in sewing order. names: names of the seams. In a body without an open edge, one
     seam has an opening through which it is turned."""
     first = sewn_first([loop for piece in laid for loop in piece.loops])
     waiting = {number: [own.side for own in sides] for number, sides in enumerate(seams) if len(sides) > 1}
