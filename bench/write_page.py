@@ -146,8 +146,8 @@ def gradient_section(benchmarks: list[dict]) -> list[str]:
         "",
         "One evaluation of E(ψ(h)) and its gradient with respect to all h. The gradient takes one factorization of "
         "Eq. (1) and one transposed solve of the interior placement, however many wires there are. The sheet is "
-        "shallow here (`native/bench/bench_gradient.cpp`), so that an evaluation takes as few factorizations as it "
-        "can: the least favorable ratio.",
+        "shallow here (`native/bench/bench_gradient.cpp`), so that an evaluation needs as few factorizations as "
+        "possible. This is the least favorable ratio.",
         "",
         *tables.gradient_table(benchmarks),
         "",

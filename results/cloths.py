@@ -152,8 +152,8 @@ Woven fabric has stiff threads and shears easily. In pieces flattened for it, th
 and the ARAP energy, which weighs all directions equally, become larger: *E* is {range_of(energy)} times as large. A
 jersey stretches more across than along: its strain along the grain is lower than without a fabric on {lower} of the
 {len(found)}
-samples. {", ".join(unfolded)} are unfolded and put no strain on any fabric. All samples together take {times} as
-without a fabric.
+samples. Some samples unfold without strain, in every fabric: {", ".join(unfolded)}. All samples together take {times}
+as without a fabric.
 
 **What to choose.** Choose no fabric for materials that are equally stiff in all directions: felt, paper, foam, and
 leather of unknown direction. For other materials, choose the preset. The report then shows the strain of this fabric,
