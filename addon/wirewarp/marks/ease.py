@@ -198,7 +198,7 @@ def plan_corners(target: bpy.types.Object, corners: Collection[int], amount: Amo
     rows = np.unique(corner_edges(mesh)[list(chosen)])
     if len(rows) < len(chosen):
         raise object_error(
-            "both_sides", "Both sides of a seam are selected. Select one; or mark an ease of both sides on the model."
+            "both_sides", "Both sides of a seam are selected. Select one, or mark an ease of both sides on the model."
         )
     lines = _sides_of_lines(mesh, _outline_rows(mesh, rows), _places(target))
     return _plan(

@@ -279,7 +279,7 @@ class MESH_OT_wirewarp_mark_seam(OnModel, bpy.types.Operator):
         return self.execute(context)
 
     def draw(self, _context: bpy.types.Context) -> None:
-        """Draw the question, only in the dialog."""
+        """Draw the question in the dialog, and nothing in the redo panel."""
         if self._asks:
             self.layout.label(text="Every edge is selected. Cut the fabric along all of them?", icon="QUESTION")
 

@@ -73,7 +73,7 @@ constexpr Entry kEntries[] = {
       "Name each side by an edge of the outline, its vertices in the order of the triangle on that side.", ""}},
     {ErrorCode::side_in_two_eases,
      {"side_in_two_eases", "One side of an edge is in two eases, or twice in the same one.",
-      "Let every side be in one ease only.", ""}},
+      "Put every side in only one ease.", ""}},
     {ErrorCode::repeated_vertex_in_face,
      {"repeated_vertex_in_face", "A face uses the same vertex twice.", "Delete the named faces.", ""}},
     {ErrorCode::repeated_face,
