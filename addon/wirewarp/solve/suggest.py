@@ -215,9 +215,8 @@ def _with_mirror_images(proposals: list[DartProposal], arrays: MeshArrays) -> li
 def from_few_pieces(sets: Sequence[Cut], limits: Sequence[float]) -> list[Cut]:
     """Return cut sets by their number of pieces, without those that have more pieces but about the same stretch.
 
-    The first set that the fabric allows is kept even if it gains little. Sets with narrow pieces replace no set without
-    narrow pieces.
-    Sets beyond both directions of the fabric are left out if another set is not. limits: see Cut.excess.
+    The first set that the fabric allows is kept even if it gains little. A set with narrow pieces does not replace a
+    set without them. If a set is within the larger limit, the sets beyond it are left out. limits: see Cut.excess.
     """
     kept: list[Cut] = []
     within = [each for each in sets if each.strain <= limits[-1]]
@@ -226,7 +225,8 @@ def from_few_pieces(sets: Sequence[Cut], limits: Sequence[float]) -> list[Cut]:
         is_first = each.excess(limits) <= 0 < min((other.excess(limits) for other in others), default=math.inf)
         if is_first or each.strain < WORTH_PIECES * min((other.strain for other in others), default=math.inf):
             kept.append(each)
-    return sorted(kept, key=lambda cut: (cut.num_pieces, -cut.strain))  # less stretch below, also beside narrow sets
+    # Among sets with equally many pieces, the one with the least stretch is last.
+    return sorted(kept, key=lambda cut: (cut.num_pieces, -cut.strain))
 
 
 def set_for(sets: Sequence[Cut], limits: Sequence[float]) -> int:

@@ -80,7 +80,7 @@ def draw_simplify(layout: bpy.types.UILayout, settings: TargetSettings, place: P
 def draw_suggestions(context: bpy.types.Context, layout: bpy.types.UILayout, place: Place) -> None:
     """Draw the list of results below the buttons of this place, if the search was started there.
 
-    Above these buttons, or in a panel of its own, the list would move them away under the mouse.
+    A list above the buttons, or in its own panel, would push them away from under the mouse.
     """
     found = _shown(context)
     if found is None or found.place != place:

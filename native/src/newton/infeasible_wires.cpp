@@ -232,7 +232,7 @@ std::vector<ProposedTolerance> propose_tolerances(const Chart& chart, const Inte
   if (all.empty()) return {};
   InternalOptions brief = options;
   brief.max_factorizations = kMaxFreeFactorizations;
-  brief.cloth.reset();  // only a start is needed
+  brief.cloth.reset();  // this shape is only a start, so it need not suit the fabric
   const Solution free = refine_chart(with_tolerances(chart, all), brief, stop);
   stop.check();
   if (!free.is_exact()) return {};

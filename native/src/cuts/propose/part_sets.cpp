@@ -65,9 +65,9 @@ constexpr double kLeastStrain = 0.02;
 /// this share of its size: the seams of a box belong on its edges. A cube of 30 cm with round edges has none.
 constexpr double kSharpCosine = 0.7, kSharp = 0.5;
 
-/// Parts are divided and joined for this share of the allowed strain, because the final mesh has other triangles beside
-/// the lines, which changes most strains by up to 2%. If a piece has too much strain there, its parts are joined
-/// otherwise.
+/// Share of the allowed strain that parts may have while they are divided and joined. The final mesh has other triangles
+/// beside the lines, which changes most strains by up to 2%. If a piece then has too much strain, its parts are joined
+/// differently.
 constexpr double kMargin = 0.97;
 
 /// Parts are mirror images of each other if their centroids differ by less than this share of the model's size.

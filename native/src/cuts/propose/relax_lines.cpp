@@ -37,7 +37,8 @@ bool is_along_edges(const SurfaceLine& line) {
                      [](const LineSection& section) { return section.edge.is_valid(); });
 }
 
-/// Returns the mean length of the edges of lines along edges, otherwise the typical one of the mesh.
+/// Returns the mean length of the lines' edges if all lines run along edges, or else the typical edge length of the
+/// mesh.
 double edge_length_for(const HalfEdgeMesh& mesh, const std::vector<SurfaceLine>& lines) {
   if (!std::all_of(lines.begin(), lines.end(), is_along_edges)) return typical_edge_length(mesh);
   double length = 0;
