@@ -27,8 +27,8 @@ def peers_section(sheets: list[Comparison]) -> list[str]:
         "## Against other flatteners",
         "",
         "All methods run on the same surface in turn, on one core, each turn in its own process. The table has CPU "
-        "seconds (medians; also as multiples of libigl's ARAP) and the peak memory above that of the process with the "
-        "surface. **WireWarp**: the outline and two or eight wires rigid, or eight wires elastic by ±3%. "
+        "seconds (medians; also as multiples of libigl's ARAP) and the peak memory that a method adds to a process with "
+        "the surface. **WireWarp**: the outline and two or eight wires rigid, or eight wires elastic by ±3%. "
         f"**libigl** as a Python package: harmonic start, then {ITERATIONS} iterations of ARAP or of SLIM (symmetric "
         f"Dirichlet energy); it counts as converged if ten iterations move no vertex by more than {STILL:g} of the "
         "width, or "
