@@ -20,7 +20,7 @@ class Attribute:
 class Mark(Attribute):
     """An attribute of the model's mesh that the user marks: on edges, or on one side of an edge."""
 
-    is_length: bool = False  # in Blender units; Set Unit scales it so that its actual length stays
+    is_length: bool = False  # in Blender units; Set Unit scales it so that its actual length does not change
     is_drawn: bool = False  # the overlay draws it on the model
 
 

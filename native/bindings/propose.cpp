@@ -63,7 +63,7 @@ and longest limits the whole set; energy_before and strain_before are infinite. 
 less than 60% of its convex hull, and less of it than each of them does.
 
 narrowest: least width of the flat pieces of a cut set, scene units; 0 for any width. Pieces are not joined to one that
-    is narrower than this, unless one of them is as narrow. Use twice the allowance and a little more: see
+    is narrower than this, unless one of them is as narrow. Use a little more than twice the allowance: see
     pattern.piece_width() and pattern.has_room().
 smooth: True for sets of smooth lines, which turn by less than 30 degrees at each vertex between their ends. Lines keep
     some bends, or their edges, if lines would meet, if more pieces would be narrower than narrowest, or if the strain

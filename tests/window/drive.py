@@ -113,7 +113,7 @@ def open_tab(panel: type) -> Tour:
 
 
 def command_at(place: tuple[int, int]) -> Generator[Callable[[], bool], None, str]:
-    """Move the mouse there. Return the command of the sidebar's button there as Blender copies it; "" without one."""
+    """Move the mouse there. Return the command of the sidebar's button there as Blender copies it; "" for no button."""
     window_manager().clipboard = ""  # an earlier copy must not remain
     for at in ((place[0], place[1] + 1), place):
         send("MOUSEMOVE", "NOTHING", at)

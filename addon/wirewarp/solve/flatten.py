@@ -178,7 +178,7 @@ def used_choices(choices: FlattenChoices, arrays: MeshArrays) -> FlattenChoices:
 
 
 def _grain_index(arrays: MeshArrays) -> int:
-    """Return the index of the grain wire among the wires; -1 without one."""
+    """Return the index of the grain wire among the wires; -1 if there is none."""
     ids = [wire.chain.wire_id for wire in arrays.wires]
     return ids.index(arrays.grain_wire) if arrays.grain_wire in ids else -1
 

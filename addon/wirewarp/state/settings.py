@@ -68,7 +68,7 @@ def fabric_label(name: str) -> str:
 
 
 def usual_stretch(settings: "FlattenSettings") -> dict[str, float]:
-    """Return the maximum stretch of the chosen preset by the names of these settings; empty for other fabrics."""
+    """Return the maximum stretches of the chosen preset by the names of their settings; empty for other fabrics."""
     name = settings.cloth.lower()
     return dict(zip(STRETCHES, Cloth.preset(name).limits, strict=True)) if name in Cloth.presets() else {}
 

@@ -120,7 +120,7 @@ class ToleranceSearch {
     });
   }
 
-  /// Replaces free wires, which are known to work, by as few wires as possible, with tolerances as small as possible.
+  /// Replaces free wires, which are known to work, with as few wires as possible, with tolerances as small as possible.
   Tolerances on_few_wires(Tolerances tolerances) {
     trials_ = 0;
     drop_wires(tolerances);

@@ -106,7 +106,7 @@ class NeckSearch {
     return result;
   }
 
-  /// Returns the mean distance of each vertex from the whole surface. Each sample counts with the area around it.
+  /// Returns the mean distance of each vertex from the whole surface. Each sample is weighted by the area around it.
   Distances average_distance() const;
   std::vector<Distances> distances_from_tips() const;
   void add_candidates(const Distances& distance, std::vector<Candidate>& found) const;

@@ -38,7 +38,7 @@ constexpr int kMostRounds = 8;
 /// needs up to 29 pieces.
 constexpr std::size_t kMostParts = 64, kMostPieces = 30;
 
-/// Strains above count as this strain, so that one bad part does not outweigh all others.
+/// Larger strains count as this strain, so that one bad part does not outweigh all others.
 constexpr double kWorst = 2;
 
 /// The price of a seam's length over the root of the part's area, of a part, and of a part that is too narrow, as

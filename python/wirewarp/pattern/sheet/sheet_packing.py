@@ -28,7 +28,7 @@ class Shape:
 
 
 class Placed(NamedTuple):
-    sheets: int  # number of needed sheets
+    sheets: int  # number of sheets needed
     columns: int
     corners: np.ndarray  # (p,2) lower left corners of the pieces, from the corner of the lowest, leftmost sheet
     turns: list[int]  # for each piece, which of its outlines is placed
