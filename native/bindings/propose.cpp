@@ -80,10 +80,10 @@ FlattenError "cancelled" is raised only before the first set.
 Raises "no_proposal" if no_seam or longest allow no set.)";
 
 constexpr const char* kStartDartsDoc =
-    R"(Starts propose_darts() with these arguments and returns a Job at once, like start().)";
+    R"(Starts propose_darts() with these arguments and returns a Job immediately, like start().)";
 
 constexpr const char* kStartSeamsDoc =
-    R"(Starts propose_seams() with these arguments and returns a Job at once, like start().
+    R"(Starts propose_seams() with these arguments and returns a Job immediately, like start().
 
 After cancel(), result() returns the cut sets found by then.)";
 
@@ -105,7 +105,7 @@ of the worst part with all of them. Fewer cuts than allowed mean that the target
 Raises the errors of propose_darts() for the first cut, and FlattenError "no_proposal" if the target is met already.)";
 
 constexpr const char* kStartPlanDoc =
-    R"(Starts plan_cuts() with these arguments and returns a Job at once, like start().)";
+    R"(Starts plan_cuts() with these arguments and returns a Job immediately, like start().)";
 
 constexpr const char* kSimplifyDoc =
     R"(Leaves out seams that a model can do without: fewer and larger pieces with little more stretch.
@@ -127,7 +127,7 @@ has no flat shape for other reasons than missing seams, such as a Moebius strip.
 Raises what flatten() raises.)";
 
 constexpr const char* kStartSimplifyDoc =
-    R"(Starts simplify_seams() with these arguments and returns a Job at once, like start().
+    R"(Starts simplify_seams() with these arguments and returns a Job immediately, like start().
 
 If the job is canceled, its result has the seams that remain by then.)";
 

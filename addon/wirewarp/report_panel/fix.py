@@ -185,7 +185,7 @@ class OBJECT_OT_wirewarp_mend(BetweenRuns, FlattenSteps, bpy.types.Operator):
 
     @reporting_refusals
     def execute(self, context: bpy.types.Context) -> set[str]:
-        """Fix and flatten at once, in a script and for Adjust Last Operation."""
+        """Fix and flatten in one step, in a script and for Adjust Last Operation."""
         self.flatten_now(context, [self._fixed(context)])
         return {"FINISHED"}
 

@@ -115,8 +115,8 @@ bool are_on_one_edge(const HalfEdgeMesh& mesh, const PathPoint& a, const PathPoi
   return !a.is_vertex() && !b.is_vertex() && mesh.edge_handle(a.half_edge) == mesh.edge_handle(b.half_edge);
 }
 
-/// Adds a point, and removes unnecessary crossings: of an edge that is crossed back at once, or of an edge whose end is
-/// on the line.
+/// Adds a point, and removes unnecessary crossings: of an edge that the line immediately crosses again, or of an edge
+/// whose end is on the line.
 void append(const HalfEdgeMesh& mesh, const PathPoint& point, MeshPath& path) {
   const VertexHandle v = near_vertex(mesh, point);
   if (!v.is_valid()) {
