@@ -105,7 +105,7 @@ class FlattenSteps(WindowSteps, FlattenSettings):
         """Move the view if it does not show all results."""
         sources = [find_source(outcome.model) for outcome in outcomes if outcome.is_elsewhere]
         area = work_area(context)
-        # In Edit Mode the view stays, because the user works on edges in it.
+        # In Edit Mode the view does not move, because the user works on edges in it.
         if sources and area and preferences(context).moves_view and context.mode == "OBJECT":
             show_objects(context, area, [each for source in sources for each in (source, find_flat_object(source))])
 

@@ -208,7 +208,7 @@ def plan_corners(target: bpy.types.Object, corners: Collection[int], amount: Amo
 
 def clear_eases(target: bpy.types.Object, edges: np.ndarray) -> Eased:
     """Clear the eases of these edges on all sides. An edge may occur twice. Return a change for each line that had
-    one."""
+    an ease."""
     mesh, rows = target.data, np.unique(edges)
     marks = read_marks(mesh)
     had = (marks.eases[rows] != 0) | SIDE_EASES.clear(mesh, rows)

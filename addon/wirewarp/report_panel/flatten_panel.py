@@ -165,7 +165,7 @@ def _draw_state(
     left_out = _left_out(context, source, report)
     verdict = with_narrow(as_seen(report.tables.verdict, left_out), narrow_names(context, source, report))
     lines = verdict.lines
-    if is_updated:  # the rows stay, gray, so that nothing below moves
+    if is_updated:  # the rows turn gray instead of disappearing, so that nothing below moves
         draw_sentence(context, layout, DUE, "INFO", as_high_as=lines[0].text)
         lines, layout = lines[1:], layout.column()
         layout.enabled = False

@@ -297,7 +297,7 @@ def looser_wires(proposed: Iterable[tuple[int, float]], arrays: MeshArrays) -> l
 
 
 def round_up(tolerance: float) -> float:
-    """Round up to the three digits that the panel shows, so that the tolerance is large enough. inf (free) stays."""
+    """Round up to the three digits that the panel shows, so that the tolerance is large enough. Keep inf (free)."""
     if math.isinf(tolerance):
         return tolerance
     step = 10.0 ** (math.floor(math.log10(tolerance)) - 2)

@@ -67,7 +67,7 @@ class SidedMark:
                 why, first = "modifiers copied or replaced faces there", "Apply them and mark it again"
             sentence = (
                 f'The side of the {self.what} is unknown on {counted(len(lost), "edge")} of "{mesh.name}", because '
-                f"{why}. {first}, or mark it on all sides alike."
+                f"{why}. {first}, or mark the same on all sides."
             )
             raise ObjectError(Issue("side_unknown", sentence, edges=_pairs(mesh, lost)))
         corners, marked = read_values(mesh, self.corner), self._on_edges(mesh)

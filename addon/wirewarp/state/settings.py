@@ -362,7 +362,7 @@ def choices_of(settings: FlattenSettings, meters: float) -> FlattenChoices:
 
 
 def target_of(settings: TargetSettings) -> Target | None:
-    """Return the target; None to suggest each cut by itself."""
+    """Return the target; None to suggest each cut alone."""
     if not settings.suggest_together:
         return None
     return Target(settings.aim_stretch / 100, settings.aim_cuts, settings.aim_length or None)
