@@ -112,7 +112,7 @@ puts them on their model (`results/wear_in_newton.py`), without gravity and fric
 *Gap*: distance of the fabric from the model at rest. *Slide*: distance of each point from its place on the model.
 *Strain*: 99th percentile of the strain of the more strained thread. *Worst wire*: largest change of a wire's length.
 Strain and worst wire are measured on the worn garment.
-Pieces flattened for the woven have {range_of(change["gap"])} times the gap of those flattened without a fabric,
+Pieces flattened for woven fabric have {range_of(change["gap"])} times the gap of those flattened without a fabric,
 {range_of(change["slide"])} times the slide and {range_of(change["strain"])} times the strain. On the body, fabric
 slides until its threads carry little load, whether or not a fabric was chosen. The shape between exact outlines
 therefore affects the fit less than the outlines do.
