@@ -133,7 +133,7 @@ class MESH_OT_wirewarp_select_result(ReportOperator, bpy.types.Operator):
     index: IntProperty(name="Index", description="Index in the report, from 0", min=0, options={"HIDDEN"})
 
     def report_of(self, source: bpy.types.Object) -> ObjectReport | None:
-        """Return the report of the flat pieces for the list of pieces, otherwise the shown one."""
+        """Return the report of the flat pieces for the list of pieces, or else the report that the panel shows."""
         return (pieces_report if self.what in {"PIECE", "STRETCH", "EASE"} else last_report)(source)
 
     def act(self, context: bpy.types.Context, source: bpy.types.Object, report: ObjectReport) -> set[str]:

@@ -230,9 +230,9 @@ def from_few_pieces(sets: Sequence[Cut], limits: Sequence[float]) -> list[Cut]:
 
 
 def set_for(sets: Sequence[Cut], limits: Sequence[float]) -> int:
-    """Return the set to show, among those that the fabric allows: one with room, of fewest pieces.
+    """Return the index of the set to show: of those that the fabric allows, the first without narrow pieces.
 
-    If the fabric allows none, it is the set that is least beyond it. limits: see Cut.excess.
+    If the fabric allows none, return the one that exceeds its limits least. limits: see Cut.excess.
     """
     excesses = [each.excess(limits) for each in sets]
     within = [index for index, excess in enumerate(excesses) if excess <= 0]

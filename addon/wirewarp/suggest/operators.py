@@ -45,7 +45,7 @@ from ..ui.window_run import WindowSteps, fault_sentence
 STOPPED = "Canceled early"
 CHOOSE_FABRIC = "Choose a fabric that stretches more."
 SET_TARGET = "Set a larger target."
-# Maximum stretches of the fabric if they are unknown: of plush and knits, of which most closed models are sewn, and of
+# Maximum stretches if the fabric is unknown: for plush and knits, from which most closed models are sewn, and for
 # jersey, the softest fabric that is not made for swimming.
 SOFT = 0.2, 0.5
 

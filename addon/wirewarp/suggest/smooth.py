@@ -166,7 +166,7 @@ def _replace(
 
 
 def _interpolated(face: bmesh.types.BMFace, place: Vector) -> bmesh.types.BMLoop:
-    """Return a corner with the attributes of a face at a place inside. It belongs to a copy that lies aside.
+    """Return a corner with the attributes of a face at a place inside. It belongs to a temporary copy.
 
     BMLoop.copy_from_face_interp would be simpler, but fails in Blender 3.4.
     """

@@ -80,8 +80,7 @@ def _fitness(side: Side) -> tuple[bool, float]:
 
 
 def _likeness(sides: Sequence[Side]) -> Likeness:
-    """Return the pieces and the length of a seam. By these, its counterpart on the other side is found, which is sewn
-    next."""
+    """Return the pieces and the length of a seam. The next seam to sew is its counterpart, which has the same."""
     return {side.piece for side in sides}, round(float(sides[0].along[-1]), 1)
 
 
