@@ -81,7 +81,7 @@ class FlattenSteps(WindowSteps, FlattenSettings):
         except CanceledError:
             return self.give_up(context, "cancelled", "Flatten was canceled. Nothing was written.", "WARNING")
         except Exception as error:
-            sentence = fault_sentence(error, "Flatten failed, nothing was written")
+            sentence = fault_sentence(error, "Flatten failed and wrote nothing")
             return self.give_up(context, "internal_error", sentence, "ERROR")
         if context.mode not in WORKING_MODES or _place(context) != (self._scene, self._view_layer):
             sentence = "The mode or the scene changed during the run, so nothing was written. Flatten again."
