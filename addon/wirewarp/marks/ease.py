@@ -294,7 +294,7 @@ def _change(length: float, amount: Amount) -> Change:
     ratio = amount(length) if length > 0 else math.nan
     if not -1 < ratio < math.inf:
         raise object_error(
-            "invalid_ease", "Shortened that much, a line would have no length left: choose an ease above -100%."
+            "invalid_ease", "A line shortened by that much has no length left: choose an ease above -100%."
         )
     return Change(ratio, ratio * length)
 

@@ -134,7 +134,7 @@ REMEDIES = {
     "SEAMS": ("Mark and Flatten", "EDGESEL"),
     "TOLERANCES": ("Loosen and Flatten", "FIXED_SIZE"),
 }
-APPLY_FIRST = "The fix is about edges that modifiers make. Mark edges of the model itself, or:"
+APPLY_FIRST = "This fix needs edges that modifiers make. Mark edges of the model itself, or:"
 CHECK = "object.wirewarp_check"
 FAULTY_CODES = {
     "non_manifold_edge",

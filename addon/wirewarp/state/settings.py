@@ -46,7 +46,7 @@ METHODS = [
     (
         "WIREWARPING",
         "WireWarping: all wires rigid",
-        "Like WireWarping++, but every wire keeps exactly its length. Tolerances have no effect",
+        "Like WireWarping++, but every wire keeps its exact length. Tolerances have no effect",
     ),
 ]
 LIBRARY_METHODS = {"REFINED": "refined", "WIREWARP_PLUS_PLUS": "wirewarp++", "WIREWARPING": "wirewarping"}
