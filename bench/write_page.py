@@ -55,7 +55,7 @@ def peers_section(sheets: list[Comparison]) -> list[str]:
         "",
         *peer_tables.refined_table(sheets),
         "",
-        "Those of WireWarping++ with elastic wires:",
+        "The runs of WireWarping++ with elastic wires:",
         "",
         *peer_tables.elastic_table(sheets),
         "",

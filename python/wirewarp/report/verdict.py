@@ -109,9 +109,9 @@ def as_seen(found: Verdict, makers: Iterable[str]) -> Verdict:
 
 
 def with_narrow(found: Verdict, names: Sequence[str]) -> Verdict:
-    """Return the verdict if the pieces with these names have no room for their allowances, which reports do not know.
+    """Return the verdict if the pieces with these names have no room for their allowances.
 
-    It says what the pieces need, but not that they are ready to cut.
+    Reports have no allowances. The verdict says what the pieces need, but not that they are ready to cut.
     """
     if not names:
         return found
