@@ -19,7 +19,7 @@ from plots import plot_lengths, plot_times
 from targets import nearest, target_table
 from which_commit import commit
 
-NO_REAL_MESHES = "They were not at hand in this run (`WIREWARP_MESHES` names their folder)."
+NO_REAL_MESHES = "They were not available in this run (`WIREWARP_MESHES` names their folder)."
 
 
 def peers_section(sheets: list[Comparison]) -> list[str]:
@@ -46,8 +46,8 @@ def peers_section(sheets: list[Comparison]) -> list[str]:
         "",
         "![Seconds against triangles for every method](benchmarks/times.png)",
         "",
-        "Exponents from 10,000 triangles on. The picture below shows the cost of exact lengths at 10,000 triangles: "
-        "methods that keep lengths are on the left, the others on the right.",
+        "The exponents are for 10,000 or more triangles. The picture below shows the cost of exact lengths at 10,000 "
+        "triangles: methods that keep lengths are on the left, the others on the right.",
         "",
         "![Distortion against the worst length error for every method](benchmarks/lengths.png)",
         "",
