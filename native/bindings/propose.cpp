@@ -110,7 +110,7 @@ constexpr const char* kStartPlanDoc =
 constexpr const char* kSimplifyDoc =
     R"(Leaves out seams that a model can do without: fewer and larger pieces with little more stretch.
 
-Sections of seams, or parts of them, are left out one after the other, the longest first. Without a section, the pieces
+Sections of seams, or parts of them, are removed one by one, the longest first. Without a section, the pieces
 beside it are joined. The section is left out only if flatten() finds a flat shape of the joined piece with at most the
 given strain, or at most the strain of the worst of these pieces with the given seams. Mirrored sections of a symmetric part between seams that remain are left out
 together.

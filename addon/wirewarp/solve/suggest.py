@@ -64,7 +64,7 @@ class Cut:
     is_bent: bool = False  # whether a line along edges has a corner
     cleared: Pairs = field(default_factory=list)  # seams to clear; then nothing is cut
     width: float | None = None  # narrowest width of the pieces of a set, Blender units; None until it is measured
-    is_narrow: bool = False  # whether two allowances of a piece have no room beside each other
+    is_narrow: bool = False  # whether two allowances of a piece have no room side by side
     threads: Threads | None = None  # of the piece of a set that is furthest beyond the fabric; None until measured
 
     @property
