@@ -47,7 +47,8 @@ def draw_suggest(
 ) -> None:
     """Draw the buttons and the target. During a search, the progress is where the buttons were, and nothing moves.
 
-    place: of the results; piece: index in the report, -1 for any piece. Below Flatten, a target is for all pieces.
+    place: the panel with the results; piece: index in the report, -1 for any piece. Below Flatten, a target is for
+    all pieces.
     """
     row, options, is_of_all = layout.row(align=True), layout.column(), place == "FLATTEN"
     options.enabled = not draw_progress(row, SUGGEST, "object.wirewarp_suggest_darts")

@@ -148,13 +148,11 @@ constexpr Entry kEntries[] = {
     {ErrorCode::no_proposal,
      {"no_proposal", "No dart or seam is found that helps a piece: it is flat enough, has no room, or gains nothing.",
       "Leave the piece as it is, mark a seam by hand, or clear wires that are in the way.",
-      "reason: \"unfolded\", \"strain\", \"too_long\", \"no_room\", \"no_gain\" or \"no_set\"; strain: of the piece, "
-      "and limit: the accepted strain (reason \"strain\"); length: of the seams, and limit: the longest allowed "
-      "(reason "
-      "\"too_long\"); kind: \"dart\" or \"seam\" (reasons \"no_room\", \"no_gain\"); wires: indices of the rigid and "
-      "elastic wires inside the piece (reason \"no_gain\"); is_restricted: whether some edges must have no seam "
-      "(reasons "
-      "\"no_room\", \"no_set\")"}},
+      "reason: \"unfolded\", \"strain\", \"too_long\", \"no_room\", \"no_gain\" or \"no_set\"; strain: the strain of "
+      "the piece, and limit: the accepted strain (reason \"strain\"); length: the length of the seams, and limit: the "
+      "longest allowed (reason \"too_long\"); kind: \"dart\" or \"seam\" (reasons \"no_room\", \"no_gain\"); wires: "
+      "indices of the rigid and elastic wires inside the piece (reason \"no_gain\"); is_restricted: whether some edges "
+      "must have no seam (reasons \"no_room\", \"no_set\")"}},
 };
 
 #undef WIREWARP_NAMED_WIRES

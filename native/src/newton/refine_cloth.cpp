@@ -31,7 +31,7 @@ double period(const Cloth& cloth) { return cloth.weft == cloth.warp ? kPi / 2 : 
 
 class ClothRefinement {
  public:
-  /// injectivity: of the shape without a fabric. pair: vertices with a fixed direction.
+  /// injectivity: that of the shape without a fabric. pair: vertices with a fixed direction.
   ClothRefinement(Problem& problem, const InternalOptions& options, const Control& control, Injectivity injectivity,
                   const VertexPair& pair)
       : problem_(problem), options_(options), control_(control), injectivity_(injectivity), pair_(pair) {}
