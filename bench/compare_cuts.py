@@ -202,9 +202,9 @@ def in_brief(rows: list[tuple[Outcome, Outcome]]) -> str:
         f"{sum(bool(peer.figures and not own.figures) for peer, own in rows)} by OptCuts alone. Of the {len(both)}, "
         f"WireWarp has the shorter cuts on {won} and OptCuts on {len(both) - won}. WireWarp's cuts are {ratio:.2f} "
         "times as long as OptCuts' in the median. The medians of OptCuts and of WireWarp, in this order, are "
-        f"{1000 * mismatch[0]:.3g} and {1000 * mismatch[1]:.2g} mm per m for the difference between the sides of a cut, "
-        f"{100 * strain[0]:.0f}% and {100 * strain[1]:.0f}% for the strain, {charts[0]:.3g} and {charts[1]:.3g} for the "
-        f"number of charts, and {seconds[0]:,.1f} and {seconds[1]:,.1f} s for the time."
+        f"{1000 * mismatch[0]:.3g} and {1000 * mismatch[1]:.2g} mm per m for the difference between the sides of a "
+        f"cut, {100 * strain[0]:.0f}% and {100 * strain[1]:.0f}% for the strain, {charts[0]:.3g} and {charts[1]:.3g} "
+        f"for the number of charts, and {seconds[0]:,.1f} and {seconds[1]:,.1f} s for the time."
     )
 
 
