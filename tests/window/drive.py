@@ -215,7 +215,7 @@ class Driver:
 
 
 def leave(code: int) -> None:
-    """Exits at once, because Blender would ignore an exception in a timer, and would ask whether to save."""
+    """Exits immediately, because Blender would ignore an exception in a timer, and would ask whether to save."""
     if "COVERAGE_PROCESS_START" in os.environ:
         measured = coverage.Coverage.current()
         measured.stop()

@@ -124,7 +124,7 @@ def is_set(values: np.ndarray) -> np.ndarray:
 
 def number_faces(mesh: bpy.types.Mesh, faces: np.ndarray) -> np.ndarray:
     """Numbers these faces, and renumbers faces that share a number. Returns the numbers of all faces (f,), 0 for none.
-    Known sides stay known. The mesh is in Object Mode."""
+    Known sides remain known. The mesh is in Object Mode."""
     numbers = read_values(mesh, FACE)
     _, first, counts = np.unique(numbers, return_inverse=True, return_counts=True)
     renumbered = (numbers != 0) & (counts[first] > 1)

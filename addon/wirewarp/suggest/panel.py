@@ -135,7 +135,7 @@ def draw_suggestions(context: bpy.types.Context, layout: bpy.types.UILayout, pla
 
 
 def _beyond_fabric(found: Suggestions) -> str:
-    """Return why the fabric may not do for the chosen set, and the next step; empty if it does."""
+    """Return why the fabric may not suffice for the chosen set, and the next step; empty if it suffices."""
     cut, limits = found.cuts[found.chosen], known_stretch(found.choices.cloth)
     if not (cut.is_set and limits):
         return ""
@@ -166,7 +166,7 @@ def are_shown(context: bpy.types.Context) -> bool:
 
 
 def _shown(context: bpy.types.Context) -> Suggestions | None:
-    """Return the suggestions for the active model or the model of active flat pieces; None if that has changed."""
+    """Return the suggestions for the active model or the model of active flat pieces; None if the model has changed."""
     source = shown_source(context)
     found = suggestions_of(source) if source else None
     if found is None:

@@ -69,7 +69,7 @@ def _gaps(laid: Sequence[Laid], seams: Mapping[int, Sequence[Side]]) -> set[int]
         own = {number: sides[0] for number, sides in seams.items() if sides[0].piece in body}
         is_open = any(side.seam is None for piece in body for loop in laid[piece].loops for side in loop)
         if own and not is_open:
-            gaps.add(max(own, key=lambda number: _fitness(own[number])))  # noqa: B023 (called at once)
+            gaps.add(max(own, key=lambda number: _fitness(own[number])))  # noqa: B023 (called immediately)
     return gaps
 
 
