@@ -93,8 +93,8 @@ def seams_section(seams: Comparison) -> list[str]:
         "## Two pieces and a seam",
         "",
         f"The sheet is 500 mm wide, has {seams.triangles:,} triangles and is cut in two along a straight row of edges. "
-        "The last column is the difference in length between the two sides of the seam, in millimeters. Whoever sews "
-        "the seam must ease in this difference or cut it off.",
+        "The last column is the difference in length between the two sides of the seam, in millimeters. A sewist "
+        "must ease in this difference or cut it off.",
         "",
         *peer_tables.seam_table(seams),
         "",
