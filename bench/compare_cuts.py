@@ -197,14 +197,14 @@ def in_brief(rows: list[tuple[Outcome, Outcome]]) -> str:
     mismatch, strain, charts = middle("mismatch"), middle("strain"), middle("charts")
     seconds = [median(outcome[i].seconds for outcome in both) for i in (0, 1)]
     return (
-        f"Of {len(rows)} surfaces both methods cut {len(both)} below the bound within the time; WireWarp alone "
-        f"{sum(bool(own.figures and not peer.figures) for peer, own in rows)}, OptCuts alone "
-        f"{sum(bool(peer.figures and not own.figures) for peer, own in rows)}. Of these {len(both)} WireWarp has the "
-        f"shorter cuts on {won} and OptCuts on {len(both) - won}; the median of WireWarp's length over that of OptCuts "
-        f"is {ratio:.2f}. The medians of OptCuts and of WireWarp, in this order, are {1000 * mismatch[0]:.3g} and "
-        f"{1000 * mismatch[1]:.2g} mm per m for the difference between the sides of a cut, {100 * strain[0]:.0f}% and "
-        f"{100 * strain[1]:.0f}% for the strain, {charts[0]:.3g} and {charts[1]:.3g} for the number of charts, and "
-        f"{seconds[0]:,.1f} and {seconds[1]:,.1f} s for the time."
+        f"Of {len(rows)} surfaces, {len(both)} were cut below the bound within the time by both methods, "
+        f"{sum(bool(own.figures and not peer.figures) for peer, own in rows)} by WireWarp alone, and "
+        f"{sum(bool(peer.figures and not own.figures) for peer, own in rows)} by OptCuts alone. Of the {len(both)}, "
+        f"WireWarp has the shorter cuts on {won} and OptCuts on {len(both) - won}. WireWarp's cuts are {ratio:.2f} "
+        "times as long as OptCuts' in the median. The medians of OptCuts and of WireWarp, in this order, are "
+        f"{1000 * mismatch[0]:.3g} and {1000 * mismatch[1]:.2g} mm per m for the difference between the sides of a "
+        f"cut, {100 * strain[0]:.0f}% and {100 * strain[1]:.0f}% for the strain, {charts[0]:.3g} and {charts[1]:.3g} "
+        f"for the number of charts, and {seconds[0]:,.1f} and {seconds[1]:,.1f} s for the time."
     )
 
 
@@ -213,10 +213,10 @@ def page(
 ) -> str:
     most = arguments.most_triangles
     which = (
-        f"Here are all {len(meshes)} of at most {most:,} triangles of the {all_meshes} in the benchmark; the others "
-        "are not measured, because the runs would have taken too long."
+        f"Of its {all_meshes} surfaces, this page has the {len(meshes)} with at most {most:,} triangles. The others "
+        "were not measured, because the runs would have taken too long."
         if most
-        else f"Here are all {all_meshes} of them."
+        else f"This page has all {all_meshes} of them."
     )
     call = " ".join(command("OptCuts", "MESH", BOUND))
     text = f"""# Cuts beside OptCuts

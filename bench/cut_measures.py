@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Measures the cost of cuts and the distortion with them from the shape alone, alike for all methods."""
+"""Measures the cost of cuts and the distortion with them from the shape alone, in the same way for all methods."""
 
 from collections import defaultdict
 from dataclasses import dataclass

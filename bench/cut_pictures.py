@@ -3,8 +3,8 @@
 
 PYTHONPATH=results:blend_samples python bench/cut_pictures.py FOLDER [NAME or MESH.obj...]
 
-The set is the one of cut_sets.py, with smooth seams. A picture has the model from the front and from the back, and the
-pieces at the scale of the model. Pieces without room for their allowances are darker.
+The set is chosen as in cut_sets.py, with smooth seams. A picture has the model from the front and from the back, and
+the pieces at the scale of the model. Pieces without room for their allowances are darker.
 """
 
 import sys

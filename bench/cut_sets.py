@@ -52,7 +52,7 @@ def is_symmetric(edges: np.ndarray, images: list[int]) -> bool:
 
 
 def num_bends(vertices: np.ndarray, edges: np.ndarray) -> int:
-    """Return at how many vertices between two edges of a seam it turns by more than BEND."""
+    """Return the number of vertices inside seams at which the seam turns by more than BEND."""
     beside: dict[int, list[int]] = {}
     for a, b in edges.tolist():
         beside.setdefault(a, []).append(b)

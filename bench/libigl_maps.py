@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Maps one piece to the plane with libigl, from the harmonic map to a disk. These maps keep no lengths.
+"""Maps one piece to the plane with libigl, from the harmonic map to a disk. These maps do not keep lengths.
 
 All functions take vertices (n, 3) and faces (m, 3), and return positions (n, 2) and the number of iterations.
 """

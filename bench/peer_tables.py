@@ -86,7 +86,7 @@ def refined_table(comparisons: Sequence[Comparison]) -> list[str]:
 
 
 def growth(comparisons: Sequence[Comparison], name: str) -> tuple[list[int], list[float], float | None]:
-    """Return sizes, seconds and their exponent from 10,000 triangles on, because fixed costs dominate below."""
+    """Return sizes, seconds and their exponent for 10,000 or more triangles, because fixed costs dominate below."""
     points = [(c.triangles, c.outcomes[name].seconds) for c in comparisons if name in c.outcomes]
     large = [point for point in points if point[0] > 5_000]
     sizes, seconds = [size for size, _ in points], [time for _, time in points]

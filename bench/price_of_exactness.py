@@ -23,7 +23,7 @@ from mesh_files import read_obj
 from optcuts import BOUND, by_size
 from tables import table
 
-TOLERANCE = 0.03  # of each edge of an elastic seam alone, the largest freedom that ±3% allows
+TOLERANCE = 0.03  # of each edge of an elastic seam, which is a wire of its own: the most freedom that ±3% can mean
 TIGHTER = (BOUND, 4.08, 4.065, 4.05, 4.035, 4.02)  # tried until pieces with exact lengths meet BOUND
 BOUNDS = (BOUND, 4.05, 4.02)
 
@@ -38,7 +38,7 @@ class Flat:
 
 
 def flatten(shape: Path) -> list[Flat | None]:
-    """Return the flattening with exact lengths and the one with elastic seams, or None for no flat shape."""
+    """Return the flattening with exact lengths and the one with elastic seams, or None if there is no flat shape."""
     vertices, faces = read_obj(shape)
     cuts, _, _ = cuts_of(faces, read_corner_uv(shape))
     found: list[Flat | None] = []

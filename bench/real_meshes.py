@@ -55,7 +55,7 @@ def flattening_outcome(path: Path) -> tuple[str, str]:
     errors = [piece.error for piece in pieces if piece.error]
     if not errors:
         return "flattened", f"{len(pieces)} pieces"
-    outcome = "refused by a sentence" if len(errors) == len(pieces) else "flattened but for some pieces"
+    outcome = "refused by a sentence" if len(errors) == len(pieces) else "flattened except for some pieces"
     return outcome, f"{len(errors)} of {len(pieces)} pieces, the first: {errors[0].code}: {errors[0].message}"
 
 

@@ -53,7 +53,7 @@ def stage_exponents(runs: list[dict], stage: str) -> list[float]:
 
 
 def stage_table(benchmarks: list[dict], name: str) -> list[str]:
-    """Return whole runs of one method, with the growth of their times below each kind of wires."""
+    """Return a table of one method's runs. Below the runs with each kind of wires, a row has the growth exponents."""
     stages = STAGES[name]
     rows = []
     for runs in by_wires(select(benchmarks, name)):

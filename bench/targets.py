@@ -37,7 +37,7 @@ def ratios(comparisons: Sequence[Comparison]) -> list[tuple[str, ...]]:
     ]
     return [
         row(
-            f"{ours}, seconds over those of {theirs}, {size:,} triangles",
+            f"{ours}, seconds relative to {theirs}, {size:,} triangles",
             bound,
             ratio(comparisons, ours, theirs, size),
         )
@@ -51,12 +51,12 @@ def of_hard_sheets(hard: Sequence[Comparison]) -> list[tuple[str, ...]]:
     ours, theirs = flatteners.REFINED_ELASTIC, flatteners.ARAP
     jittered = [c for c in hard if c.surface.endswith("jittered")]
     rows = [
-        row(f"refined, wires ±3%, seconds over those of {theirs}, {c.surface}", 0.5, over(c, c, ours, theirs))
+        row(f"refined, wires ±3%, seconds relative to {theirs}, {c.surface}", 0.5, over(c, c, ours, theirs))
         for c in jittered
     ]
     nets = [c for c in hard if c not in jittered]
     most = over(nets[-1], nets[0], ours, ours)
-    return [*rows, row(f"refined, wires ±3%, seconds over those of 8 wires, {nets[-1].surface}", 4, most)]
+    return [*rows, row(f"refined, wires ±3%, seconds relative to 8 wires, {nets[-1].surface}", 4, most)]
 
 
 def over(first: Comparison, second: Comparison, ours: str, theirs: str) -> float | None:

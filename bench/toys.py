@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Closed models of soft toys, as surfaces of fields that are negative inside. They are 300 mm large and in millimeters,
-except for the bear of the samples, which is in meters. All are mirrored across the plane x = 0.
+"""Closed models of soft toys, as surfaces of fields that are negative inside. Their largest side is 300 mm. They are in
+millimeters, except for the sample bear, which is in meters. All are mirrored across the plane x = 0.
 """
 
 from collections.abc import Callable

@@ -19,7 +19,7 @@ from plots import plot_lengths, plot_times
 from targets import nearest, target_table
 from which_commit import commit
 
-NO_REAL_MESHES = "They were not at hand in this run (`WIREWARP_MESHES` names their folder)."
+NO_REAL_MESHES = "They were not available in this run (`WIREWARP_MESHES` names their folder)."
 
 
 def peers_section(sheets: list[Comparison]) -> list[str]:
@@ -27,8 +27,8 @@ def peers_section(sheets: list[Comparison]) -> list[str]:
         "## Against other flatteners",
         "",
         "All methods run on the same surface in turn, on one core, each turn in its own process. The table has CPU "
-        "seconds (medians; also as multiples of libigl's ARAP) and the peak memory above that of the process with the "
-        "surface. **WireWarp**: the outline and two or eight wires rigid, or eight wires elastic by ±3%. "
+        "seconds (medians; also as multiples of libigl's ARAP) and the peak memory that a method adds to a process "
+        "with the surface. **WireWarp**: the outline and two or eight wires rigid, or eight wires elastic by ±3%. "
         f"**libigl** as a Python package: harmonic start, then {ITERATIONS} iterations of ARAP or of SLIM (symmetric "
         f"Dirichlet energy); it counts as converged if ten iterations move no vertex by more than {STILL:g} of the "
         "width, or "
@@ -46,8 +46,8 @@ def peers_section(sheets: list[Comparison]) -> list[str]:
         "",
         "![Seconds against triangles for every method](benchmarks/times.png)",
         "",
-        "Exponents from 10,000 triangles on. The picture below shows the cost of exact lengths at 10,000 triangles: "
-        "methods that keep lengths are on the left, the others on the right.",
+        "The exponents are for 10,000 or more triangles. The picture below shows the cost of exact lengths at 10,000 "
+        "triangles: methods that keep lengths are on the left, the others on the right.",
         "",
         "![Distortion against the worst length error for every method](benchmarks/lengths.png)",
         "",
@@ -55,7 +55,7 @@ def peers_section(sheets: list[Comparison]) -> list[str]:
         "",
         *peer_tables.refined_table(sheets),
         "",
-        "Those of WireWarping++ with elastic wires:",
+        "The runs of WireWarping++ with elastic wires:",
         "",
         *peer_tables.elastic_table(sheets),
         "",
@@ -92,8 +92,9 @@ def seams_section(seams: Comparison) -> list[str]:
     return [
         "## Two pieces and a seam",
         "",
-        f"The sheet 500 mm wide, {seams.triangles:,} triangles, cut in two by a straight row of edges. The table has "
-        "the difference in length of the two sides of the seam, in millimeters, which sewing must ease in or cut off.",
+        f"The sheet is 500 mm wide, has {seams.triangles:,} triangles and is cut in two along a straight row of edges. "
+        "The last column is the difference in length between the two sides of the seam, in millimeters. A sewist "
+        "must ease in this difference or cut it off.",
         "",
         *peer_tables.seam_table(seams),
         "",
@@ -146,8 +147,8 @@ def gradient_section(benchmarks: list[dict]) -> list[str]:
         "",
         "One evaluation of E(ψ(h)) and its gradient with respect to all h. The gradient takes one factorization of "
         "Eq. (1) and one transposed solve of the interior placement, however many wires there are. The sheet is "
-        "shallow here (`native/bench/bench_gradient.cpp`), so that an evaluation takes as few factorizations as it "
-        "can: the least favorable ratio.",
+        "shallow here (`native/bench/bench_gradient.cpp`), so that an evaluation needs as few factorizations as "
+        "possible. This is the least favorable ratio.",
         "",
         *tables.gradient_table(benchmarks),
         "",
@@ -161,8 +162,8 @@ def real_section(counts: dict | None) -> list[str]:
     answers = ", ".join(f"{count} {outcome}" for outcome, count in counts["outcomes"].items())
     return [
         *head,
-        f"The same comparison on {counts['panels']} panels of garments and covers, and every one of {counts['files']} "
-        "mesh files found on the web as it is, each in a process of its own for a minute at most: "
+        f"The same comparison on {counts['panels']} panels of garments and covers, and on {counts['files']} unchanged "
+        "mesh files found on the web, each in its own process for at most a minute: "
         f"{answers}. The meshes are not ours to publish, nor tables made from them: `./dev bench` writes them to "
         "`build/bench/real_meshes.md`.",
         "",

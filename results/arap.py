@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The as-rigid-as-possible map of one piece by libigl, which keeps no lengths (the paper's [6])."""
+"""The as-rigid-as-possible map of one piece by libigl, which does not keep lengths (the paper's [6])."""
 
 from __future__ import annotations
 

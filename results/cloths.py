@@ -112,7 +112,7 @@ puts them on their model (`results/wear_in_newton.py`), without gravity and fric
 *Gap*: distance of the fabric from the model at rest. *Slide*: distance of each point from its place on the model.
 *Strain*: 99th percentile of the strain of the more strained thread. *Worst wire*: largest change of a wire's length.
 Strain and worst wire are measured on the worn garment.
-Pieces flattened for the woven have {range_of(change["gap"])} times the gap of those flattened without a fabric,
+Pieces flattened for woven fabric have {range_of(change["gap"])} times the gap of those flattened without a fabric,
 {range_of(change["slide"])} times the slide and {range_of(change["strain"])} times the strain. On the body, fabric
 slides until its threads carry little load, whether or not a fabric was chosen. The shape between exact outlines
 therefore affects the fit less than the outlines do.
@@ -152,8 +152,8 @@ Woven fabric has stiff threads and shears easily. In pieces flattened for it, th
 and the ARAP energy, which weighs all directions equally, become larger: *E* is {range_of(energy)} times as large. A
 jersey stretches more across than along: its strain along the grain is lower than without a fabric on {lower} of the
 {len(found)}
-samples. {", ".join(unfolded)} are unfolded and put no strain on any fabric. All samples together take {times} as
-without a fabric.
+samples. Some samples unfold without strain, in every fabric: {", ".join(unfolded)}. All samples together take {times}
+as without a fabric.
 
 **What to choose.** Choose no fabric for materials that are equally stiff in all directions: felt, paper, foam, and
 leather of unknown direction. For other materials, choose the preset. The report then shows the strain of this fabric,

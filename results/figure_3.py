@@ -74,8 +74,8 @@ def verdict(found: list[str]) -> str:
     return f"""The derivative jumps in {count(len(found), "place", "places")}: {"; ".join(found)}. There *ψ(h)*,
 which is computed from the surface angles for each *h*, switches to another minimum of Eq. (1): a wire that is too
 long must bend to one side, and *E* has a kink or a step where this starts. *E* is therefore not twice differentiable
-everywhere, although the paper concludes this from its patches. The outer loop can handle this: it follows its minimum
-and only accepts a lower *E*."""
+everywhere, although the paper concludes from its patches that it is. The outer loop can handle this: it follows its
+minimum and only accepts a lower *E*."""
 
 
 def draw(curves: dict[str, list[Curve]], path: Path) -> None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Fig. 6: a pair of jeans by methods that keep no lengths, and by methods that do."""
+"""Fig. 6: a pair of jeans by methods that do not keep lengths, and by methods that do."""
 
 from __future__ import annotations
 
@@ -65,7 +65,7 @@ two sides of a seam differ by
 {millimeters(peers[worst_peer].seam_mismatch)} mm
 ({worst_peer}). With WireWarping, WireWarping++ and Refined they
 {differ(max(found[name].seam_mismatch for name in KEEPING_LENGTHS))}.
-From WireWarping to WireWarping++ *E* {change(rigid.energy, elastic.energy)}, the largest *E_r*
+From WireWarping to WireWarping++, *E* {change(rigid.energy, elastic.energy)}, the largest *E_r*
 {change(rigid.max_aspect_ratio, elastic.max_aspect_ratio)} and the largest *E_A*
 {change(rigid.max_face_energy, elastic.max_face_energy)}. The next step is not in the paper: from WireWarping++ to
 Refined, with the same tolerances, *E* {change(elastic.energy, refined.energy)}.

@@ -58,7 +58,7 @@ def section(inputs: Inputs) -> str:
 
 The maps are darkest where rigid wires distort the fabric. With a tolerance, the wires change their lengths, and the
 colors become lighter.
-Within ±3% *E* {change(rigid.energy, three.energy)}, within ±5% it {change(rigid.energy, five.energy)}.
+*E* {change(rigid.energy, three.energy)} within ±3% and {change(rigid.energy, five.energy)} within ±5%.
 In the paper, the lengths with ±5% change by 3.4% and 4.3%, both within the tolerance. Our changes are in the last
 columns.
 A wire stays inside its tolerance if a longer or shorter one would not lower *E*, and reaches its limit otherwise. The
@@ -66,5 +66,5 @@ numbers therefore depend on the collar, and ours is not the paper's. With the fi
 the paper, and with equal weights, *E* of the rigid case is {first.energy:.4f}, and
 {count(first.flipped, "triangle is", "triangles are")} flipped.
 The refined method, second in the picture, keeps the same lengths: *E* of the rigid case
-{change(rigid.energy, refined.energy)}, within ±5% it {change(five.energy, refined_five.energy)}.
+{change(rigid.energy, refined.energy)}, and *E* within ±5% {change(five.energy, refined_five.energy)}.
 """

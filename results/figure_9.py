@@ -37,12 +37,11 @@ The suit is cut into {pieces}. The bust and waist lines are rigid, and the other
 and the
 rigid wires keep their lengths in all three flattenings, and two sides of a seam
 {differ(max(s.seam_mismatch for s in found))}.
-From WireWarping to WireWarping++ *E* {change(rigid.energy, elastic.energy)}, the largest *E_r*
+From WireWarping to WireWarping++, *E* {change(rigid.energy, elastic.energy)} and the largest *E_r*
 {change(rigid.max_aspect_ratio, elastic.max_aspect_ratio)}. Of {len(elastic.changes)} elastic parts of wires,
 {at_limit} {"is" if at_limit == 1 else "are"} at the limit of the tolerance. The paper only shows the elastic result.
-With the
-refined method and the same tolerances, from WireWarping++ *E* {change(elastic.energy, refined.energy)}, the largest
-*E_r*
+From WireWarping++
+to Refined, with the same tolerances, *E* {change(elastic.energy, refined.energy)} and the largest *E_r*
 {change(elastic.max_aspect_ratio, refined.max_aspect_ratio)}. Elastic wires across several pieces have a
 separate length in each:
 

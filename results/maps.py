@@ -100,7 +100,7 @@ MAPS = (LENGTHS, ASPECT_RATIO, ARAP_ENERGY)
 
 
 def scale_of(quantity: Map, shape: Shape, results: list[wirewarp.FlattenResult]) -> Normalize:
-    """Return one scale for all results, with a round end that omits the most extreme values of each."""
+    """Return one scale for all results, which ends at a round number and omits the most extreme values of each."""
     needed = 0.0
     for result in results:
         values = np.concatenate([quantity.values(shape, piece) for piece in result.pieces])

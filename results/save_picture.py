@@ -15,7 +15,7 @@ COLORS = 256  # the maximum for a PNG with a palette
 
 
 def save(figure: Figure, path: Path) -> None:
-    """Save the figure with its most frequent colors, which scales and surfaces have, and close it.
+    """Save the figure with only its most frequent colors, those of scales and surfaces, and close it.
 
     Other colors, at borders of lines and letters, are replaced by the nearest of these.
     """

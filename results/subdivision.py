@@ -30,6 +30,6 @@ def subsection() -> str:
 
 {table(["triangles", "*E*: WireWarping", "Refined", "factorizations"], rows)}
 
-The quarter sphere with both wires rigid, with a finer mesh in every row. From the last but one to the last row, *E* of
-WireWarping changes by {100 * by_angles:.1f}%, refined by {100 * by_shape:.1f}%.
+Both wires of the quarter sphere are rigid, and every row has a finer mesh. In the last row, *E* of WireWarping differs
+by {100 * by_angles:.1f}% from the row above, and *E* of Refined by {100 * by_shape:.1f}%.
 """

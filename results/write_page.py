@@ -54,8 +54,8 @@ def opening(version: str, sections: list[str]) -> str:
 Written by `./dev results`, which regenerates every number and picture of this page; commit {version}.
 
 This page repeats the examples of "WireWarping++" (Zhang, Wang), section IV, on our own geometry
-(`blend_samples/shapes/`). It compares the methods of the paper and WireWarp's default method: {", ".join(METHODS)}. All
-of them are measured by the same code, `wirewarp.measure`.
+(`blend_samples/shapes/`). It compares these methods: {", ".join(METHODS)}. The
+same code, `wirewarp.measure`, measures all of them.
 
 {contents(sections)}
 

@@ -72,7 +72,7 @@ def _is_run(module: Path, file: dict | None) -> bool:
 
 
 def _bodies(module: Path) -> Iterator[set[int]]:
-    """Return the lines of each function that does more than register, without its head."""
+    """Return the lines of each function's body, except for functions that only register."""
     for node in ast.walk(ast.parse(module.read_text())):
         if isinstance(node, ast.FunctionDef) and node.name not in REGISTERING:
             yield set(range(node.body[0].lineno, (node.end_lineno or 0) + 1))

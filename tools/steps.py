@@ -50,7 +50,7 @@ class Outcome:
 
 
 def run_in_order(steps: Iterable[Step]) -> list[Outcome]:
-    """Run the steps one after the other, and show their output at once."""
+    """Run the steps one after the other, and show their output while they run."""
     outcomes = []
     for step in steps:
         print(f"\n===== {step.name}", flush=True)

@@ -24,7 +24,7 @@ _unregister: Callable[[], None] | None = None
 
 
 def register() -> None:
-    """Register the library first: without it, there is only a sentence and a Flatten button that shows it."""
+    """Load the library, then register the add-on. Without the library, register only its error and a Flatten button."""
     global _unregister
     if hasattr(bpy.types, "OBJECT_OT_wirewarp_flatten"):
         raise RuntimeError("WireWarp is enabled already, as an extension or as an add-on: remove one of the two.")

@@ -91,9 +91,9 @@ def loading_problem(error: Exception, folder: Path | None) -> str:
     if not any(module.name.removeprefix("_wirewarp") in EXTENSION_SUFFIXES for module in modules):
         made_for = " and ".join(_made_for(module.name) for module in modules)
         here = f"Python {sys.version_info.major}.{sys.version_info.minor} on {platform.system()}"
-        return f"The WireWarp library that is installed is made for {made_for}; this Blender has {here}. {_AGAIN}"
+        return f"The installed WireWarp library is for {made_for}, but this Blender has {here}. {_AGAIN}"
     if "incompatible architecture" in str(error):  # the error on macOS, where file names do not contain the processor
-        return f"The WireWarp library that is installed is made for another kind of Mac's processor. {_AGAIN}"
+        return f"The installed WireWarp library is for Macs with another kind of processor. {_AGAIN}"
     if newer := _NEWER_GLIBC.search(str(error)):
         return (
             f"The WireWarp library needs the C library glibc {newer[1]} or newer, and this system has "

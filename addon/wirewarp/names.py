@@ -20,7 +20,7 @@ class Attribute:
 class Mark(Attribute):
     """An attribute of the model's mesh that the user marks: on edges, or on one side of an edge."""
 
-    is_length: bool = False  # in Blender units; Set Unit scales it so that its actual length stays
+    is_length: bool = False  # in Blender units; Set Unit scales it so that its actual length does not change
     is_drawn: bool = False  # the overlay draws it on the model
 
 
@@ -46,7 +46,7 @@ SEAM = Attribute("wirewarp_seam", "INT", "EDGE")  # random 31-bit id of the seam
 UV_LAYER = "WireWarp"  # UV map of the pieces in the unit square
 UV_SCALE = "wirewarp_uv_scale"  # custom property: Blender units in one UV unit
 
-# On the model's object, custom properties.
+# Custom properties of the model's object.
 REPORT = "wirewarp_report"  # report of the run that made the flat pieces, JSON
 REPORT_SEAL = "wirewarp_report_seal"  # digest of the report's text
 MARKER = "wirewarp_marker"  # last marker made by an export: a digest, then JSON

@@ -239,7 +239,7 @@ class WIREWARP_PG_settings(FlattenSettings, PatternSettings, TargetSettings, Eas
             (
                 "LENGTH_VARIATION_COLOR",
                 "Change of Length",
-                "Difference of mesh edges in the flat pieces from their target lengths, in percent",
+                "How much longer or shorter than their targets the edges in the flat pieces are, in percent",
             ),
             (
                 "ASPECT_RATIO_COLOR",

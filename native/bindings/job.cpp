@@ -116,7 +116,7 @@ start(), start_darts(), start_seams(), start_plan() and start_simplify() return 
 canceled and waited for, also when Python ends.)";
 
 constexpr const char* kStartDoc =
-    R"(Starts flatten() with these arguments and returns a Job at once.
+    R"(Starts flatten() with these arguments and returns a Job immediately.
 
 The arrays are copied. Raises FlattenError if an argument has the wrong type; Job.result() raises all other errors.)";
 
@@ -129,7 +129,7 @@ void bind_job(py::module_& module) {
           "(stage, fraction): the last progress reported, as to the callback of the call; ('', 0.0) before the first "
           "report.");
   job.def("cancel", &Job::cancel, "Cancels unfinished work as soon as the core checks for it.");
-  job.def("is_done", &Job::is_done, "Returns whether result() would return at once.");
+  job.def("is_done", &Job::is_done, "Returns whether result() would return immediately.");
   job.def("result", &Job::result,
           "Waits for the result and returns it. Raises the exception of the call; Ctrl-C cancels and is raised.");
   job.def("__repr__", [](const Job& self) { return "Job(" + std::string(self.is_done() ? "done" : "running") + ")"; });

@@ -63,7 +63,7 @@ and longest limits the whole set; energy_before and strain_before are infinite. 
 less than 60% of its convex hull, and less of it than each of them does.
 
 narrowest: least width of the flat pieces of a cut set, scene units; 0 for any width. Pieces are not joined to one that
-    is narrower than this, unless one of them is as narrow. Use twice the allowance and a little more: see
+    is narrower than this, unless one of them is as narrow. Use a little more than twice the allowance: see
     pattern.piece_width() and pattern.has_room().
 smooth: True for sets of smooth lines, which turn by less than 30 degrees at each vertex between their ends. Lines keep
     some bends, or their edges, if lines would meet, if more pieces would be narrower than narrowest, or if the strain
@@ -80,10 +80,10 @@ FlattenError "cancelled" is raised only before the first set.
 Raises "no_proposal" if no_seam or longest allow no set.)";
 
 constexpr const char* kStartDartsDoc =
-    R"(Starts propose_darts() with these arguments and returns a Job at once, like start().)";
+    R"(Starts propose_darts() with these arguments and returns a Job immediately, like start().)";
 
 constexpr const char* kStartSeamsDoc =
-    R"(Starts propose_seams() with these arguments and returns a Job at once, like start().
+    R"(Starts propose_seams() with these arguments and returns a Job immediately, like start().
 
 After cancel(), result() returns the cut sets found by then.)";
 
@@ -105,12 +105,12 @@ of the worst part with all of them. Fewer cuts than allowed mean that the target
 Raises the errors of propose_darts() for the first cut, and FlattenError "no_proposal" if the target is met already.)";
 
 constexpr const char* kStartPlanDoc =
-    R"(Starts plan_cuts() with these arguments and returns a Job at once, like start().)";
+    R"(Starts plan_cuts() with these arguments and returns a Job immediately, like start().)";
 
 constexpr const char* kSimplifyDoc =
     R"(Leaves out seams that a model can do without: fewer and larger pieces with little more stretch.
 
-Sections of seams, or parts of them, are left out one after the other, the longest first. Without a section, the pieces
+Sections of seams, or parts of them, are removed one by one, the longest first. Without a section, the pieces
 beside it are joined. The section is left out only if flatten() finds a flat shape of the joined piece with at most the
 given strain, or at most the strain of the worst of these pieces with the given seams. Mirrored sections of a symmetric part between seams that remain are left out
 together.
@@ -127,7 +127,7 @@ has no flat shape for other reasons than missing seams, such as a Moebius strip.
 Raises what flatten() raises.)";
 
 constexpr const char* kStartSimplifyDoc =
-    R"(Starts simplify_seams() with these arguments and returns a Job at once, like start().
+    R"(Starts simplify_seams() with these arguments and returns a Job immediately, like start().
 
 If the job is canceled, its result has the seams that remain by then.)";
 

@@ -12,7 +12,7 @@ namespace wirewarp {
 /// Throws FlattenError if flatten() refuses the whole input. The table keeps a reference to the input's faces.
 EdgeTable check_request(const FlattenInput& input, const Options& options);
 
-/// flatten() with internal options. All runs with one cache must have the same ones.
+/// flatten() with internal options. All runs with one cache must use the same options.
 FlattenResult flatten_with(const FlattenInput& input, const InternalOptions& options, const Progress& progress = {},
                            Cache* cache = nullptr);
 

@@ -28,7 +28,7 @@ def empty_scene() -> None:
 
 @pytest.fixture
 def at_once(addon, monkeypatch):
-    """Build changed drawings at once, however long that takes."""
+    """Build changed drawings immediately, however long that takes."""
     monkeypatch.setattr(addon.state.drawings, "IDLE_SHARE", 0.0)
     monkeypatch.setattr(addon.state.drawings, "FELT", float("inf"))
 

@@ -68,7 +68,7 @@ class AnyLayout:
         self.words.append(text)
 
     def menu(self, name, **_):
-        """Draw the menu at once, as if it were open."""
+        """Draw the menu immediately, as if it were open."""
         kind = getattr(bpy.types, name)
         kind.draw(SimpleNamespace(layout=self), sidebar())
 

@@ -186,7 +186,7 @@ def test_an_ease_of_one_side_at_a_mirror_reports_what_to_do(addon):
     half = grid("Half", lambda x, y: (x + 1, y, 0), seam=SEAM)
     half.modifiers.new("Mirror", "MIRROR")
     ease(half, SEAM, sides="ONE", ease_percent=5.0)
-    with pytest.raises(RuntimeError, match="8 edges .*modifiers copied.*Apply them and mark it again, or mark it on"):
+    with pytest.raises(RuntimeError, match="8 edges .*modifiers copied.*Apply them and mark it again, or mark the"):
         bpy.ops.object.wirewarp_flatten(use_modifiers=True)
     (issue,) = addon.state.reports.last_report(half).issues
     assert (issue.code, len(issue.edges)) == ("side_unknown", 8)

@@ -93,12 +93,12 @@ def sized(addon):
 
 def test_units_that_give_a_size_to_sew_are_offered_the_likeliest_first(sized):
     sentence, offered = sized(77)
-    assert sentence == '"Chair" is 77 m large. Was it modeled in another unit?'
+    assert sentence == '"Chair" measures 77 m. Was it modeled in another unit?'
     assert offered == ["Centimeters: 77 cm", "Millimeters: 7.7 cm", "Inches: 196 cm"]
     assert sized(14.5)[1][0] == "Decimeters: 145 cm"  # as in MakeHuman
     assert sized(939)[1] == ["Millimeters: 93.9 cm"]
     sentence, offered = sized(0.0017)
-    assert sentence.endswith("is 1.7 mm small. Was it modeled in another unit?")
+    assert sentence.endswith("measures 1.7 mm. Was it modeled in another unit?")
     assert offered == ["100 m: 17 cm", "1000 m: 170 cm"]
     assert [sized(width)[0] for width in (0.03, 0.2, 2, 4.9)] == [""] * 4  # models of common size
 
@@ -112,12 +112,12 @@ def test_one_click_gives_the_pattern_the_intended_size(addon, sized):
     assert bpy.ops.scene.wirewarp_set_unit(meters=0.01) == {"FINISHED"}
     buttons.clear()
     said = draw_panels(addon, buttons)
-    assert "another unit" not in said and '"Chair" is 77 cm large now.' in said
+    assert "another unit" not in said and '"Chair" now measures 77 cm.' in said
     # the rows keep their places under the mouse until the next run
     assert buttons.count("scene.wirewarp_set_unit") == count
     bpy.ops.object.wirewarp_flatten()
     buttons.clear()
-    assert "large now" not in draw_panels(addon, buttons) and "scene.wirewarp_set_unit" not in buttons
+    assert "now measures" not in draw_panels(addon, buttons) and "scene.wirewarp_set_unit" not in buttons
     report = addon.state.reports.last_report(bpy.data.objects["Chair"])
     assert report.meters == pytest.approx(0.01)
     assert flat_of(bpy.data.objects["Chair"]).dimensions.x > 77

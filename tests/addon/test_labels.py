@@ -182,7 +182,7 @@ def test_pieces_whose_record_was_changed_or_that_are_gone_have_no_arrows(addon, 
 
 
 def test_a_flat_object_seen_edge_on_and_a_thin_strap_have_room_for_names(addon):
-    """Half their length, where their area alone would hide all names."""
+    """A piece without visible area has room for a name on half its length: by its area, it would hide all names."""
     strap = grid("Strap", lambda x, y: (x, 0.01 * y, 0.0), wire=on_line(1, 0.0))
     sheet = grid("Sheet", lambda x, y: (x, y, 0.0), wire=on_line(1, 1.0))
     for target, eye in ((strap, (0, 0, 10)), (sheet, (0, 10, 0))):

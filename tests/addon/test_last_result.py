@@ -85,7 +85,7 @@ def test_after_undo_of_a_run_the_failure_before_it_is_the_last_result(source, ad
 
 
 def test_the_panel_does_not_say_that_the_model_changed_right_after_a_run(source, addon, monkeypatch):
-    """Answers that took long are kept for a while. With this clock, every reading takes a tenth of a second."""
+    """Slow answers are kept for a while. This clock advances by a tenth of a second each time it is read."""
     ticks = count()
     monkeypatch.setattr(addon.state.drawings, "time", SimpleNamespace(monotonic=lambda: next(ticks) / 10))
     addon.state.drawings.forget()

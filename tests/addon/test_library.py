@@ -110,7 +110,7 @@ SPOILED = {  # content of the library's __init__.py, and the resulting sentence
     ),
     "another Mac": (
         "raise ImportError(\"dlopen(_wirewarp.so): mach-o, but is an incompatible architecture (need 'arm64')\")\n",
-        "is made for another kind of Mac's processor. Remove WireWarp",
+        "is for Macs with another kind of processor. Remove WireWarp",
     ),
     "no numpy": (
         'raise ModuleNotFoundError("No module named \'numpy\'", name="numpy")\n',

@@ -306,7 +306,7 @@ def test_pieces_without_room_for_their_allowances_are_named(addon, capfd):
 
 
 def test_faces_are_turned_before_seams_are_marked(addon):
-    """A turned part of another piece makes openings that a seam would only hide."""
+    """If faces of a piece are flipped, its openings may not be real, and a seam would only hide this."""
     issues = [
         addon.core.Issue("too_many_boundaries", "It has three openings.", piece=0, proposed_seams=((0, 1),)),
         addon.core.Issue("inconsistent_orientation", "Faces are turned.", piece=1),

@@ -291,7 +291,7 @@ def test_a_map_shows_its_figure_or_why_it_is_missing(addon, source, notes):
     assert notes("STRETCH_COLOR", "map_notes") == [figure]  # the verdict's figure, which no other map has
     assert notes("LENGTH_VARIATION_COLOR", "map_notes") == []
     assert notes("STRETCH_COLOR") == []
-    assert notes("WEFT_STRAIN_COLOR") == ["No fabric was chosen: no such map"]
+    assert notes("WEFT_STRAIN_COLOR") == ["No fabric was chosen: no map"]
     source.data.vertices[40].co.z += 0.1
     source.data.update()
     bpy.context.view_layer.update()

@@ -16,7 +16,7 @@ from view_context import view_context
 
 @pytest.fixture
 def source(at_once):
-    """Return two pieces of about 230 x 115 mm; a Blender unit is 100 mm. Drawings are updated at once."""
+    """Return two pieces of about 230 x 115 mm; a Blender unit is 100 mm. Drawings are updated immediately."""
     target = two_pieces()
     bpy.ops.object.wirewarp_flatten(spacing=50.0)
     bpy.context.scene.wirewarp.show_pages = True

@@ -206,7 +206,7 @@ def test_the_seams_of_the_map_are_solved_once(addon):
 
 
 def test_seams_of_the_map_are_offered_although_no_fabric_can_do_some_of_their_pieces(addon):
-    """A cube is unfolded. Of a sphere, only the cap is an island of its own."""
+    """A cube is unfolded. On a sphere, only the cap is a separate island."""
     bpy.ops.mesh.primitive_uv_sphere_add(segments=16, ring_count=8)
     sphere = bpy.context.active_object
     mesh = sphere.data

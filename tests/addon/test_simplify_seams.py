@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Simplify Seams: its suggestions have the figures of flattening with fewer seams, and are shown, taken and refused."""
+"""Simplify Seams: its suggestions have the figures of a run with fewer seams, and are shown, used and refused."""
 
 from itertools import pairwise
 

@@ -164,6 +164,6 @@ def test_a_piece_that_no_dart_helps_is_reported_in_one_sentence(addon, monkeypat
         raise library.FlattenError("no_proposal", "", faces=range(len(faces)), arguments=why)
 
     monkeypatch.setattr(library, "start_darts", fail)
-    sentence = 'No dart helps "Front", which needs 14.9% of stretch: loosen wire "Wire 1" or divide the piece by a seam'
+    sentence = 'No dart helps "Front", which must stretch by 14.9%: loosen wire "Wire 1" or divide the piece by a seam'
     with pytest.raises(RuntimeError, match=sentence):
         SUGGEST["DARTS"]()

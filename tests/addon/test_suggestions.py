@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Suggested darts and seams have the figures of flattening with them; they are shown, taken, undone and refused."""
+"""Suggested darts and seams have the figures of a run with them. They are shown, marked, undone and refused."""
 
 import math
 from dataclasses import replace

@@ -107,7 +107,7 @@ def tube() -> FlattenError:
 @pytest.mark.parametrize(
     ("make", "arguments"),
     [
-        (refused_option, {"name": "gap", "value": "2", "allowed": "lie between 0 and 1"}),
+        (refused_option, {"name": "gap", "value": "2", "allowed": "be between 0 and 1"}),
         (refused_seam, {}),
         (refused_wire, {"wires": [0, 1], "wire_names": ["Hip", "Waist"]}),
         (tube, {"lengths": pytest.approx([6 * np.sqrt(3), 3 * np.sqrt(3)])}),

@@ -90,7 +90,7 @@ def test_proposals_are_found_in_a_job(start, find, limits):
             job.result()
         assert caught.value.code == code
     with pytest.raises(wirewarp.FlattenError, match="no_seam"):
-        start(*mesh, no_seam="all")  # wrong type: raised at once
+        start(*mesh, no_seam="all")  # wrong type: raised immediately
     job = start(*spherical_patch(100, 100))
     job.cancel()
     with pytest.raises(wirewarp.FlattenError) as caught:

@@ -238,7 +238,7 @@ def test_many_runs_leave_no_memory_behind(method):
 
     def run(times):
         for number in range(times):
-            # every third run is canceled at once
+            # every third run is canceled immediately
             wirewarp.flatten(vertices, faces, **across, progress=lambda *_, n=number: n % 3 > 0)
             with pytest.raises(FlattenError):
                 wirewarp.flatten(vertices, faces + len(vertices))

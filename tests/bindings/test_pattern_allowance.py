@@ -145,7 +145,7 @@ def test_a_notch_in_a_section_is_filled_as_far_as_the_width(mouth, depth, lean, 
 @pytest.mark.parametrize("of_next", [False, True])
 @pytest.mark.parametrize("wide_first", [False, True])
 def test_at_obtuse_corners_the_wider_allowance_ends_on_the_narrower_cut_line(wide_first, of_next):
-    """With mitres, the cut line of a convex polygon has each edge at its own width, everywhere."""
+    """With mitres, every edge of a convex polygon has its own allowance along its whole length."""
     angles = 2 * np.pi * np.arange(8) / 8
     points = 200 * np.column_stack([np.cos(angles), np.sin(angles)])
     expected, loop = shapely.box(-500, -500, 500, 500), []

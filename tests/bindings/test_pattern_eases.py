@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""For seams with a longer side, notches still match, and the paper says how to sew them."""
+"""For seams with a longer side, notches still match, and the pattern says how to sew them."""
 
 import sys
 from pathlib import Path

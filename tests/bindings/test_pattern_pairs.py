@@ -258,7 +258,7 @@ UP = wirewarp.Options(orientation="up")
 
 
 def capped_tubes(ring, *seam_rows):
-    """Return tubes beside each other, each with a cap below; every second one is a mirror image. ring: (n,2) points
+    """Return tubes side by side, each with a cap below; every second one is a mirror image. ring: (n,2) points
     around a tube. seam_rows: for each tube, the point at which a seam along it opens it."""
     count, vertices, faces, seams = len(ring), [], [], []
     for number, row in enumerate(seam_rows):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The order of sewing on the proof sheet works, and finished measures are the measures of the model."""
+"""The sewing order on the proof sheet works, and finished measures are the measures of the model."""
 
 import numpy as np
 import pytest

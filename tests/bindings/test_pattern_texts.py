@@ -174,7 +174,7 @@ def card_line_center(card, row):
 @pytest.mark.parametrize(("width", "height"), [(90, 60), (80, 70), (45, 120)])
 @pytest.mark.parametrize("angle", [0, 30, 90])
 def test_the_grain_arrow_and_the_card_of_a_piece_keep_apart(width, height, angle):
-    """The pieces have a wire across. Beside an arrow in their middle, no part has room for the card."""
+    """A wire crosses the pieces. With the arrow in the middle, no part beside it has room for the card of texts."""
     result = grid([0, width], [0, height / 2, height], wires=[wirewarp.Wire([2, 3], name="Waist")])
     sheet = flat_piece(result.pieces[0], "Left sleeve", 1000.0)
     (piece,) = Pattern.from_pieces([replace(sheet, grain=np.array([0.0, 1.0]) @ turn(angle))], [], title="Top").pieces

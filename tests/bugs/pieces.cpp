@@ -184,7 +184,7 @@ TEST(Bugs, StretchedElasticSeamsHaveTheirEaseIfNoOtherLengthIsFound) {
   }
 }
 
-/// Returns two sheets beside each other, the left one with more rigid wires than its bump can have.
+/// Returns two sheets side by side, the left one with more rigid wires than its bump can have.
 FlattenInput flipped_beside_good() {
   FlattenInput input = test::make_grid(8, 4, [](double s, double t) -> Eigen::Vector3d {
     return {2 * s, t, 2 * std::exp(-12 * ((2 * s - 0.5) * (2 * s - 0.5) + (t - 0.5) * (t - 0.5)))};

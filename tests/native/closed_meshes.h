@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Closed surfaces, and surfaces beside each other.
+// Closed surfaces, and surfaces side by side.
 #pragma once
 
 #include <functional>

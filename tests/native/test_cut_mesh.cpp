@@ -284,13 +284,11 @@ TEST(CutMesh, PathsThatAreNotLinesOnTheMeshAreRefused) {
             "The option path is a line in face -1: it must use faces from 0 on.");
   EXPECT_EQ(message_of({path_of({0, 0}, {{1, 0, 0}, {0.5, 0.7, -0.2}})}),
             "The option path is at point 1 at 0.5, 0.7, -0.2: it must have coordinates of 0 or more with the sum 1.");
-  EXPECT_EQ(
-      message_of({path_of({0, 2}, {{0.3, 0.3, 0.4}, {0.3, 0.4, 0.3}})}),
-      "The option paths[0] is a line whose points 0 and 1 are in no common face: it must have a point on each edge "
-      "that it crosses.");
-  EXPECT_EQ(
-      message_of({path_of({0, 0}, {{1, 0, 0}, {0.98, 0.01, 0.01}})}),
-      "The option paths[0] is a line that ends where it begins, but for snap: it must be longer than what snap moves.");
+  EXPECT_EQ(message_of({path_of({0, 2}, {{0.3, 0.3, 0.4}, {0.3, 0.4, 0.3}})}),
+            "The option paths[0] is a line whose points 0 and 1 have no common face: it must have a point on each edge "
+            "that it crosses.");
+  EXPECT_EQ(message_of({path_of({0, 0}, {{1, 0, 0}, {0.98, 0.01, 0.01}})}),
+            "The option paths[0] is a line whose points all snap to one point: it must be longer.");
   EXPECT_EQ(message_of({}, 0.3), "The option snap is 0.3: it must be from 0.0001 to 0.25.");
   EXPECT_EQ(message_of({path_of({0, 0}, {{1, 0, 0}, {0, 0.5, 0.5}})}), "");
   FlattenInput square = test::flat_rectangle(1, 1, 1, 1);

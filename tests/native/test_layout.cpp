@@ -106,8 +106,8 @@ TEST(PackPieces, AClosedOutlineIsUprightInItsSmallestBox) {
   EXPECT_LT((again - packed).cwiseAbs().maxCoeff(), 1e-13) << "rounding errors decide which end points up";
 }
 
-// Packing makes one direction of a piece upright: that of the grain wire, of the longest straight section of the
-// outline, or of up in space.
+// Packing makes one direction of a piece upright: the grain wire, the longest straight section of the outline, or the
+// direction that is up in space.
 
 Options by(Orientation orientation) {
   Options options;

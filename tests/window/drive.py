@@ -113,7 +113,7 @@ def open_tab(panel: type) -> Tour:
 
 
 def command_at(place: tuple[int, int]) -> Generator[Callable[[], bool], None, str]:
-    """Move the mouse there. Return the command of the sidebar's button there as Blender copies it; "" without one."""
+    """Move the mouse there. Return the command of the sidebar's button there as Blender copies it; "" for no button."""
     window_manager().clipboard = ""  # an earlier copy must not remain
     for at in ((place[0], place[1] + 1), place):
         send("MOUSEMOVE", "NOTHING", at)
@@ -215,7 +215,7 @@ class Driver:
 
 
 def leave(code: int) -> None:
-    """Exits at once, because Blender would ignore an exception in a timer, and would ask whether to save."""
+    """Exits immediately, because Blender would ignore an exception in a timer, and would ask whether to save."""
     if "COVERAGE_PROCESS_START" in os.environ:
         measured = coverage.Coverage.current()
         measured.stop()

@@ -113,7 +113,7 @@ def a_fault_of_the_core_is_reported() -> drive.Tour:
     assert (report["object"], report["issues"][0]["code"]) == ("Bump", "internal_error")
     (message,) = messages
     assert message[0] == "ERROR"
-    assert message[1].startswith("Flatten failed, nothing was written: no room for 8 GB.")
+    assert message[1].startswith("Flatten failed and wrote nothing: no room for 8 GB.")
 
 
 def another_file_ends_the_run() -> drive.Tour:

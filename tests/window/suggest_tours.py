@@ -250,7 +250,7 @@ def a_fault_of_the_core_ends_the_search() -> drive.Tour:
         bpy.ops.object.wirewarp_suggest_darts("INVOKE_DEFAULT", True)
     yield lambda: not window_run.is_running()
     (sentence,) = sentences
-    assert sentence.startswith("The search failed, nothing is suggested: no room for 8 GB.")
+    assert sentence.startswith("The search failed and suggests nothing: no room for 8 GB.")
     assert current(source) is None
     run.suggest_cuts = suggest_cuts
     with drive.in_view():

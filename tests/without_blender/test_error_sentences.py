@@ -114,7 +114,7 @@ def test_broken_guarantees_are_reported_together(said):
         ({"reason": "no_room", "kind": "dart", "is_restricted": False}, "no room for a dart: no line along edges"),
         (
             {"reason": "no_gain", "kind": "dart", "strain": 0.149, "wires": [BUST]},
-            'No dart helps the piece, which needs 14.9% of stretch: loosen wire "Bust" or divide the piece by a seam.',
+            'No dart helps the piece, which must stretch by 14.9%: loosen wire "Bust" or divide the piece by a seam.',
         ),
         (
             {"reason": "no_gain", "kind": "dart", "strain": 0.149, "wires": [0, 1] * 5},

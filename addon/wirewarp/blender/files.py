@@ -22,7 +22,7 @@ def given_file(path: str) -> Path:
     """Return the path, with "//" replaced by the folder of the Blender file. Raise OSError if the folder does not
     exist."""
     if path.startswith("//") and not bpy.data.filepath:
-        raise OSError('"//" is the folder of the Blender file; save that first')
+        raise OSError('"//" is the folder of the Blender file, so save the file first')
     return Path(bpy.path.abspath(path))
 
 

@@ -187,7 +187,7 @@ def _set_edge_flags(mesh: bpy.types.Mesh, attribute: str, name: str, edges: np.n
         found = mesh.attributes.get(attribute) or mesh.attributes.new(attribute, "BOOLEAN", "EDGE")
         found.data.foreach_set("value", flags)
     else:
-        for edge in edges.tolist():  # faster than writing all if few change
+        for edge in edges.tolist():  # if few edges change, faster than writing the flags of all
             setattr(mesh.edges[edge], name, flag)
 
 

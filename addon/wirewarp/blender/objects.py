@@ -126,13 +126,13 @@ def strange_size(target: bpy.types.Object, scene: bpy.types.Scene) -> str:
     if largest == 0 or SMALLEST <= largest <= LARGEST:
         return ""
     size = LengthText("m", 1.0).rough(largest) if largest > LARGEST else LengthText("mm", 1000.0).rough(largest)
-    return f'"{target.name}" is {size} {"large" if largest > LARGEST else "small"}. Was it modeled in another unit?'
+    return f'"{target.name}" measures {size}. Was it modeled in another unit?'
 
 
 def size_text(target: bpy.types.Object, scene: bpy.types.Scene) -> str:
     """Return a sentence about the present size."""
     largest = max(target.dimensions) * meters_per_blender_unit(scene)
-    return f'"{target.name}" is {LengthText("cm", 100.0).rough(largest)} large now.'
+    return f'"{target.name}" now measures {LengthText("cm", 100.0).rough(largest)}.'
 
 
 def likely_units(target: bpy.types.Object) -> Sequence[float]:

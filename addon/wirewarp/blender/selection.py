@@ -20,8 +20,8 @@ WORKING_MODES = frozenset({"OBJECT", "EDIT_MESH"})
 
 
 def edited_meshes(context: bpy.types.Context) -> set[bpy.types.Mesh]:
-    """Return the meshes in Edit Mode in this view layer; context.objects_in_mode may list the window's. The set is
-    empty unless the active object is in Edit Mode, because in_object_mode cannot leave Edit Mode otherwise."""
+    """Return the meshes in Edit Mode in this view layer. context.objects_in_mode may list those of the window instead.
+    The set is empty unless the active object is in Edit Mode, because only then can in_object_mode leave Edit Mode."""
     if context.mode != "EDIT_MESH":
         return set()
     return {each.data for each in context.view_layer.objects if each.type == "MESH" and each.mode == "EDIT"}

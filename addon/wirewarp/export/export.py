@@ -71,7 +71,7 @@ class PatternParts:
         )
 
     def narrow(self, allowance: float) -> list[str]:
-        """Return the names of the pieces in which two allowances have no room beside each other.
+        """Return the names of the pieces in which two allowances have no room side by side.
 
         allowance: that of unmarked edges, in millimeters.
         """

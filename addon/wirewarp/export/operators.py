@@ -15,10 +15,10 @@ from .steps import PatternExport, largest_sentence, size_sentences
 FORMATS = {suffix[1:].upper(): each for suffix, each in pattern.FORMATS.items()}
 DRAWN = [  # the library's kinds, in upper case and with underscores
     ("SEW", "Stitching Lines", "Where to sew, inside the cutting line"),
-    ("WIRES", "Wires", "The wires inside of pieces"),
+    ("WIRES", "Wires", "The wires inside pieces"),
     ("GRAIN", "Grain", "An arrow along the grain"),
     ("NOTCHES", "Notches", "Notches, clips and holes to drill"),
-    ("TEXTS", "Texts", "Name and number of the piece, and how often to cut it"),
+    ("TEXTS", "Texts", "Name and number of the piece, and how many to cut"),
     ("LINE_NAMES", "Line Names", "Numbers of seams, which are the same on both sides, and names of wires"),
 ]
 PROPERTIES = {"proof": "proof_sheet"}  # operator properties whose names differ from the options of the format
@@ -39,7 +39,7 @@ class OBJECT_OT_wirewarp_export(PatternExport, PatternSettings, bpy.types.Operat
     )
     format: EnumProperty(
         name="Format",
-        description="File format. Scripts may leave it to the file extension",
+        description="File format. If a script does not set it, the file extension decides",
         items=[(key, each.label, each.description) for key, each in FORMATS.items()],
     )
     drawn: EnumProperty(

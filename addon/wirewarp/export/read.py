@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Reads the pattern of a model's flat pieces as they lie in their object, if they may be cut."""
+"""Reads the pattern of a model's flat pieces, with their places. Refuses pieces that must not be cut."""
 
 import datetime
 from collections.abc import Mapping, Sequence

@@ -51,7 +51,7 @@ def crossing_sentence(made: pattern.Pattern) -> str:
 
 
 def copies_sentences(made: pattern.Pattern) -> list[str]:
-    """Return sentences about pieces that are drawn once for all their copies, and on halves."""
+    """Return sentences about pieces that are drawn once for all their copies, and about pieces drawn as halves."""
     drawn: dict[str, list[str]] = {}
     for piece in made.pieces:
         if piece.copied_names:
@@ -231,7 +231,7 @@ class PatternExport(OnMesh, WindowSteps, ExportHelper):
         only, settings = self._notes
         sizes = " ".join(self.size_sentences(made))
         off = max(math.ceil(100 * written.off), 1) / 100
-        # the status bar cuts off what comes last
+        # print scale first, because the status bar cuts off long sentences
         said = f'Print at 100% scale. Lengths in "{written.path.name}" are right to {off:g} mm. {sizes}'
         warnings = [sentence for sentence in [crossing_sentence(made), *written.warnings] if sentence]
         if self.report_path:

@@ -120,7 +120,7 @@ def write_flat_object(
             target.wirewarp_source = source
     if scene not in target.users_scene:
         our_collection(scene).objects.link(target)
-    target.scale = target.delta_scale = (1, 1, 1)  # place and rotation stay, but the scale must be 1
+    target.scale = target.delta_scale = (1, 1, 1)  # keeps place and rotation, but the scale must be 1
     return target
 
 

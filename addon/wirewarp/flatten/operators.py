@@ -82,7 +82,7 @@ class FlattenSteps(WindowSteps, FlattenSettings):
         except CanceledError:
             return self.give_up(context, "cancelled", "Flatten was canceled. Nothing was written.", "WARNING")
         except Exception as error:
-            sentence = fault_sentence(error, "Flatten failed, nothing was written")
+            sentence = fault_sentence(error, "Flatten failed and wrote nothing")
             return self.give_up(context, "internal_error", sentence, "ERROR")
         if context.mode not in WORKING_MODES or _place(context) != (self._scene, self._view_layer):
             sentence = "The mode or the scene changed during the run, so nothing was written. Flatten again."
@@ -106,7 +106,7 @@ class FlattenSteps(WindowSteps, FlattenSettings):
         """Move the view if it does not show all results."""
         sources = [find_source(outcome.model) for outcome in outcomes if outcome.is_elsewhere]
         area = work_area(context)
-        # In Edit Mode the view stays, because the user works on edges in it.
+        # In Edit Mode the view does not move, because the user works on edges in it.
         if sources and area and preferences(context).moves_view and context.mode == "OBJECT":
             show_objects(context, area, [each for source in sources for each in (source, find_flat_object(source))])
 

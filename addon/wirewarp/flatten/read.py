@@ -170,7 +170,7 @@ def _one_copy(source: bpy.types.Object, edited: Collection[bpy.types.Mesh]) -> A
 
 
 def find_source(model: Model) -> bpy.types.Object | None:
-    """Return the object that the model was read from; None if it is gone or renamed."""
+    """Return the object that the model was read from; None if it was deleted or renamed."""
     return next((candidate for candidate in bpy.data.objects if candidate.name_full == model.name), None)
 
 

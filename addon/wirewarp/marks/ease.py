@@ -198,7 +198,7 @@ def plan_corners(target: bpy.types.Object, corners: Collection[int], amount: Amo
     rows = np.unique(corner_edges(mesh)[list(chosen)])
     if len(rows) < len(chosen):
         raise object_error(
-            "both_sides", "Both sides of a seam are selected. Select one; or mark an ease of both sides on the model."
+            "both_sides", "Both sides of a seam are selected. Select one, or mark an ease of both sides on the model."
         )
     lines = _sides_of_lines(mesh, _outline_rows(mesh, rows), _places(target))
     return _plan(
@@ -208,7 +208,7 @@ def plan_corners(target: bpy.types.Object, corners: Collection[int], amount: Amo
 
 def clear_eases(target: bpy.types.Object, edges: np.ndarray) -> Eased:
     """Clear the eases of these edges on all sides. An edge may occur twice. Return a change for each line that had
-    one."""
+    an ease."""
     mesh, rows = target.data, np.unique(edges)
     marks = read_marks(mesh)
     had = (marks.eases[rows] != 0) | SIDE_EASES.clear(mesh, rows)
@@ -294,7 +294,7 @@ def _change(length: float, amount: Amount) -> Change:
     ratio = amount(length) if length > 0 else math.nan
     if not -1 < ratio < math.inf:
         raise object_error(
-            "invalid_ease", "Shortened that much, a line would have no length left: choose an ease above -100%."
+            "invalid_ease", "A line shortened by that much has no length left: choose an ease above -100%."
         )
     return Change(ratio, ratio * length)
 

@@ -105,7 +105,7 @@ def plan_clear(target: bpy.types.Object) -> Callable[[], int]:
 
 
 def seams_from_uv(targets: Sequence[bpy.types.Object]) -> tuple[int, list[str]]:
-    """Mark the island borders of each object's map as seams; existing seams stay. Return the number of new seams, and
+    """Mark the island borders of each object's map as seams; keep existing seams. Return the number of new seams, and
     the names of the maps. Raises ObjectError, with nothing marked, if an object has no UV map."""
     maps = [_find_map(target) for target in targets]
     count = sum(_mark_borders(target.data, layer) for target, layer in zip(targets, maps, strict=True))

@@ -20,7 +20,7 @@ from ..ui.editing import OnMesh, OnModel, change_edited, reporting_refusals
 from .mark import plan_clear, plan_wires, seams_from_uv, selected_sides
 
 KINDS = [
-    ("RIGID", "Rigid", "A rigid wire keeps exactly its length on the model"),
+    ("RIGID", "Rigid", "A rigid wire is exactly as long as on the model"),
     ("ELASTIC", "Elastic", "An elastic wire may become longer or shorter, up to the tolerance"),
     ("SUPER_ELASTIC", "Free", "A free wire gets the length that distorts the pieces least"),
 ]
@@ -46,7 +46,7 @@ class WireKind:
     )
     tolerance_percent: number(
         "Tolerance ±",
-        "Elastic wires: how much the total length may become longer or shorter, in percent",
+        "Elastic wires: how much longer or shorter the whole wire may become, in percent",
         (0.0, 0.0, 20.0, 99.0),
         **in_percent("tolerance"),
     )
@@ -120,7 +120,7 @@ class MESH_OT_wirewarp_clear(OnModel, bpy.types.Operator):
 
 
 class MESH_OT_wirewarp_allowance(bpy.types.Operator):
-    """Set the seam allowance of the selected edges on seams and outlines. On flat pieces, only of the selected side"""
+    """Set the seam allowance of the selected edges on seams and outlines. On flat pieces, set only that of one side"""
 
     bl_idname = "mesh.wirewarp_allowance"
     bl_label = "Mark Allowance"
@@ -279,7 +279,7 @@ class MESH_OT_wirewarp_mark_seam(OnModel, bpy.types.Operator):
         return self.execute(context)
 
     def draw(self, _context: bpy.types.Context) -> None:
-        """Draw the question, only in the dialog."""
+        """Draw the question in the dialog, and nothing in the redo panel."""
         if self._asks:
             self.layout.label(text="Every edge is selected. Cut the fabric along all of them?", icon="QUESTION")
 

@@ -179,7 +179,7 @@ class WIREWARP_UL_wires(bpy.types.UIList):
         icon = "EMPTY_SINGLE_ARROW" if mesh.wirewarp_grain == entry.wire_id else "NONE"
         columns = line.split(factor=0.5) if is_wide(context) else line
         columns.prop(entry, "name", text="", emboss=False, icon=icon)
-        if not is_wide(context):  # the length of the chosen wire is below the list, because both would be cut off
+        if not is_wide(context):  # a row has no room for a length, so that of the chosen wire is below the list
             return
         figures = columns.row()
         figures.alignment = "RIGHT"

@@ -153,8 +153,7 @@ def shows_our_map(mesh: bpy.types.Mesh) -> bool:
 
 
 def gather_uv_lines(target: bpy.types.Object) -> LineEdges:
-    """Return marked edges at the places of each of their faces in the map. Raises ObjectError for foreign
-    attributes."""
+    """Return the marked edges on the map, once at each of their faces. Raises ObjectError for foreign attributes."""
     with current_mesh(target) as mesh:
         return _uv_lines(mesh, target.data.is_editmode)
 

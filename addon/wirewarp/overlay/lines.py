@@ -51,7 +51,7 @@ STYLES = {
     "ease": LineStyle("Side with ease", _hex("#ff4bb4"), 3.0),
     "grain": LineStyle("Grain", _hex("#0a8f7a"), 3.0),
     "default grain": LineStyle("Grain (automatic)", _hex("#7fc4b5"), 1.2),
-    "allowance": LineStyle("Own allowance", _hex("#99bb77"), 9.0),  # on models, below the seam or outline
+    "allowance": LineStyle("Own allowance", _hex("#99bb77"), 9.0),  # on models, drawn under the seam or outline
     "outline": LineStyle("Outline", _hex("#786068"), 2.5),
     "seam": LineStyle("Seam", _hex("#101018"), 4.5),
     "free": LineStyle("Free wire", _hex("#4fc3f7"), 3.5, dash=(4, 8)),

@@ -43,7 +43,7 @@ from .lines import (
 )
 
 # Unit vectors (2,32). Vertices that these directions miss are at most 1 - cos(pi / 32) = 0.5% of the piece's radius
-# farther out than the found ones. No vector is along an axis, so both ends of a straight side are found.
+# farther out than the vertices found. No vector is along an axis, so both ends of a straight side are found.
 DIRECTIONS = np.array([[np.cos(angle), np.sin(angle)] for angle in np.pi * (np.arange(32) + 0.5) / 16]).T
 ARROW = 0.4  # length of a grain arrow as a share of the size of its piece
 

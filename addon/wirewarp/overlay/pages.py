@@ -77,7 +77,7 @@ def page_preview(cut: CutLines, drawn: CutLines, choices: PageChoices, millimete
     """
     made = drawn.made
     if made is None or cut.made is None:
-        return PagePreview("These pieces make no pattern: press Export Pattern to see why.", False)
+        return PagePreview("These pieces cannot be exported: press Export Pattern to see why.", False)
     if choices.arrangement == "MARKER":
         made = laid_on_kept(made, kept_marker(choices.marker), choices.cloth)
         if made is None:

@@ -55,7 +55,7 @@ def missing_maps(shown: Sequence[Drawing], color_map: ColorMap) -> list[str]:
     reports = [last_report(model_or_self(target)) for target in without]
     whys = {"Not flattened: no map": any(report is None or report.flat_object is None for report in reports)}
     has_no_cloth = [report is not None and color_map in CLOTH_MAPS and not _has_cloth(report) for report in reports]
-    whys["No fabric was chosen: no such map"] = any(has_no_cloth)
+    whys["No fabric was chosen: no map"] = any(has_no_cloth)
     flattened = [report is not None and report.flat_object is not None for report in reports]
     whys["Changed since: flatten again"] = any(
         is_flat and not no_cloth for is_flat, no_cloth in zip(flattened, has_no_cloth, strict=True)

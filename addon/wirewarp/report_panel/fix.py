@@ -155,7 +155,7 @@ class OBJECT_OT_wirewarp_mend(BetweenRuns, FlattenSteps, bpy.types.Operator):
             ("SUGGESTION", "Suggestion", "Mark the suggested cut that is chosen, or clear the seams that are chosen"),
             ("DISSOLVE", "Dissolve", "Dissolve faces without area on the model"),
             ("MERGE", "Merge", "Merge overlapping vertices of the model"),
-            ("NORMALS", "Normals", "Flip faces of the model so that all point to one side"),
+            ("NORMALS", "Normals", "Flip faces of the model so that all point to the same side"),
             ("APPLY", "Apply Modifiers", "Apply the modifiers, so that their edges can be marked"),
             ("UV_SEAMS", "Seams of the UV Map", "Mark the borders of the islands of the model's own UV map as seams"),
             ("FABRIC", "Fabric", "Choose this fabric"),
@@ -185,7 +185,7 @@ class OBJECT_OT_wirewarp_mend(BetweenRuns, FlattenSteps, bpy.types.Operator):
 
     @reporting_refusals
     def execute(self, context: bpy.types.Context) -> set[str]:
-        """Fix and flatten at once, in a script and for Adjust Last Operation."""
+        """Fix and flatten in one step, in a script and for Adjust Last Operation."""
         self.flatten_now(context, [self._fixed(context)])
         return {"FINISHED"}
 

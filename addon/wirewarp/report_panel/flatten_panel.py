@@ -70,7 +70,7 @@ class VIEW3D_MT_wirewarp_fabrics(bpy.types.Menu):
         layout.operator_context = "INVOKE_DEFAULT"
         found = fabrics_to_choose(report, present) if report else ([], [])
         layout.label(text=FAR_ENOUGH if found[0] else TO_TRY)
-        # not with a heading each, because Blender turns a menu around that opens upward
+        # both groups under one heading, because Blender reverses the order of a menu that opens upward
         for icon, names in zip(("CHECKMARK", "BLANK1"), found, strict=True):
             for name in names:
                 button = layout.operator("object.wirewarp_mend", text=fabric_label(name), icon=icon)
@@ -165,7 +165,7 @@ def _draw_state(
     left_out = _left_out(context, source, report)
     verdict = with_narrow(as_seen(report.tables.verdict, left_out), narrow_names(context, source, report))
     lines = verdict.lines
-    if is_updated:  # the rows stay, gray, so that nothing below moves
+    if is_updated:  # the rows turn gray instead of disappearing, so that nothing below moves
         draw_sentence(context, layout, DUE, "INFO", as_high_as=lines[0].text)
         lines, layout = lines[1:], layout.column()
         layout.enabled = False
@@ -188,7 +188,7 @@ def _draw_state(
         # Only one button marks seams. It keeps its place, so that the buttons of the search do not move.
         below.enabled = not (marks_seams(step) and are_shown(context))
         _draw_step(context, below, step)
-    # the panel does not replace a chosen fabric
+    # if a fabric is chosen, the panel does not offer another one
     if Kind.NEEDS_STRETCH in kinds and context.scene.wirewarp.cloth == "NONE":
         _draw_fabric(layout, report)
     if kinds & FABRIC_HELPS:

@@ -125,8 +125,8 @@ def draw_first_steps(layout: bpy.types.UILayout) -> None:
 
 MEND = "object.wirewarp_mend"
 SHOW = "mesh.wirewarp_select_result"
-# Button text and icon by the kind of fix, the most urgent first: faces that overlap, vanish or
-# lie inside out also cause faults that seams seem to cure.
+# Button text and icon by the kind of fix, the most urgent first: faces that overlap, have no area or
+# are inside out also cause faults that seams seem to cure.
 REMEDIES = {
     "MERGE": ("Merge and Flatten", "AUTOMERGE_ON"),
     "DISSOLVE": ("Dissolve and Flatten", "X"),
@@ -134,7 +134,7 @@ REMEDIES = {
     "SEAMS": ("Mark and Flatten", "EDGESEL"),
     "TOLERANCES": ("Loosen and Flatten", "FIXED_SIZE"),
 }
-APPLY_FIRST = "The fix is about edges that modifiers make. Mark edges of the model itself, or:"
+APPLY_FIRST = "This fix needs edges that modifiers make. Mark edges of the model itself, or:"
 CHECK = "object.wirewarp_check"
 FAULTY_CODES = {
     "non_manifold_edge",

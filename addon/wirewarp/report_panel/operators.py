@@ -39,7 +39,7 @@ def check_indices(target: bpy.types.Object, report: ObjectReport) -> None:
 
 
 def check_flattened(source: bpy.types.Object, report: ObjectReport | None) -> ObjectReport:
-    """Return the report. Raises ObjectError without one."""
+    """Return the report. Raises ObjectError if there is none."""
     if report is None:
         raise object_error("not_flattened", f'"{source.name}" has not been flattened yet. Press Flatten first.')
     return report
@@ -130,10 +130,10 @@ class MESH_OT_wirewarp_select_result(ReportOperator, bpy.types.Operator):
         ],
         options={"HIDDEN"},
     )
-    index: IntProperty(name="Index", description="Its place in the report, from 0", min=0, options={"HIDDEN"})
+    index: IntProperty(name="Index", description="Index in the report, from 0", min=0, options={"HIDDEN"})
 
     def report_of(self, source: bpy.types.Object) -> ObjectReport | None:
-        """Return the report of the flat pieces for the list of pieces, otherwise the shown one."""
+        """Return the report of the flat pieces for the list of pieces, or else the report that the panel shows."""
         return (pieces_report if self.what in {"PIECE", "STRETCH", "EASE"} else last_report)(source)
 
     def act(self, context: bpy.types.Context, source: bpy.types.Object, report: ObjectReport) -> set[str]:
@@ -188,7 +188,7 @@ class MESH_OT_wirewarp_take_proposal(ReportOperator, bpy.types.Operator):
     bl_label = "Use Suggestion"
 
     what: EnumProperty(name="What", description="What to use from the report", items=PROPOSALS, options={"HIDDEN"})
-    issue: IntProperty(name="Issue", description="Its place in the report, from 0", min=0, options={"HIDDEN"})
+    issue: IntProperty(name="Issue", description="Index in the report, from 0", min=0, options={"HIDDEN"})
 
     def act(self, context: bpy.types.Context, source: bpy.types.Object, report: ObjectReport) -> set[str]:
         edits_others = context.mode == "EDIT_MESH" and source.mode != "EDIT"

@@ -197,7 +197,7 @@ def _no_proposal(facts: ErrorFacts) -> str:
             kind, wires = facts["kind"], facts["wires"]
             loosen = f"loosen {facts.wire_text(wires)} or " if wires else ""
             cut = "divide the piece by a seam" if kind == "dart" else "move one of its seams to where it curves most"
-            return f"No {kind} helps {facts.piece}, which needs {percent(facts['strain'])} of stretch: {loosen}{cut}."
+            return f"No {kind} helps {facts.piece}, which must stretch by {percent(facts['strain'])}: {loosen}{cut}."
     leads = "from its outline to a point inside" if facts["kind"] == "dart" else "across it"
     return (
         f"The piece has no room for a {facts['kind']}: no line along edges leads {leads} without meeting a wire or the "

@@ -178,7 +178,7 @@ def used_choices(choices: FlattenChoices, arrays: MeshArrays) -> FlattenChoices:
 
 
 def _grain_index(arrays: MeshArrays) -> int:
-    """Return the index of the grain wire among the wires; -1 without one."""
+    """Return the index of the grain wire among the wires; -1 if there is none."""
     ids = [wire.chain.wire_id for wire in arrays.wires]
     return ids.index(arrays.grain_wire) if arrays.grain_wire in ids else -1
 
@@ -297,7 +297,7 @@ def looser_wires(proposed: Iterable[tuple[int, float]], arrays: MeshArrays) -> l
 
 
 def round_up(tolerance: float) -> float:
-    """Round up to the three digits that the panel shows, so that the tolerance is large enough. inf (free) stays."""
+    """Round up to the three digits that the panel shows, so that the tolerance is large enough. Keep inf (free)."""
     if math.isinf(tolerance):
         return tolerance
     step = 10.0 ** (math.floor(math.log10(tolerance)) - 2)

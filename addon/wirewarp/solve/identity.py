@@ -18,8 +18,8 @@ from .arrays import FaceRegions, MeshArrays, Region, area_vectors, edge_lengths,
 from .chains import edge_keys
 from .limbs import limb_names
 
-# Names of the negative and positive side of each axis, for a person who faces Blender's front (-Y): the left hand is at
-# +X.
+# Names of the negative and positive side of each axis, as seen by the person modeled, who looks toward Blender's front
+# (-Y): the left hand is at +X.
 SIDES = (("Right", "Left"), ("Front", "Back"), ("Bottom", "Top"))
 HALVES = (("Right", "Left"), ("Front", "Back"), ("Lower", "Upper"))  # distinguish pieces on the same side
 FACES_ONE_WAY = (

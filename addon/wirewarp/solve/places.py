@@ -186,7 +186,7 @@ def _close(kept: dict[int, Motion], now: _Pieces) -> dict[int, set[int]]:
 
 
 def _beside(kept: dict[int, Motion], homeless: list[int], now: _Pieces, room: float) -> dict[int, Motion]:
-    """Place pieces to the right of the kept ones, in columns of the same height, the tallest first."""
+    """Place pieces to the right of those kept in place, in columns of the same height, the tallest first."""
     boxes = np.array([now.box(piece_id, motion) for piece_id, motion in kept.items()])
     corner, top = np.array([boxes[:, 1, 0].max() + room, boxes[:, 0, 1].min()]), boxes[:, 1, 1].max()
     motions = {}

@@ -229,7 +229,7 @@ def with_mirror_images(issues: Sequence[Issue], result: FlattenResult, arrays: M
 
 
 def _measures(piece: Piece, arrays: MeshArrays) -> np.ndarray:
-    """Return the square root of the area, and the lengths of the outline's sections in their order."""
+    """Return the square root of the area, and the lengths of the outline's sections in ascending order."""
     area = triangle_areas(arrays.vertices, arrays.triangles[piece.source_face]).sum()
     return np.array([np.sqrt(area), *sorted(chain.length_3d for chain in piece.boundaries)])
 

@@ -124,7 +124,7 @@ def first_sets(
     return (yield from suggest_cuts(library, arrays, choices, options, no_seam))
 
 
-SEARCH = 0.8  # share of the progress that the search gets; measuring the sets gets the rest
+SEARCH = 0.8  # progress at which the search ends; the rest is for measuring the sets
 
 
 def with_measures(

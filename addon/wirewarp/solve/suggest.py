@@ -64,7 +64,7 @@ class Cut:
     is_bent: bool = False  # whether a line along edges has a corner
     cleared: Pairs = field(default_factory=list)  # seams to clear; then nothing is cut
     width: float | None = None  # narrowest width of the pieces of a set, Blender units; None until it is measured
-    is_narrow: bool = False  # whether two allowances of a piece have no room beside each other
+    is_narrow: bool = False  # whether two allowances of a piece have no room side by side
     threads: Threads | None = None  # of the piece of a set that is furthest beyond the fabric; None until measured
 
     @property
@@ -215,9 +215,8 @@ def _with_mirror_images(proposals: list[DartProposal], arrays: MeshArrays) -> li
 def from_few_pieces(sets: Sequence[Cut], limits: Sequence[float]) -> list[Cut]:
     """Return cut sets by their number of pieces, without those that have more pieces but about the same stretch.
 
-    The first set that the fabric allows is kept even if it gains little. Sets with narrow pieces replace no set without
-    narrow pieces.
-    Sets beyond both directions of the fabric are left out if another set is not. limits: see Cut.excess.
+    The first set that the fabric allows is kept even if it gains little. A set with narrow pieces does not replace a
+    set without them. If a set is within the larger limit, the sets beyond it are left out. limits: see Cut.excess.
     """
     kept: list[Cut] = []
     within = [each for each in sets if each.strain <= limits[-1]]
@@ -226,13 +225,14 @@ def from_few_pieces(sets: Sequence[Cut], limits: Sequence[float]) -> list[Cut]:
         is_first = each.excess(limits) <= 0 < min((other.excess(limits) for other in others), default=math.inf)
         if is_first or each.strain < WORTH_PIECES * min((other.strain for other in others), default=math.inf):
             kept.append(each)
-    return sorted(kept, key=lambda cut: (cut.num_pieces, -cut.strain))  # less stretch below, also beside narrow sets
+    # Among sets with equally many pieces, the one with the least stretch is last.
+    return sorted(kept, key=lambda cut: (cut.num_pieces, -cut.strain))
 
 
 def set_for(sets: Sequence[Cut], limits: Sequence[float]) -> int:
-    """Return the set to show, among those that the fabric allows: one with room, of fewest pieces.
+    """Return the index of the set to show: of those that the fabric allows, the first without narrow pieces.
 
-    If the fabric allows none, it is the set that is least beyond it. limits: see Cut.excess.
+    If the fabric allows none, return the one that exceeds its limits least. limits: see Cut.excess.
     """
     excesses = [each.excess(limits) for each in sets]
     within = [index for index, excess in enumerate(excesses) if excess <= 0]

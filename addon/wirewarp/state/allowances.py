@@ -67,7 +67,7 @@ class SidedMark:
                 why, first = "modifiers copied or replaced faces there", "Apply them and mark it again"
             sentence = (
                 f'The side of the {self.what} is unknown on {counted(len(lost), "edge")} of "{mesh.name}", because '
-                f"{why}. {first}, or mark it on all sides alike."
+                f"{why}. {first}, or mark the same on all sides."
             )
             raise ObjectError(Issue("side_unknown", sentence, edges=_pairs(mesh, lost)))
         corners, marked = read_values(mesh, self.corner), self._on_edges(mesh)
@@ -124,7 +124,7 @@ def is_set(values: np.ndarray) -> np.ndarray:
 
 def number_faces(mesh: bpy.types.Mesh, faces: np.ndarray) -> np.ndarray:
     """Numbers these faces, and renumbers faces that share a number. Returns the numbers of all faces (f,), 0 for none.
-    Known sides stay known. The mesh is in Object Mode."""
+    Known sides remain known. The mesh is in Object Mode."""
     numbers = read_values(mesh, FACE)
     _, first, counts = np.unique(numbers, return_inverse=True, return_counts=True)
     renumbered = (numbers != 0) & (counts[first] > 1)

@@ -252,7 +252,7 @@ def _seam_ids_of_flat_pieces(mesh: bpy.types.Mesh, arrays: MeshArrays) -> np.nda
 def write_seams(
     source: bpy.types.Object, arrays: MeshArrays, identities: Sequence[SeamIdentity], on_model: bool
 ) -> None:
-    """Write ids and names of seams. Names that the user has changed since the model was read stay. arrays: the model
+    """Write ids and names of seams. Keep names that the user has changed since the model was read. arrays: the model
     with the new ids; on_model: whether the arrays belong to the base mesh, so that it may be written."""
     places = {entry.seam_id: place for place, entry in enumerate(source.wirewarp_seams)}
     for identity in identities:  # accessed by index, because add() moves the entries in memory

@@ -155,7 +155,7 @@ def forget(*_: object) -> None:
         bpy.app.timers.unregister(_nudge)
 
 
-SECONDS = 0.2  # seconds between two checks: short enough to feel immediate, and without disturbing a running tool
+SECONDS = 0.2  # seconds between two checks: they feel immediate, and do not disturb a running tool
 
 
 def is_due(scene: bpy.types.Scene) -> bool:

@@ -59,7 +59,7 @@ def shaped_by(source: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> list[
 
 
 def subdivide(source: bpy.types.Object, is_used: bool) -> None:
-    """Adds a level of subdivision with a modifier. Corners of outlines stay. is_used: the last run had modifiers."""
+    """Add a level of subdivision with a modifier. Keep corners of outlines. is_used: the last run had modifiers."""
     found = [modifier for modifier in source.modifiers if modifier.type == "SUBSURF" and modifier.show_viewport]
     if found and is_used:
         found[-1].levels = max(found[-1].levels, min(found[-1].levels + 1, MOST_LEVELS))
@@ -112,7 +112,7 @@ def _is_same_shape(base: bpy.types.Mesh, seen: bpy.types.Mesh) -> bool:
 LARGEST = 1e18  # Blender units
 SAMPLE = 5_000  # maximum number of faces: Blender lists groups only vertex by vertex, which is slow on large meshes
 NO_REGIONS = {NO_SEAM, "sharp_face"}  # boolean face attributes that do not name a part of a model
-CARRIED = 0.5  # weight from which a vertex is in its group
+CARRIED = 0.5  # least weight of a vertex that counts as in its group
 
 
 def object_to_arrays(source: bpy.types.Object, base: MarkedMesh, depsgraph: bpy.types.Depsgraph | None) -> MeshArrays:

@@ -103,7 +103,7 @@ def write_record(mesh: bpy.types.Mesh, record: FlatRecord) -> None:
 
 
 def read_record(mesh: bpy.types.Mesh) -> FlatRecord | None:
-    """Return the record; None if the mesh has none from write_record."""
+    """Return the record; None if write_record has not stored one on the mesh."""
     found = unsealed(mesh.get(FLAT_RECORD))
     return FlatRecord(**found) if found and found.keys() == {each.name for each in fields(FlatRecord)} else None
 

@@ -46,7 +46,7 @@ METHODS = [
     (
         "WIREWARPING",
         "WireWarping: all wires rigid",
-        "Like WireWarping++, but every wire keeps exactly its length. Tolerances have no effect",
+        "Like WireWarping++, but every wire keeps its exact length. Tolerances have no effect",
     ),
 ]
 LIBRARY_METHODS = {"REFINED": "refined", "WIREWARP_PLUS_PLUS": "wirewarp++", "WIREWARPING": "wirewarping"}
@@ -68,7 +68,7 @@ def fabric_label(name: str) -> str:
 
 
 def usual_stretch(settings: "FlattenSettings") -> dict[str, float]:
-    """Return the maximum stretch of the chosen preset by the names of these settings; empty for other fabrics."""
+    """Return the maximum stretches of the chosen preset by the names of their settings; empty for other fabrics."""
     name = settings.cloth.lower()
     return dict(zip(STRETCHES, Cloth.preset(name).limits, strict=True)) if name in Cloth.presets() else {}
 
@@ -362,7 +362,7 @@ def choices_of(settings: FlattenSettings, meters: float) -> FlattenChoices:
 
 
 def target_of(settings: TargetSettings) -> Target | None:
-    """Return the target; None to suggest each cut by itself."""
+    """Return the target; None to suggest each cut alone."""
     if not settings.suggest_together:
         return None
     return Target(settings.aim_stretch / 100, settings.aim_cuts, settings.aim_length or None)

@@ -20,7 +20,7 @@ OTHER_KIND = (
     'The attribute "{}" of mesh "{}" is not of type BOOLEAN, INT8, INT or FLOAT on faces. '
     "Rename or delete it under Object Data > Attributes."
 )
-LEAST_WEIGHT = 0.5  # weight from which a vertex counts as painted: half the full strength
+LEAST_WEIGHT = 0.5  # least weight of a vertex that counts as painted: half the full strength
 
 
 def read_no_seam(source: bpy.types.Object, modified: bpy.types.Mesh | None = None) -> NoSeam:

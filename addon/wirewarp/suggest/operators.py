@@ -45,7 +45,7 @@ from ..ui.window_run import WindowSteps, fault_sentence
 STOPPED = "Canceled early"
 CHOOSE_FABRIC = "Choose a fabric that stretches more."
 SET_TARGET = "Set a larger target."
-# Maximum stretches of the fabric if they are unknown: of plush and knits, of which most closed models are sewn, and of
+# Maximum stretches if the fabric is unknown: for plush and knits, from which most closed models are sewn, and for
 # jersey, the softest fabric that is not made for swimming.
 SOFT = 0.2, 0.5
 
@@ -206,7 +206,7 @@ class SuggestCuts(OnMesh, WindowSteps):
         except ObjectError:
             raise
         except Exception as error:
-            self.report({"ERROR"}, fault_sentence(error, "The search failed, nothing is suggested"))
+            self.report({"ERROR"}, fault_sentence(error, "The search failed and suggests nothing"))
         return {"CANCELLED"}
 
     def _read(self, context: bpy.types.Context) -> None:
@@ -290,7 +290,7 @@ class OBJECT_OT_wirewarp_choose_suggestion(OnMesh, bpy.types.Operator):
     bl_label = "Show Suggestion"
     bl_options = {"INTERNAL"}
 
-    index: IntProperty(name="Index", description="Its place in the list, from 0", min=0)
+    index: IntProperty(name="Index", description="Index in the list, from 0", min=0)
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         choose(model_or_self(context.active_object), self.index)

@@ -47,7 +47,8 @@ def draw_suggest(
 ) -> None:
     """Draw the buttons and the target. During a search, the progress is where the buttons were, and nothing moves.
 
-    place: of the results; piece: index in the report, -1 for any piece. Below Flatten, a target is for all pieces.
+    place: the panel with the results; piece: index in the report, -1 for any piece. Below Flatten, a target is for
+    all pieces.
     """
     row, options, is_of_all = layout.row(align=True), layout.column(), place == "FLATTEN"
     options.enabled = not draw_progress(row, SUGGEST, "object.wirewarp_suggest_darts")
@@ -80,7 +81,7 @@ def draw_simplify(layout: bpy.types.UILayout, settings: TargetSettings, place: P
 def draw_suggestions(context: bpy.types.Context, layout: bpy.types.UILayout, place: Place) -> None:
     """Draw the list of results below the buttons of this place, if the search was started there.
 
-    Above these buttons, or in a panel of its own, the list would move them away under the mouse.
+    A list above the buttons, or in its own panel, would push them away from under the mouse.
     """
     found = _shown(context)
     if found is None or found.place != place:
@@ -134,7 +135,7 @@ def draw_suggestions(context: bpy.types.Context, layout: bpy.types.UILayout, pla
 
 
 def _beyond_fabric(found: Suggestions) -> str:
-    """Return why the fabric may not do for the chosen set, and the next step; empty if it does."""
+    """Return why the fabric may not suffice for the chosen set, and the next step; empty if it suffices."""
     cut, limits = found.cuts[found.chosen], known_stretch(found.choices.cloth)
     if not (cut.is_set and limits):
         return ""
@@ -165,7 +166,7 @@ def are_shown(context: bpy.types.Context) -> bool:
 
 
 def _shown(context: bpy.types.Context) -> Suggestions | None:
-    """Return the suggestions for the active model or the model of active flat pieces; None if that has changed."""
+    """Return the suggestions for the active model or the model of active flat pieces; None if the model has changed."""
     source = shown_source(context)
     found = suggestions_of(source) if source else None
     if found is None:

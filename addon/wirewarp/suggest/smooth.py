@@ -140,7 +140,7 @@ def _replace(
     triangle: DividedTriangle,
     vertices: dict[int, bmesh.types.BMVert],
 ) -> None:
-    """Replace a face by the parts of its triangle. Attributes are the same, and linear at points inside."""
+    """Replace a face with the parts of its triangle. Attributes are the same, and linear at points inside."""
     corners = [vertices[corner] for corner in triangle.corners]
     sides, values = set(face.edges), {loop.vert: loop for loop in face.loops}
     aside: list[bmesh.types.BMVert] = []
@@ -166,7 +166,7 @@ def _replace(
 
 
 def _interpolated(face: bmesh.types.BMFace, place: Vector) -> bmesh.types.BMLoop:
-    """Return a corner with the attributes of a face at a place inside. It belongs to a copy that lies aside.
+    """Return a corner with the attributes of a face at a place inside. It belongs to a temporary copy.
 
     BMLoop.copy_from_face_interp would be simpler, but fails in Blender 3.4.
     """
@@ -196,7 +196,7 @@ def _side_layers(edited: bmesh.types.BMesh) -> list[bmesh.types.BMLayerItem]:
 
 
 def cut_smooth_lines(source: bpy.types.Object, edges: Pairs) -> Pairs:
-    """Replace each line of these seam edges by a smooth seam with the same ends.
+    """Replace each line of these seam edges with a smooth seam with the same ends.
 
     The new lines meet each other, other seams and wires at the same places as before, and do not enter painted faces.
     Vertices keep their indices. Returns the edges of the smooth lines. Raises ObjectError, with no change.
@@ -261,7 +261,7 @@ def _keys(pairs: ArrayLike, arrays: MeshArrays) -> np.ndarray:
 
 
 class MESH_OT_wirewarp_smooth_seam(OnModel, bpy.types.Operator):
-    """Replace the selected seam, which follows edges, by the shortest line beside it, cut into the faces"""
+    """Replace the selected seam, which follows edges, with the shortest line beside it, cut into the faces"""
 
     bl_idname = "mesh.wirewarp_smooth_seam"
     bl_label = "Smooth Seam"

@@ -82,8 +82,8 @@ def draw_settings(layout: bpy.types.UILayout, settings: FlattenSettings, *parts:
 
 
 def _label(settings: FlattenSettings, setting: Setting, way: str) -> str:
-    """Return the label of a setting; below the heading of two ways, only the way. While a maximum stretch is 0, it
-    names the usual value of the fabric."""
+    """Return the label of a setting. If one heading is above two directions, it is the direction `way`. The label of a
+    maximum stretch of 0 has the usual value of the fabric."""
     usual = usual_stretch(settings).get(setting.name)
     note = "" if usual is None or getattr(settings, setting.name) else f" (0 = {percent_text(usual)})"
     return (way or setting.full_label) + note

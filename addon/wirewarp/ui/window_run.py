@@ -17,7 +17,7 @@ from ..blender.views import redraw_sidebars, send_mouse_move
 from ..solve.steps import CanceledError, Steps, T, in_one_go
 
 POLL_SECONDS = 0.02
-UNSEEN_SECONDS = 0.3  # seconds before the bar appears, because a line that disappears at once would only flicker
+UNSEEN_SECONDS = 0.3  # seconds before the bar appears, because a line that disappears immediately would only flicker
 
 
 @dataclass(frozen=True)
@@ -168,7 +168,7 @@ class WindowSteps:
         return event.type != "ESC"
 
     def wait_for(self, context: bpy.types.Context, steps: Steps[T]) -> T:
-        """Do all steps at once, while Blender waits."""
+        """Do all steps without a pause, while Blender waits."""
         manager = context.window_manager
         manager.progress_begin(0.0, 1.0)
         try:

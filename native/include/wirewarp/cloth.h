@@ -33,7 +33,7 @@ struct Cloth {
   static constexpr double least_stretch = -0.5;
   static constexpr double most_stretch = 4;
 
-  /// Angle γ in radians, in (0, π/2), from which threads press on each other. A larger γ adds the energy 10 max(weft,
+  /// Angle γ in radians, in (0, π/2), above which threads press on each other. A larger γ adds the energy 10 max(weft,
   /// warp) (|sin γ| − sin locking)². None: they never do.
   std::optional<double> locking;
 

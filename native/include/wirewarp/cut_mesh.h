@@ -39,8 +39,8 @@ struct CutMesh {
 /// small angles leave smaller parts.
 ///
 /// Throws empty_mesh, vertex_out_of_range, non_finite_coordinates, repeated_vertex_in_face, and invalid_option for a
-/// path that is not on the mesh, has two consecutive points in no common triangle, or is so short that its points snap
-/// together.
+/// path that is not on the mesh, has two consecutive points without a common triangle, or is so short that its points
+/// snap together.
 CutMesh cut_mesh(const Positions3& vertices, const Triangles& faces, const std::vector<SurfacePath>& paths,
                  double snap = 0.05);
 

@@ -64,9 +64,9 @@ struct Options {
 
   /// For the refined method: maximum number of Newton factorizations for a piece. A piece that reaches it keeps its
   /// current shape. All starts and stages count: a coarser mesh, closed slits and elastic seams. A factorization of
-  /// pieces coupled by elastic seams counts for each of them. The limit applies anew to each of these: the stretch of a
-  /// fabric, which starts from the piece without stretch; each coupled piece alone, if no stretched shapes with common
-  /// lengths are found; and each piece that is flipped or overlaps itself without the stretch. The search for
+  /// pieces coupled by elastic seams counts for each of them. The count starts again for the stretch of a fabric, which
+  /// starts from the piece without stretch; for each coupled piece alone, if no stretched shapes with common lengths
+  /// are found; and for each piece that is flipped or overlaps itself without the stretch. The search for
   /// contradicting wires has its own limits. >= 1.
   int max_factorizations = 200;
 

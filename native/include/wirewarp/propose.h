@@ -146,7 +146,7 @@ struct SeamProposal {
   bool was_stopped = false;        // progress ended the search before every section was tried
 };
 
-/// Returns the seams that remain after sections of seams, or parts of them, were left out one after the other, the
+/// Returns the seams that remain after sections of seams, or parts of them, were removed one by one, the
 /// longest first. Sections are divided in the middle and at their sharpest corner. Without a section, the pieces beside
 /// it are joined. The section is left out only if flatten() finds a flat shape of the joined piece with at most the
 /// given strain, or at most the strain of the worst of these pieces with the input's seams. Strains below 1e-6 are

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Smooth lines for cuts: replaces a path of edges by a straight line across the triangles.
+// Smooth lines for cuts: replaces a path of edges with a straight line across the triangles.
 #pragma once
 
 #include <vector>

@@ -53,13 +53,13 @@ constexpr Entry kEntries[] = {
       "Mark seams along edges of the mesh; after editing the mesh, mark them again.", ""}},
     {ErrorCode::wire_not_an_edge,
      {"wire_not_an_edge", "A wire steps between two vertices that no edge of the mesh joins.",
-      "Let every wire run along edges of the mesh; after editing the mesh, mark it again.", WIREWARP_NAMED_WIRES}},
+      "Use wires that run along edges of the mesh; after editing the mesh, mark them again.", WIREWARP_NAMED_WIRES}},
     {ErrorCode::wire_too_short,
      {"wire_too_short", "A wire has fewer than two vertices, so it has no length.",
       "Give the wire at least one edge, or remove it.", WIREWARP_NAMED_WIRES}},
     {ErrorCode::edge_in_two_wires,
      {"edge_in_two_wires", "One edge belongs to two wires, or twice to the same one.",
-      "Let every edge belong to one wire only: clear the shared edges from all wires but one.", WIREWARP_NAMED_WIRES}},
+      "Clear the shared edges from all wires but one.", WIREWARP_NAMED_WIRES}},
     {ErrorCode::invalid_tolerance,
      {"invalid_tolerance", "A wire's tolerance is negative or not a number.",
       "Use 0 for a rigid wire, a fraction such as 0.03 for an elastic one, infinity for one that stretches freely.",
@@ -73,7 +73,7 @@ constexpr Entry kEntries[] = {
       "Name each side by an edge of the outline, its vertices in the order of the triangle on that side.", ""}},
     {ErrorCode::side_in_two_eases,
      {"side_in_two_eases", "One side of an edge is in two eases, or twice in the same one.",
-      "Let every side be in one ease only.", ""}},
+      "Put every side in only one ease.", ""}},
     {ErrorCode::repeated_vertex_in_face,
      {"repeated_vertex_in_face", "A face uses the same vertex twice.", "Delete the named faces.", ""}},
     {ErrorCode::repeated_face,
@@ -148,13 +148,11 @@ constexpr Entry kEntries[] = {
     {ErrorCode::no_proposal,
      {"no_proposal", "No dart or seam is found that helps a piece: it is flat enough, has no room, or gains nothing.",
       "Leave the piece as it is, mark a seam by hand, or clear wires that are in the way.",
-      "reason: \"unfolded\", \"strain\", \"too_long\", \"no_room\", \"no_gain\" or \"no_set\"; strain: of the piece, "
-      "and limit: the accepted strain (reason \"strain\"); length: of the seams, and limit: the longest allowed "
-      "(reason "
-      "\"too_long\"); kind: \"dart\" or \"seam\" (reasons \"no_room\", \"no_gain\"); wires: indices of the rigid and "
-      "elastic wires inside the piece (reason \"no_gain\"); is_restricted: whether some edges must have no seam "
-      "(reasons "
-      "\"no_room\", \"no_set\")"}},
+      "reason: \"unfolded\", \"strain\", \"too_long\", \"no_room\", \"no_gain\" or \"no_set\"; strain: the strain of "
+      "the piece, and limit: the accepted strain (reason \"strain\"); length: the length of the seams, and limit: the "
+      "longest allowed (reason \"too_long\"); kind: \"dart\" or \"seam\" (reasons \"no_room\", \"no_gain\"); wires: "
+      "indices of the rigid and elastic wires inside the piece (reason \"no_gain\"); is_restricted: whether some edges "
+      "must have no seam (reasons \"no_room\", \"no_set\")"}},
 };
 
 #undef WIREWARP_NAMED_WIRES

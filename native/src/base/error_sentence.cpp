@@ -87,7 +87,7 @@ std::string loose_faces(const Parts& parts) {
 std::string wire_off_edges(const Parts& parts) {
   return "The " + parts.wires() + " runs along " + parts.edges() +
          chosen(parts.elements.edges.size(), ", which is not an edge", ", which are not edges") +
-         " of the mesh: let consecutive vertices of a wire share an edge.";
+         " of the mesh: use an edge between all consecutive vertices of a wire.";
 }
 
 std::string edge_in_two_wires(const Parts& parts) {

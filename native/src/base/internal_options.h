@@ -21,7 +21,7 @@ enum class Target {
 struct InternalOptions : Options {
   InternalOptions(const Options& options = {}) : Options(options) {}  // NOLINT(google-explicit-constructor)
 
-  std::size_t large_chart = 8'000;  // number of faces from which on a coarse start saves time
+  std::size_t large_chart = 8'000;  // least number of faces for which a coarse start saves time
   bool with_proposals = true;  // whether to search for fixes of a failed piece, which takes far longer than the run
 
   bool makes_injective = true;  // whether to search for an injective shape if faces are flipped or overlap

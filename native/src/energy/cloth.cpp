@@ -49,19 +49,19 @@ const std::vector<ClothPreset>& cloth_presets() {
       {"swim", "Swim Knit", "Swim and activewear knit with elastane", fabric({0.29, 1, 0.17}, {1.0, 0.75}),
        wang + ", swimwear knit; stretch: stretch guides, 75 to 100% both ways"},
       {"leather", "Leather", "Garment and upholstery leather", fabric({1, 1, 0.5}, {0.08, 0.08}, 4),
-       "alike in all directions; stretch: chosen for garment leather, which is stretched no further when it is lasted"},
+       "the same in all directions; stretch: chosen for garment leather, which shoemakers stretch no further"},
       {"neoprene", "Neoprene", "Neoprene with knit on both sides", fabric({1, 1, 0.5}, {0.3, 0.3}, 2),
-       "alike in all directions; stretch: chosen for sheets of 2 to 5 mm, thin ones stretch further"},
+       "the same in all directions; stretch: chosen for sheets of 2 to 5 mm, thin ones stretch further"},
       {"felt", "Felt", "Felt of wool or acrylic, with no grain", fabric({1, 1, 0.5}, {0.05, 0.05}),
-       "alike in all directions, for felt has no threads; stretch: chosen, more tears it"},
+       "the same in all directions, because felt has no threads; stretch: chosen, more tears it"},
       {"fleece", "Fleece", "Polar fleece and sweatshirt fabric", fabric({0.4, 1, 0.17}, {0.2, 0.1}),
        wang + ", their double knit; stretch: stable knits of stretch guides, 18 to 25%"},
       {"minky", "Minky", "Minky and other short plush on a knit backing", fabric({0.3, 1, 0.15}, {0.2, 0.05}),
        "as swim knit, stiffer along; stretch: across as stable knits, along hardly any, chosen"},
       {"vinyl", "Vinyl", "Vinyl and faux leather on a knit backing", fabric({1, 1, 0.5}, {0.05, 0.03}, 4),
-       "alike in all directions; stretch: chosen for an ordinary backing, many stretch further"},
+       "the same in all directions; stretch: chosen for an ordinary backing, many stretch further"},
       {"foam", "EVA Foam", "EVA foam for costumes and armor, shaped with heat", fabric({1, 1, 0.5}, {0.1, 0.1}, 2),
-       "alike in all directions, closed cells; stretch: chosen, what a heat gun allows without thinning"},
+       "the same in all directions, closed cells; stretch: chosen, what a heat gun allows without thinning"},
   };
   return all;
 }
@@ -88,12 +88,12 @@ void check_cloth(const Cloth& cloth) {
   }
   if (!(cloth.squeeze >= Cloth::least_squeeze && cloth.squeeze <= Cloth::most_squeeze)) {
     refuse("squeeze", cloth.squeeze,
-           "lie between " + shortest(Cloth::least_squeeze) + " and " + shortest(Cloth::most_squeeze));
+           "be between " + shortest(Cloth::least_squeeze) + " and " + shortest(Cloth::most_squeeze));
   }
   for (const double stretch : cloth.stretch) {
     if (!(stretch >= Cloth::least_stretch && stretch <= Cloth::most_stretch)) {
       refuse("stretch", stretch,
-             "lie between " + shortest(Cloth::least_stretch) + " and " + shortest(Cloth::most_stretch));
+             "be between " + shortest(Cloth::least_stretch) + " and " + shortest(Cloth::most_stretch));
     }
   }
   if (cloth.locking && !(*cloth.locking > 0 && *cloth.locking < kPi / 2)) {

@@ -120,7 +120,7 @@ class ToleranceSearch {
     });
   }
 
-  /// Replaces free wires, which are known to work, by as few wires as possible, with tolerances as small as possible.
+  /// Replaces free wires, which are known to work, with as few wires as possible, with tolerances as small as possible.
   Tolerances on_few_wires(Tolerances tolerances) {
     trials_ = 0;
     drop_wires(tolerances);
@@ -232,7 +232,7 @@ std::vector<ProposedTolerance> propose_tolerances(const Chart& chart, const Inte
   if (all.empty()) return {};
   InternalOptions brief = options;
   brief.max_factorizations = kMaxFreeFactorizations;
-  brief.cloth.reset();  // only a start is needed
+  brief.cloth.reset();  // this shape is only a start, so it need not suit the fabric
   const Solution free = refine_chart(with_tolerances(chart, all), brief, stop);
   stop.check();
   if (!free.is_exact()) return {};

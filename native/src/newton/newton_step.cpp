@@ -114,7 +114,7 @@ StepOutcome take_newton_step(NewtonState& state) {
     state.multipliers = step.multipliers;
   }
   if (is_last) return StepOutcome::converged;
-  if (!goes_down) return StepOutcome::rejected;  // among shorter steps, a trust region chooses better
+  if (!goes_down) return StepOutcome::rejected;  // a trust region then chooses a better step than a line search
   const bool is_near = std::abs(step.slope) < NewtonConstants::near_minimum * state.now.value;
   return is_near ? go_on_with_factor(state, step.slope) : StepOutcome::accepted;
 }

@@ -36,7 +36,7 @@ struct Convexity {
 };
 
 /// Makes a symmetric matrix positive definite, so that the quadratic model has a minimum. Does not change a matrix that
-/// is well positive. Otherwise, replaces the eigenvalues by their magnitudes, at least 1e-6 of the largest, or
+/// is well positive. Otherwise, replaces the eigenvalues with their magnitudes, at least 1e-6 of the largest, or
 /// increases the diagonal if the matrix has more than 200 rows.
 Eigen::MatrixXd make_positive(const Eigen::MatrixXd& symmetric);
 

@@ -3,7 +3,7 @@
 // lengths is not smooth, because two branches cross if the rims are straight. On one branch, the slit stays shut and
 // bends to one side or the other. On the other branch, the slit opens, or its rims pass through each other. Where the
 // branches cross, the derivatives of the lengths are linearly dependent, and Newton steps cannot change branches.
-// Therefore each branch is searched by itself, and slits whose rims would pass through each other are sewn:
+// Therefore each branch is searched separately, and slits whose rims would pass through each other are sewn:
 //
 //   1. Sew all slits and find the least distorted shape, which also has the lengths of the open chart.
 //   2. From this shape, open all slits a little and minimize.

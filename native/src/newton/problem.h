@@ -30,7 +30,7 @@ class Problem {
   Problem(const Chart& chart, double fairness);
 
   /// Makes a problem with other lengths and angles than those of the chart. network: these lengths and angles. All
-  /// slits count as ordinary parts of the outline, because sewing would measure the lengths anew.
+  /// slits count as ordinary parts of the outline, because sewing would measure the lengths again.
   Problem(const Chart& chart, HeldNetwork network, double fairness);
 
   const Chart& chart() const { return chart_; }

@@ -22,7 +22,7 @@ namespace {
 /// pieces).
 constexpr int kMostToLieFlat = 40;
 
-/// Returns the first exact shape. large_chart: number of faces from which on the starts for large charts are tried.
+/// Returns the first exact shape. large_chart: least number of faces for which the starts for large charts are tried.
 Solution try_starts(Problem& problem, Stage stage, std::size_t large_chart, const Control& control) {
   Solution found;
   bool is_any_infeasible = false;

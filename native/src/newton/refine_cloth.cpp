@@ -19,7 +19,7 @@ namespace {
 constexpr double kSpacing = kPi / 36;   // angle between two compared directions
 constexpr std::size_t kBestStarts = 3;  // enough, because the energy of most pieces has one minimum in a quarter turn
 constexpr int kMaxTurns = 15;           // the samples take 3 to 6 turns
-constexpr double kShorter = 4;          // divisor of a turn that does not lower the energy, as in a line search
+constexpr double kShorter = 4;          // divides the angle of a turn that does not lower the energy
 
 /// Returns a layout rotated about the origin, counter-clockwise.
 Positions2 turned(const Positions2& uv, double angle) {
@@ -31,7 +31,7 @@ double period(const Cloth& cloth) { return cloth.weft == cloth.warp ? kPi / 2 : 
 
 class ClothRefinement {
  public:
-  /// injectivity: of the shape without a fabric. pair: vertices with a fixed direction.
+  /// injectivity: that of the shape without a fabric. pair: vertices with a fixed direction.
   ClothRefinement(Problem& problem, const InternalOptions& options, const Control& control, Injectivity injectivity,
                   const VertexPair& pair)
       : problem_(problem), options_(options), control_(control), injectivity_(injectivity), pair_(pair) {}

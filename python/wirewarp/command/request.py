@@ -64,7 +64,7 @@ class CutRequest(ModelRequest):
     strain: float | None  # None: the library's value
     longest: float | None
     narrowest: float | None  # None: any
-    together: int | None  # largest number of cuts made together; None: each cut is proposed by itself
+    together: int | None  # largest number of cuts made together; None: each cut is proposed alone
 
 
 @dataclass(frozen=True)

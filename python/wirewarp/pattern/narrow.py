@@ -59,7 +59,7 @@ def narrowest_width(outlines: Sequence[np.ndarray], most: float = np.inf) -> flo
 
 
 def has_room(piece: "Piece", allowance: float, sides: ArrayLike = (), widths: ArrayLike = ()) -> bool:
-    """Return whether the allowances of a piece with a flat shape have room beside each other inside its outline.
+    """Return whether the allowances of a piece with a flat shape have room side by side inside its outline.
 
     They have room if the piece stays in one part after a strip as wide as the allowance is removed along each side.
     Parts below a tenth of the area do not count. allowance: width at all sides except `sides` (k,2), which have the

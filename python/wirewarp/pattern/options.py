@@ -23,7 +23,7 @@ class PatternOptions(TypedDict, total=False):
     on_fold: bool  # draw one half of each symmetric piece, "Cut 1 on the fold" (False)
     measures: Sequence[tuple[str, float]]  # names and finished lengths, for the proof sheet (default: the rigid wires)
     notch_spacing: float  # along seams, 0 for none (100)
-    # "auto" (default) chooses by the order of sewing; "mitre", "right angle", "fold-back", "extend", "step"
+    # "auto" (default) chooses by the sewing order; "mitre", "right angle", "fold-back", "extend", "step"
     corner: str
     # or "round" for all corners
     darts: str  # "close" (default) cuts straight over their mouths; "cut" cuts them out, with allowance on the legs;

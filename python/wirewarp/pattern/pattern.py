@@ -227,10 +227,10 @@ class Pattern(PatternData):
         Every piece is cut in its quantity, including mirrored copies, from one layer; pieces on the fold are opened.
         Lengths are in millimeters.
 
-        width: usable width of the cloth. length: of a sheet; None for a roll, whose length is the result. gap: smallest
-        distance between pieces. grain: "one way" keeps all pieces upright, "both ways" may turn them by 180 degrees,
-        "free" allows all angles. times: number of copies of the whole pattern. seconds: duration of the search; 0
-        returns the first marker found. preview: called with each better marker.
+        width: usable width of the cloth. length: that of a sheet; None for a roll, whose length is the result. gap:
+        smallest distance between pieces. grain: "one way" keeps all pieces upright, "both ways" may turn them by 180
+        degrees, "free" allows all angles. times: number of copies of the whole pattern. seconds: duration of the
+        search; 0 returns the first marker found. preview: called with each better marker.
 
         The search is not deterministic, so save the marker. Raises FlattenError for bad input and for a piece that is
         too large for the fabric.

@@ -125,7 +125,7 @@ def thread_strains(metrics: Metrics) -> dict[str, np.ndarray]:
 
 
 def _numbers(values: np.ndarray, collapsed: float) -> np.ndarray:
-    """Replace missing values by this number."""
+    """Replace missing values with this number."""
     found: np.ndarray = np.where(np.isfinite(values), values, collapsed)
     return found
 

@@ -109,9 +109,10 @@ def as_seen(found: Verdict, makers: Iterable[str]) -> Verdict:
 
 
 def with_narrow(found: Verdict, names: Sequence[str], with_objects: bool = False) -> Verdict:
-    """Return the verdict if the pieces with these names have no room for their allowances, which reports do not know.
+    """Return the verdict if the pieces with these names have no room for their allowances.
 
-    It says what the pieces need, but not that they are ready to cut. with_objects: the names contain those of objects.
+    Reports have no allowances. The verdict says what the pieces need, but not that they are ready to cut. with_objects:
+    the names contain those of objects.
     """
     if not names:
         return found

@@ -111,7 +111,7 @@ def needs_text(threads: Threads) -> str:
 def strain_text(stretch: float, compression: float) -> str:
     """Return "stretched" or "compressed", or both if the two shares of the flat length are similar.
 
-    The text has no figure, because a second figure beside that of the piece would confuse.
+    The text has no figure, because a second figure beside that of the piece would be confusing.
     """
     strains = {"stretched": stretch, "compressed": compression}
     return " and ".join(word for word, share in strains.items() if share >= LESSER * max(strains.values()))

@@ -33,22 +33,23 @@ constexpr int kLevels = 120, kAround = 6;
 /// Least and largest share of the area at a tip: a bear's ear has 0.024, its head 0.4.
 constexpr double kSmallest = 0.006, kLargest = 0.55;
 
-/// A neck has at most this L / √A. A bear's ears have 2.27, and the arms of a star 2. Around more than a share of
-/// kLarge of the area, it has at most the second value: a bear's head has 1.16, a rabbit's 1.46, and a loop around the
-/// middle of a star 2.3.
+/// A neck has L / √A of at most kShort: a bear's ears have 2.27, and the arms of a star 2. If it separates more than
+/// the share kLarge of the area, it has at most kShortIfLarge: a bear's head has 1.16, a rabbit's 1.46, and a loop
+/// around the middle of a star 2.3.
 constexpr double kShort = 2.4, kShortIfLarge = 1.5, kLarge = 0.25;
 
-/// Beyond a neck, L grows by this factor before the area grows by the second one. On a cone, L grows by 1.34 while the
-/// area grows by 1.8, but L / √A is constant.
+/// Beyond a neck, L grows by a factor kWidens before the area grows by a factor kSoon. On a cone, L grows by 1.34 while
+/// the area grows by 1.8, but L / √A is constant.
 constexpr double kWidens = 1.12, kSoon = 1.8;
 
-/// Two parts are the same, contain one another, or are disjoint, if they are it but for these shares of their areas.
+/// Two parts are the same if their common area is more than kSame of their union, nested if it is more than kNested of
+/// the smaller part, and disjoint if it is less than kDisjoint of the smaller part.
 constexpr double kSame = 0.6, kNested = 0.97, kDisjoint = 0.03;
 
-/// Parts that together are the whole surface but for this share have one neck.
+/// Two parts have the same neck if more than this share of the surface is in exactly one of them.
 constexpr double kWhole = 0.75;
 
-/// Distances that differ by less than this share are equal but for rounding errors.
+/// Distances that differ by less than this share are equal except for rounding errors.
 constexpr double kRounding = 1e-9;
 
 /// The potential in the middle of the change across a crease.
@@ -106,7 +107,7 @@ class NeckSearch {
     return result;
   }
 
-  /// Returns the mean distance of each vertex from the whole surface. Each sample counts with the area around it.
+  /// Returns the mean distance of each vertex from the whole surface. Each sample is weighted by the area around it.
   Distances average_distance() const;
   std::vector<Distances> distances_from_tips() const;
   void add_candidates(const Distances& distance, std::vector<Candidate>& found) const;

@@ -4,7 +4,7 @@
 //   tip       a vertex that is farther from the rest of the surface, on average over the area, than all others around
 //   d, L, A   distance from a tip; length of the line at this distance; area of the surface within it
 //
-// Beyond a neck, the surface widens: L grows at once. At a neck, L / √A is least, with A the smaller of the areas on
+// Beyond a neck, the surface widens, so L increases. At a neck, L / √A is least, with A the smaller of the areas on
 // both sides; it would be 2.5 at the equator of a ball. The average distance as a sign of tips is from E. Zhang, K.
 // Mischaikow, G. Turk, Feature-based surface parameterization and texture mapping, ACM Transactions on Graphics 24,
 // 2005.

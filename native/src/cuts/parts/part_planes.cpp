@@ -40,7 +40,7 @@ Eigen::Matrix3d spread_around(const HalfEdgeMesh& mesh, const Eigen::Vector3d& p
   return spread;
 }
 
-/// Returns the middle of a loop's length.
+/// Returns the centroid of a loop, weighted by length.
 Eigen::Vector3d middle_of(const HalfEdgeMesh& mesh, const HalfEdgeChain& loop) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   double length = 0;

@@ -177,8 +177,8 @@ std::vector<DartProposal> sets_along_edges(const FlatPieces& pieces, std::size_t
   return sets;
 }
 
-/// Returns the sets along parts of the piece. Adds those along edges unless parts make a set that is easy to sew: for
-/// soft shapes such as a goat's head, these often have half as many pieces, but take two or three times as long.
+/// Returns the sets along parts of the piece. Adds the sets along edges if no set along parts is easy to sew. For soft
+/// shapes such as a goat's head, sets along edges often have half as many pieces, but take two or three times as long.
 std::vector<DartProposal> cut_sets(const FlatPieces& pieces, std::size_t piece, const CutOptions& cut_options,
                                    const ExactEvaluation& exact, CutProgress& progress) {
   if (!cut_options.is_smooth || !can_be_divided(*pieces[piece], cut_options, exact))

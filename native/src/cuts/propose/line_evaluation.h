@@ -28,8 +28,8 @@ struct LineFigures {
 /// The surface on the mesh of cut_mesh(), with the pieces that the cut makes.
 class CutSurface {
  public:
-  /// piece: index of the piece that is cut. exact: of the surface without the cut. All references are kept. Throws
-  /// Stopped.
+  /// piece: index of the piece that is cut. exact: evaluations of the surface without the cut. All references are
+  /// kept. Throws Stopped.
   CutSurface(const FlatPieces& pieces, std::size_t piece, const ExactEvaluation& exact, const CutMesh& cut);
 
   const ExactEvaluation& exact() const { return exact_; }
@@ -47,7 +47,7 @@ class CutSurface {
   FlatPieces before_, after_;  // without and with the cut
 };
 
-/// Sets the figures of a cut set that belong to its lines. figures: of the piece that it cuts.
+/// Sets the figures of a cut set that belong to its lines. figures: those of the piece that it cuts.
 void set_figures(const CutSurface& surface, const PieceFigures& figures, DartProposal& set);
 
 /// Returns the figures of a piece with cuts along lines from outlines to tips inside; nullopt if the lines meet, if a

@@ -11,7 +11,7 @@
 namespace wirewarp {
 namespace {
 
-/// Replaces NaN by infinity: a flat triangle without area has no finite strain.
+/// Replaces NaN with infinity: a flat triangle without area has no finite strain.
 Eigen::ArrayXd as_numbers(const Eigen::VectorXd& strains) {
   return strains.array().isFinite().select(strains.array(), std::numeric_limits<double>::infinity());
 }

@@ -38,11 +38,11 @@ constexpr int kMostRounds = 8;
 /// needs up to 29 pieces.
 constexpr std::size_t kMostParts = 64, kMostPieces = 30;
 
-/// Strains above count as this strain, so that one bad part does not outweigh all others.
+/// Larger strains count as this strain, so that one bad part does not outweigh all others.
 constexpr double kWorst = 2;
 
-/// The price of a seam's length over the root of the part's area, of a part, and of a part that is too narrow, as
-/// strain over the whole part. They decide between planes that leave about the same strain.
+/// Prices, in units of strain over the whole part: for a seam's length over the root of the part's area, for a part,
+/// and for a part that is too narrow. They decide between planes that leave about the same strain.
 constexpr double kLengthPrice = 0.02, kPartPrice = 0.01, kNarrowPrice = 0.1;
 
 /// Least solidity of joined parts. With 0.75, half of a fish and its tail become one piece with arms; with 0.85, they
@@ -65,9 +65,9 @@ constexpr double kLeastStrain = 0.02;
 /// this share of its size: the seams of a box belong on its edges. A cube of 30 cm with round edges has none.
 constexpr double kSharpCosine = 0.7, kSharp = 0.5;
 
-/// Parts are divided and joined for this share of the allowed strain, because the final mesh has other triangles beside
-/// the lines, which changes most strains by up to 2%. If a piece has too much strain there, its parts are joined
-/// otherwise.
+/// Share of the allowed strain that parts may have while they are divided and joined. The final mesh has other
+/// triangles beside the lines, which changes most strains by up to 2%. If a piece then has too much strain, its parts
+/// are joined differently.
 constexpr double kMargin = 0.97;
 
 /// Parts are mirror images of each other if their centroids differ by less than this share of the model's size.

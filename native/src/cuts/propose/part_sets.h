@@ -16,7 +16,7 @@ bool can_be_divided(const FlatPiece& piece, const CutOptions& cut_options, const
 /// Cut sets along the parts of a piece.
 struct PartSets {
   std::vector<DartProposal> sets;  // the longest first
-  bool are_sewable = false;        // whether one is within the accepted strain, with few pieces and none too narrow
+  bool are_sewable = false;        // whether a set is within the accepted strain, and has few pieces, all wide enough
 };
 
 /// Returns cut sets of such a piece along its necks and along planes through its parts, as a sewist divides a toy: an

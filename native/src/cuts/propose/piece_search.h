@@ -87,7 +87,7 @@ class PieceSearch {
     HalfEdgeChain chain;
     HalfEdgeChain image;  // mirror image; empty: none
     PieceFigures alone;
-    std::optional<PieceFigures> with_image;  // set if this is better
+    std::optional<PieceFigures> with_image;  // set if the image lowers the strain further
 
     double strain() const { return with_image ? with_image->strain : alone.strain; }
   };

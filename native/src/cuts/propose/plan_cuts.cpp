@@ -148,7 +148,7 @@ class PlanOfCuts {
     for (const auto& piece : pieces_) {
       if (!piece->error && may_be_cut(*piece)) most = std::max(most, piece->strain);
     }
-    if (most < 0) throw std::logic_error("A cut was taken under which no part lies flat.");
+    if (most < 0) throw std::logic_error("A cut was made that leaves no part with a flat shape.");
     return most;
   }
 

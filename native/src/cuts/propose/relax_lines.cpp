@@ -37,7 +37,8 @@ bool is_along_edges(const SurfaceLine& line) {
                      [](const LineSection& section) { return section.edge.is_valid(); });
 }
 
-/// Returns the mean length of the edges of lines along edges, otherwise the typical one of the mesh.
+/// Returns the mean length of the lines' edges if all lines run along edges, or else the typical edge length of the
+/// mesh.
 double edge_length_for(const HalfEdgeMesh& mesh, const std::vector<SurfaceLine>& lines) {
   if (!std::all_of(lines.begin(), lines.end(), is_along_edges)) return typical_edge_length(mesh);
   double length = 0;
@@ -114,8 +115,8 @@ bool are_on_one_edge(const HalfEdgeMesh& mesh, const PathPoint& a, const PathPoi
   return !a.is_vertex() && !b.is_vertex() && mesh.edge_handle(a.half_edge) == mesh.edge_handle(b.half_edge);
 }
 
-/// Adds a point, and removes unnecessary crossings: of an edge that is crossed back at once, or of an edge whose end is
-/// on the line.
+/// Adds a point, and removes unnecessary crossings: of an edge that the line immediately crosses again, or of an edge
+/// whose end is on the line.
 void append(const HalfEdgeMesh& mesh, const PathPoint& point, MeshPath& path) {
   const VertexHandle v = near_vertex(mesh, point);
   if (!v.is_valid()) {

@@ -18,8 +18,8 @@ struct RelaxedLine {
   bool is_closed = false;
 };
 
-/// Lines that meet at their ends. They cross no barrier. Points on a barrier are fixed, as are ends where no other line
-/// continues. Junctions move.
+/// Lines that meet at their ends. They do not cross barriers. Points on a barrier are fixed, as are ends where no other
+/// line continues. Junctions move.
 class LineNetwork {
  public:
   /// barriers: one flag per edge. The mesh and the barriers must outlive the network.

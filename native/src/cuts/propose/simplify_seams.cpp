@@ -22,10 +22,10 @@
 namespace wirewarp {
 namespace {
 
-/// Progress after the input was flattened with all its seams.
+/// Progress (0 to 1) at which the input has been flattened with all its seams.
 constexpr double kFlattened = 0.1;
 
-/// A part of the model between the seams that must stay, in canonical order.
+/// A part of the model between the seams that must not be removed, in canonical order.
 struct Part {
   Part(const Chart& given, const VertexPairs& seams, const StopToken& stop)
       : chart(in_canonical_order(given, stop)),

@@ -38,7 +38,7 @@ constexpr std::size_t kMoved = 3;
 constexpr double kLeastMove = 0.01;
 
 /// The fabric around a tip may be strained as much as anywhere in the uncut piece, or by this strain, which every
-/// fabric takes.
+/// fabric allows.
 constexpr double kAnyFabric = 0.03;
 
 /// The course of a line along a chain with the same ends.

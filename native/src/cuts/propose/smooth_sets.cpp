@@ -302,8 +302,8 @@ std::vector<char> SmoothSet::beside(const FlatPiece& part, const CutMesh& cut) c
   return lines;
 }
 
-/// Returns, of these lines, the line that is nearest to most of the area with too much strain. Ignores lines that
-/// follow their edges; returns all lines if no others are left.
+/// Returns the line among these that is nearest to most of the area with too much strain. Ignores lines that follow
+/// their edges; returns all lines if no others are left.
 std::vector<char> SmoothSet::most_strained(const FlatPiece& part, const CutMesh& cut,
                                            const std::vector<char>& lines) const {
   std::vector<double> area(levels_.size(), 0);

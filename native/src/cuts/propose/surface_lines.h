@@ -35,8 +35,8 @@ struct SurfaceLines {
 /// Returns the sections of a cut. image: mirror image of each vertex, or empty.
 SurfaceLines lines_along(const Chart& chart, const std::vector<VertexHandle>& image, const CutMask& cut);
 
-/// Returns the sections of a cut of a chart on the mesh of cut_mesh(), as lines on the chart before. chart: of the
-/// input; cut_chart: of the cut mesh, with the mirror image of each vertex, or empty.
+/// Returns the sections of a cut of a chart on the mesh of cut_mesh(), as lines on the chart before. chart: a chart of
+/// the input; cut_chart: its chart on the cut mesh; image: the mirror image of each of its vertices, or empty.
 SurfaceLines lines_across(const FlattenInput& input, const Chart& chart, const CutMesh& mesh, const Chart& cut_chart,
                           const std::vector<VertexHandle>& image, const CutMask& cut);
 

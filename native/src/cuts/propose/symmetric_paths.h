@@ -18,7 +18,7 @@ class PathMirror {
   /// image: mirror image of each vertex, or empty. All references are kept.
   PathMirror(const FlattenInput& input, const Chart& chart, const std::vector<VertexHandle>& image);
 
-  /// Replaces one path of each pair by the image of the other. Puts paths that are their own images on the plane, or
+  /// Replaces one path of each pair with the image of the other. Puts paths that are their own images on the plane, or
   /// makes them symmetric. images: mirror image of each path, or the path itself.
   void make_symmetric(const std::vector<std::size_t>& images, std::vector<SurfacePath>& paths) const;
 

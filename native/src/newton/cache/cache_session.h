@@ -36,7 +36,7 @@ class CacheSession {
   /// Keeps the solutions of a group for the next run, unless a solution was canceled.
   void keep(const std::vector<const Chart*>& group, const std::vector<const SolvedChart*>& solved);
 
-  /// Replaces the contents of the cache by the charts of this run.
+  /// Replaces the contents of the cache with the charts of this run.
   void finish();
 
   int num_reused() const { return num_reused_; }

@@ -30,7 +30,7 @@ struct DecimatedMesh {
   std::vector<CoarsePlace> places;  // for each vertex of the chart; not set for removed vertices on wires
 };
 
-/// Removes vertices. network: the lines on which wire vertices stay. edge_length: the target in scene units; no new
+/// Removes vertices. network: wire vertices remain on its lines. edge_length: the target in scene units; no new
 /// edge is longer than twice the target. Throws Stopped; the token is polled before each round over all vertices.
 DecimatedMesh decimate(const Chart& chart, const HeldNetwork& network, double edge_length, const StopToken& stop = {});
 

@@ -50,7 +50,7 @@ constexpr int kMaxSweeps = 100;  // sweeps over the moving vertices; 10 to 30 ar
 
 /// Unfolds triangles that are flipped or nearly flipped in a prolonged shape: fine meshes have slivers that are folded
 /// over their neighbors, and a smooth map keeps these folds. The vertices of slivers move to where the triangles around
-/// them fit best, then the neighbors of all vertices that moved. Vertices of the network stay.
+/// them fit best, then the neighbors of all vertices that moved. Vertices of the network do not move.
 class Slivers {
  public:
   Slivers(const Chart& chart, const HeldNetwork& network, Positions2& uv)

@@ -30,7 +30,7 @@ std::vector<std::size_t> largest_first(const std::vector<Chart>& charts) {
 }
 
 /// Returns options for shapes that later stages refine. The best direction of a fabric is final, so Orientation::best
-/// needs the exact minimum at once.
+/// needs the exact minimum immediately.
 InternalOptions on_the_way(InternalOptions options) {
   if (options.orientation != Orientation::best) options.target = options.cloth ? Target::rough : Target::newton_step;
   return options;

@@ -145,7 +145,7 @@ class StretchedGroup {
     make_flat(member);
   }
 
-  /// Replaces the layout by an error. The proposed seams help at the stretched lengths.
+  /// Replaces the layout with an error. The proposed seams help at the stretched lengths.
   void explain(std::size_t k, bool ran_out) const {
     Chart stretched = group_[k].chart;
     set_stretched_lengths(group_[k], stretched);

@@ -44,7 +44,7 @@ PerEdge ratios_by_direction(const Chart& chart, const Positions2& uv, const Clot
   return ratios;
 }
 
-/// Replaces the ratios of all sides of an edge by their mean.
+/// Replaces the ratios of all sides of an edge with their mean.
 void share_among_sides(const std::vector<Chart>& charts, std::vector<PerEdge>& ratios) {
   struct Mean {
     double sum = 0;

@@ -13,7 +13,7 @@ void partition_subtrees(FrontLayout& layout);
 /// complement is pushed on one stack while those of its children are popped from the other.
 void place_schur_complements(FrontLayout& layout);
 
-/// Fills shared_vertices and Front::num_own_rows, and replaces the other rows by their indices in shared_vertices.
+/// Fills shared_vertices and Front::num_own_rows, and replaces the other rows with their indices in shared_vertices.
 void list_shared_vertices(FrontLayout& layout);
 
 }  // namespace wirewarp

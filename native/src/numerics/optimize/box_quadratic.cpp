@@ -12,7 +12,7 @@ Eigen::VectorXd minimize_quadratic_in_box(const Eigen::VectorXd& g, const Eigen:
   Eigen::VectorXd d = Eigen::VectorXd::Zero(g.size()), slope = g;
   double value = 0;  // value of the model
   Eigen::LLT<Eigen::MatrixXd> factor;
-  std::vector<int> factored;  // variables of the factor
+  std::vector<int> factored;  // variables of the factored submatrix
   for (int i = 0; i < kMaxFactorizations; ++i) {
     // Variables that are not in the active set, which contains the variables at a bound that the model pushes outward.
     std::vector<int> free;

@@ -12,7 +12,7 @@ namespace {
 
 void check_range(const std::string& name, double value, double least, double most) {
   if (value >= least && value <= most) return;
-  throw wrong_option(name, shortest(value), "lie between " + shortest(least) + " and " + shortest(most));
+  throw wrong_option(name, shortest(value), "be between " + shortest(least) + " and " + shortest(most));
 }
 
 }  // namespace
@@ -31,7 +31,7 @@ void check_options(const Options& options) {
                          "be refined if there is a cloth");
     }
   } else if (options.orientation == Orientation::best) {
-    throw wrong_option("orientation", "best", "be another one without a cloth, for which all directions are alike");
+    throw wrong_option("orientation", "best", "be another one without a cloth, for which all directions are the same");
   }
   if (options.max_factorizations < 1) {
     throw wrong_option("max_factorizations", std::to_string(options.max_factorizations), "be at least 1");

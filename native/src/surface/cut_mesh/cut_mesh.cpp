@@ -113,8 +113,7 @@ void MeshCut::draw(const SurfacePath& path, const std::string& name) {
       const int face = common_face(line.back(), site, path.faces[i]);
       if (face < 0) {
         throw wrong_option(
-            name,
-            "a line whose points " + std::to_string(i - 1) + " and " + std::to_string(i) + " are in no common face",
+            name, "a line whose points " + std::to_string(i - 1) + " and " + std::to_string(i) + " have no common face",
             "have a point on each edge that it crosses");
       }
       lines_.draw(face, line.back(), site);
@@ -122,7 +121,7 @@ void MeshCut::draw(const SurfacePath& path, const std::string& name) {
     line.push_back(site);
   }
   if (line.size() < 2) {
-    throw wrong_option(name, "a line that ends where it begins, but for snap", "be longer than what snap moves");
+    throw wrong_option(name, "a line whose points all snap to one point", "be longer");
   }
   drawn_.push_back(std::move(line));
 }

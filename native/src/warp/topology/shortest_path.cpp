@@ -20,7 +20,7 @@ bool is_shorter_on_other_side(const HalfEdgeMesh& mesh, const StripTurn& turn) {
   return total_angle(mesh, turn.vertex) - kPi - turn.angle < kPi - kStraight;
 }
 
-/// Replaces the strip and its path by a shorter path that may_take accepts. Returns false if there is none.
+/// Replaces the strip and its path with a shorter path that may_take accepts. Returns false if there is none.
 template <class MayTake>
 bool improve(const HalfEdgeMesh& mesh, const WireMask& wires, const MayTake& may_take, Strip& strip, StripPath& best) {
   // Least relative decrease: some hundred rounding errors, so that two equally long paths do not alternate.

@@ -22,7 +22,7 @@ class Choice(NamedTuple):
 
 @dataclass(frozen=True)
 class Option:
-    """A keyword of the writer that dialogs show."""
+    """A keyword argument of the writer, which dialogs show as a setting."""
 
     name: str
     label: str

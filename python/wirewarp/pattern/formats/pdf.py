@@ -29,7 +29,7 @@ def write_pdf(
 
     paper: "a4", "letter", "a4-letter" (fits both), "a3", "tabloid", "a0", "36in", "24in", "projector", or the width of
     a roll in millimeters. None: A4, and for a marker a roll of the necessary width. proof: adds pages with every piece,
-    finished measures, both sides of every seam, and an order of sewing. keep_places: pieces keep their places on sheets
+    finished measures, both sides of every seam, and a sewing order. keep_places: pieces keep their places on sheets
     and rolls, too; otherwise they are in rows.
     """
     planned = yield from _with_texts_on_sheets(plan(pattern, paper, keep_places))

@@ -43,7 +43,7 @@ def check(found: Iterator[np.ndarray], outlines: Sequence[np.ndarray]) -> Steps[
 
 
 def _nearest(found: np.ndarray, waiting: Sequence[np.ndarray]) -> tuple[float, int]:
-    """Return the distance to the first outline that fits, and its index; if none fits, those of the best one."""
+    """Return the distance to the first outline that fits, and its index. If none fits, use the nearest outline."""
     best, place = math.inf, -1
     for number, outline in enumerate(waiting):
         if len(outline) == len(found):

@@ -71,7 +71,7 @@ def copies_of(laid: Sequence[Laid], pieces: Sequence[PatternPiece], pairs: bool,
         return True
 
     left_out: set[int] = set()
-    # Pieces with a seam all around often have several maps. Those of their neighbors decide which one is possible.
+    # Pieces with a seam all around often have several maps. The maps of their neighbors decide which map is possible.
     order = sorted(range(len(pieces)), key=lambda index: any(side.is_closed for side in _sewn_sides(laid[index])))
     for first, second in combinations(order, 2) if pairs else ():
         if first in left_out or second in left_out:

@@ -100,7 +100,7 @@ def unfolded(piece: PatternPiece) -> PatternPiece:
 
 
 def _without_fold(outline: np.ndarray, is_on_fold: np.ndarray) -> np.ndarray:
-    """Return the open rest of a closed line (k,2) without its one part along the fold."""
+    """Return a closed line (k,2) without its part along the fold, as an open line. It has only one such part."""
     first = int(np.flatnonzero(is_on_fold & ~np.roll(is_on_fold, -1))[0])  # row at which the outline leaves the fold
     turned, is_on_fold = np.roll(outline, -first, axis=0), np.roll(is_on_fold, -first)
     return turned[: int(np.flatnonzero(is_on_fold[1:])[0]) + 2]

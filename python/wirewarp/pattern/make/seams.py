@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Seams on the flat pieces: their sides and lengths, the order of sewing, and the ease."""
+"""Seams on the flat pieces: their sides and lengths, the sewing order, and the ease."""
 
 import math
 from collections import defaultdict

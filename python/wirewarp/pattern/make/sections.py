@@ -152,7 +152,7 @@ def _runs(side: Side, widths: np.ndarray, folds: np.ndarray) -> list[Run]:
 
 
 def _width_before(by_side: Sequence[Sequence[Run]], number: int) -> float:
-    """Return the allowance of the nearest run before a side that is not a leg of a closed dart. number: of the side."""
+    """Return the allowance of the nearest run before a side that is not a leg of a closed dart. number: its index."""
     runs = [run for own in (*by_side[number:], *by_side[:number]) for run in own]
     return next(run.width for run in reversed(runs) if run.width is not None)
 

@@ -27,7 +27,7 @@ ROOM_FOR_GAP = 150.0
 def sewing_steps(
     laid: Sequence[Laid], seams: Sequence[Sequence[SewnSide]], names: Sequence[str]
 ) -> Steps[list[SewingStep]]:
-    """Return each seam once, in the order of sewing. names: names of the seams. In a body without an open edge, one
+    """Return each seam once, in sewing order. names: names of the seams. In a body without an open edge, one
     seam has an opening through which it is turned."""
     first = sewn_first([loop for piece in laid for loop in piece.loops])
     waiting = {number: [own.side for own in sides] for number, sides in enumerate(seams) if len(sides) > 1}
@@ -69,7 +69,7 @@ def _gaps(laid: Sequence[Laid], seams: Mapping[int, Sequence[Side]]) -> set[int]
         own = {number: sides[0] for number, sides in seams.items() if sides[0].piece in body}
         is_open = any(side.seam is None for piece in body for loop in laid[piece].loops for side in loop)
         if own and not is_open:
-            gaps.add(max(own, key=lambda number: _fitness(own[number])))  # noqa: B023 (called at once)
+            gaps.add(max(own, key=lambda number: _fitness(own[number])))  # noqa: B023 (called immediately)
     return gaps
 
 
@@ -80,8 +80,7 @@ def _fitness(side: Side) -> tuple[bool, float]:
 
 
 def _likeness(sides: Sequence[Side]) -> Likeness:
-    """Return the pieces and the length of a seam. By these, its counterpart on the other side is found, which is sewn
-    next."""
+    """Return the pieces and the length of a seam. The next seam to sew is its counterpart, which has the same."""
     return {side.piece for side in sides}, round(float(sides[0].along[-1]), 1)
 
 

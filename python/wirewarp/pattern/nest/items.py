@@ -90,7 +90,7 @@ def _outline(piece: PatternPiece, gap: float, upright: float) -> np.ndarray:
 
 def simplified(outline: np.ndarray, within: float, kept: Iterable[int]) -> np.ndarray:
     """Return the closed outline (k,2) with fewer points, by Douglas and Peucker, with an error of at most `within`.
-    kept: points that stay, at least two."""
+    kept: indices of points that must remain, at least two."""
     closed = np.concatenate([outline, outline[:1]])
     fixed = sorted({0, *kept})
     found, spans = set(fixed), list(zip(fixed, [*fixed[1:], len(outline)], strict=True))

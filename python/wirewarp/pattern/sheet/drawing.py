@@ -20,10 +20,10 @@ class Look(NamedTuple):
     dxf_layer: str  # layer of apparel DXF, by ASTM D6673
     dxf_color: int  # AutoCAD's color index in plain DXF
     pen: int  # number of the pen of plotters
-    label: str = ""  # name in the key of lines; "" for lines without an entry
+    label: str = ""  # name in the legend; "" for lines that the legend does not list
 
 
-# Colors differ enough even for cutters' programs that replace each color by the nearest one of their own.
+# Colors differ enough even for cutters' programs that replace each color with the nearest one of their own.
 LOOKS = {
     "cut": Look("Cut", "#000000", 0.5, (), "1", 1, 1, "Cutting line"),
     "inner_cut": Look("Cut", "#000000", 0.5, (), "11", 1, 1),

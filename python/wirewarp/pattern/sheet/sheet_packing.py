@@ -28,7 +28,7 @@ class Shape:
 
 
 class Placed(NamedTuple):
-    sheets: int  # number of needed sheets
+    sheets: int  # number of sheets needed
     columns: int
     corners: np.ndarray  # (p,2) lower left corners of the pieces, from the corner of the lowest, leftmost sheet
     turns: list[int]  # for each piece, which of its outlines is placed
@@ -43,9 +43,9 @@ def placed_on_sheets(
 ) -> Placed | None:
     """Return the best arrangement on one of these numbers of columns; None if each needs at least `fewest` sheets.
 
-    outlines: those of each piece in each of its turns, with the lower left corner at 0, 0. step (2,): from a sheet to
-    the next one. inset: millimeters from the edge of the printed area to the nearest piece, and half of the distance
-    between pieces.
+    outlines: the outlines of each piece in each of its rotations, with the lower left corner at 0, 0. step (2,): from
+    one sheet to the next. inset: millimeters from the edge of the printed area to the nearest piece, and half of the
+    distance between pieces.
     """
     per_sheet = np.maximum(np.rint(step / CELL), 2).astype(int)
     cell = step / per_sheet
