@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "surface/charts/chart.h"
 #include "surface/cut_mesh/path_sites.h"
 #include "surface/mesh/edge_table.h"
 
@@ -15,8 +16,6 @@ namespace {
 
 /// The default of cut_mesh(), which callers use to cut along the lines of a set.
 constexpr double kCutSnap = 0.05;
-
-VertexPair ordered(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
 
 }  // namespace
 
@@ -34,13 +33,13 @@ CutMesh cut_again(const CutMesh& before, const std::vector<SurfacePath>& paths) 
   CutMesh after = cut_mesh(before.vertices, before.faces, selected(paths, kept), kCutSnap);
   std::map<VertexPair, std::vector<int>> divided;
   for (const std::vector<int>& along : after.sources.divided_edges)
-    divided[ordered(along.front(), along.back())] = along;
+    divided[sorted({along.front(), along.back()})] = along;
   std::set<VertexPair> edges;
-  for (const auto& [a, b] : after.edges) edges.insert(ordered(a, b));
+  for (const VertexPair& ends : after.edges) edges.insert(sorted(ends));
   for (const auto& [a, b] : before.edges) {
-    const auto found = divided.find(ordered(a, b));
+    const auto found = divided.find(sorted({a, b}));
     const std::vector<int> along = found == divided.end() ? std::vector<int>{a, b} : found->second;
-    for (std::size_t i = 1; i < along.size(); ++i) edges.insert(ordered(along[i - 1], along[i]));
+    for (std::size_t i = 1; i < along.size(); ++i) edges.insert(sorted({along[i - 1], along[i]}));
   }
   after.edges.assign(edges.begin(), edges.end());
   CutSources& sources = after.sources;
