@@ -259,11 +259,12 @@ flat shape, or one for which darts alone do not reach the bound, is cut by `prop
 target strains of {", ".join(f"{100 * target:.0f}%" for target in TARGETS)}, each set shorter than the one before. From
 the first set for each target, `simplify_seams` removes seams, for accepted strains from {100 * STRAINS[0]:.0f}% to
 {100 * STRAINS[-1]:.0f}%, as long as the energy is below the bound. The column *without darts* has the shortest set
-below the bound. Darts are added to a surface that is flat without cuts, to the {FEWEST} shortest sets, and to the {FEWEST} with the
-least energy above the bound, until the energy is below the bound. Each dart is chosen from {CHOICE} of `propose_darts`: the one with the largest decrease of
-energy for its length. The shorter result counts. WireWarp keeps the length of every cut and outline, so that the sides
-of a cut can be sewn together. OptCuts does not; it only limits the distortion over the area. The section on the price
-of exactness measures the effect of this on the length of cuts.
+below the bound. Darts are added to a surface that is flat without cuts, to the {FEWEST} shortest sets, and to the
+{FEWEST} with the least energy above the bound, until the energy is below the bound. Each dart is chosen from {CHOICE}
+of `propose_darts`: the one with the largest decrease of energy for its length. The shorter result counts. WireWarp
+keeps the length of every cut and outline, so that the sides of a cut can be sewn together. OptCuts does not; it only
+limits the distortion over the area. The section on the price of exactness measures the effect of this on the length of
+cuts.
 
 ## Surfaces
 """
