@@ -291,16 +291,54 @@ TEST(PartSets, DoNotDependOnHowTheModelIsGiven) {
   }
 }
 
-TEST(PartSets, LeaveForbiddenEdgesToTheSearchAlongEdges) {
-  const FlattenInput input = dumbbell(8, 8);
+/// Returns the three edges of a face.
+VertexPairs edges_of(const FlattenInput& input, int face) {
+  VertexPairs edges(3, 2);
+  for (int k = 0; k < 3; ++k) edges.row(k) << input.faces(face, k), input.faces(face, (k + 1) % 3);
+  return edges;
+}
+
+/// Returns the faces with a point of a path inside or on their border.
+std::set<int> faces_touched(const FlattenInput& input, const DartProposal& set) {
+  std::set<int> corners, touched;
+  for (const SurfacePath& path : set.paths) {
+    for (const int f : path.faces) corners.insert({input.faces(f, 0), input.faces(f, 1), input.faces(f, 2)});
+  }
+  for (int f = 0; f < input.faces.rows(); ++f) {
+    for (int k = 0; k < 3; ++k) {
+      if (corners.count(input.faces(f, k)) > 0) touched.insert(f);
+    }
+  }
+  return touched;
+}
+
+TEST(PartSets, AreTheSameIfTheyAvoidForbiddenFaces) {
+  const FlattenInput input = dumbbell(24, 24);
+  const DartProposal set = smooth_sets(input, {}).front();
+  const std::set<int> touched = faces_touched(input, set);
+  int free = 0;
+  while (touched.count(free) > 0) ++free;
+  ASSERT_LT(free, input.faces.rows());
   CutOptions cut_options;
-  cut_options.no_seam.resize(1, 2);
-  cut_options.no_seam << input.faces(0, 0), input.faces(0, 1);
+  cut_options.no_seam = cut_options.no_crossing = edges_of(input, free);
+  const DartProposal same = smooth_sets(input, cut_options).front();
+  EXPECT_EQ(same.num_pieces, set.num_pieces);
+  EXPECT_DOUBLE_EQ(same.length, set.length);
+}
+
+TEST(PartSets, DoNotEnterForbiddenFaces) {
+  const FlattenInput input = dumbbell(24, 24);
+  const SurfacePath path = smooth_sets(input, {}).front().paths.front();
+  const int entered = path.faces[path.faces.size() / 2];
+  CutOptions cut_options;
+  cut_options.no_seam = cut_options.no_crossing = edges_of(input, entered);
   const std::vector<DartProposal> sets = smooth_sets(input, cut_options);
   ASSERT_FALSE(sets.empty());
   for (const DartProposal& set : sets) {
+    const CutMesh cut = cut_mesh(input.vertices, input.faces, set.paths);
+    EXPECT_EQ(std::count(cut.sources.faces.begin(), cut.sources.faces.end(), entered), 1) << "the face is divided";
     const std::set<VertexPair> seams = test::undirected(test::with_paths(input, set.paths).seams);
-    EXPECT_EQ(seams.count(*test::undirected(cut_options.no_seam).begin()), 0U);
+    for (const VertexPair& edge : test::undirected(cut_options.no_seam)) EXPECT_EQ(seams.count(edge), 0U);
   }
 }
 

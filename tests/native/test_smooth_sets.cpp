@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 #include <vector>
@@ -238,17 +239,19 @@ TEST(SmoothSets, KeepTheCreasesOfABox) {
   EXPECT_EQ(smoothed(box, lid, 0).edges, lid);
 }
 
-/// Returns one edge, which keeps a model from being divided into parts if no seam may be there.
-VertexPairs edge_of(const FlattenInput& input) {
-  VertexPairs edge(1, 2);
-  edge << input.faces(0, 0), input.faces(0, 1);
-  return edge;
+/// Returns an egg with a free wire along one edge, which keeps it from being divided into parts.
+FlattenInput egg_with_wire() {
+  FlattenInput input = egg(16, 12);
+  Wire wire;
+  wire.vertices = {input.faces(0, 0), input.faces(0, 1)};
+  wire.tolerance = std::numeric_limits<double>::infinity();
+  input.wires.push_back(wire);
+  return input;
 }
 
 TEST(ProposeSeams, MergesPiecesWhoseOutlinesAreSmooth) {
-  const FlattenInput input = egg(16, 12);
+  const FlattenInput input = egg_with_wire();
   CutOptions cut_options;
-  cut_options.no_seam = edge_of(input);
   cut_options.strain = 0.05;
   cut_options.is_smooth = true;
   const DartProposal finest = propose_seams(input, {}, cut_options).front();
@@ -258,11 +261,10 @@ TEST(ProposeSeams, MergesPiecesWhoseOutlinesAreSmooth) {
 }
 
 TEST(ProposeSeams, ReturnsSmoothSetsAndCanBeCanceledWhileItSmooths) {
-  const FlattenInput input = egg(16, 12);
+  const FlattenInput input = egg_with_wire();
   CutOptions cut_options;
   cut_options.strain = 0.1;
   cut_options.is_smooth = true;
-  cut_options.no_seam = edge_of(input);  // so that it is not divided into parts
   int num_smooth = 0;
   std::vector<double> reached;
   const auto report = [&](const std::string&, double share) {

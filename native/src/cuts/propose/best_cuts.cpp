@@ -181,7 +181,7 @@ std::vector<DartProposal> sets_along_edges(const FlatPieces& pieces, std::size_t
 /// shapes such as a goat's head, sets along edges often have half as many pieces, but take two or three times as long.
 std::vector<DartProposal> cut_sets(const FlatPieces& pieces, std::size_t piece, const CutOptions& cut_options,
                                    const ExactEvaluation& exact, CutProgress& progress) {
-  if (!cut_options.is_smooth || !can_be_divided(*pieces[piece], cut_options, exact))
+  if (!cut_options.is_smooth || !can_be_divided(*pieces[piece], exact))
     return sets_along_edges(pieces, piece, cut_options, exact, progress, 0);
   progress.begin_part(0, kDivided);
   PartSets parts;

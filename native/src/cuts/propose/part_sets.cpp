@@ -19,6 +19,7 @@
 #include "cuts/propose/cut_again.h"
 #include "cuts/propose/cut_sets.h"
 #include "cuts/propose/flat_width.h"
+#include "cuts/propose/forbidden_lines.h"
 #include "cuts/propose/line_evaluation.h"
 #include "cuts/propose/merge_sections.h"
 #include "cuts/propose/mirror_image.h"
@@ -146,6 +147,7 @@ class PartSearch {
         piece_(piece),
         cut_options_(cut_options),
         exact_(exact),
+        forbidden_(cut_options, exact.surface().given().faces),
         progress_(progress),
         chart_(in_canonical_order(pieces[piece]->chart, exact.stop())),
         alone_(alone(chart_.mesh)),
@@ -219,6 +221,7 @@ class PartSearch {
   const std::size_t piece_;
   const CutOptions& cut_options_;
   const ExactEvaluation& exact_;
+  const ForbiddenLines forbidden_;
   CutProgress& progress_;
   const Chart chart_;  // in canonical order
   const Chart alone_;  // the same, as a model of its own
@@ -327,7 +330,7 @@ void PartSearch::add_joined(const CutMesh& mesh, double limit, PartSets& found) 
         CutSet made = set_along(lines_across(own_, alone_, mesh, chart, image, merger.state().cut));
         const FlatPieces failed = failed_on_mesh({joined, faces}, {made.pieces, made.faces}, limit);
         const bool is_useful = made.pieces.size() == joined.size() && made.set.strain < kMostStrain &&
-                               made.set.length <= cut_options_.longest;
+                               made.set.length <= cut_options_.longest && !forbidden_.contain_any(made.set.paths);
         if (is_useful && (!best || rank(made) < rank(*best))) best = std::move(made);
         if (!merger.undo(failed)) break;
       }
@@ -374,13 +377,12 @@ DartProposal PartSearch::smooth_set(const CutSet& made, double limit) const {
 
 }  // namespace
 
-bool can_be_divided(const FlatPiece& piece, const CutOptions& cut_options, const ExactEvaluation& exact) {
+bool can_be_divided(const FlatPiece& piece, const ExactEvaluation& exact) {
   const FlattenInput& given = exact.surface().given();
   const HalfEdgeMesh& mesh = piece.chart.mesh;
   const auto is_boundary = [&](HalfedgeHandle h) { return mesh.is_boundary(h); };
-  return given.wires.empty() && given.eases.empty() &&
-         cut_options.no_seam.rows() + cut_options.no_crossing.rows() == 0 && exact.options().thickness == 0 &&
-         mesh.n_faces() > 0 && std::none_of(mesh.halfedges_begin(), mesh.halfedges_end(), is_boundary);
+  return given.wires.empty() && given.eases.empty() && exact.options().thickness == 0 && mesh.n_faces() > 0 &&
+         std::none_of(mesh.halfedges_begin(), mesh.halfedges_end(), is_boundary);
 }
 
 PartSets part_sets(const FlatPieces& pieces, std::size_t piece, const CutOptions& cut_options,

@@ -9,9 +9,8 @@
 
 namespace wirewarp {
 
-/// Returns whether a piece may be divided into parts: it is closed, and no wires, eases, forbidden edges or thickness
-/// restrict its cuts.
-bool can_be_divided(const FlatPiece& piece, const CutOptions& cut_options, const ExactEvaluation& exact);
+/// Returns whether a piece may be divided into parts: it is closed, and no wires, eases or thickness restrict its cuts.
+bool can_be_divided(const FlatPiece& piece, const ExactEvaluation& exact);
 
 /// Cut sets along the parts of a piece.
 struct PartSets {
@@ -21,7 +20,7 @@ struct PartSets {
 
 /// Returns cut sets of such a piece along its necks and along planes through its parts, as a sewist divides a toy: an
 /// ear, a limb, a head and a body, each with a front and a back. Returns none if the piece has long sharp edges but no
-/// necks, or cannot be divided into few flat parts this way. Throws Stopped; if stopped after the first set, returns
+/// necks, or cannot be divided into few flat parts this way, without forbidden lines. Throws Stopped; if stopped after the first set, returns
 /// those found.
 PartSets part_sets(const FlatPieces& pieces, std::size_t piece, const CutOptions& cut_options,
                    const ExactEvaluation& exact, CutProgress& progress);
