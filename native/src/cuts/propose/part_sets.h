@@ -20,8 +20,8 @@ struct PartSets {
 
 /// Returns cut sets of such a piece along its necks and along planes through its parts, as a sewist divides a toy: an
 /// ear, a limb, a head and a body, each with a front and a back. Returns none if the piece has long sharp edges but no
-/// necks, or cannot be divided into few flat parts this way, without forbidden lines. Throws Stopped; if stopped after the first set, returns
-/// those found.
+/// necks, or cannot be divided into few flat parts this way, without forbidden lines. Throws Stopped; if stopped after
+/// the first set, returns those found.
 PartSets part_sets(const FlatPieces& pieces, std::size_t piece, const CutOptions& cut_options,
                    const ExactEvaluation& exact, CutProgress& progress);
 
