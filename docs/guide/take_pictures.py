@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Takes the pictures of the pages, by tours through Blender's window with the sample fitted top. See
+"""Takes the pictures of the pages, by tours through Blender's window with the sample fitted top or a ring. See
 tools/pictures.py.
 """
 
 import json
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from pathlib import Path
 
 import bmesh
@@ -19,10 +19,18 @@ SAMPLE = Path(__file__).resolve().parents[2] / "blend_samples" / "fitted_top.ble
 PANEL = "VIEW3D_PT_wirewarp_"
 UI_SCALE = 1.3  # makes texts readable at the width of a page
 LEFT = 480  # pixels on the left of the view that pictures leave out
+HIP = 0.075  # approximate height of the hip line, in meters
+OWN_WIRES = {"Bust line", "Waist line", "Center front"}  # the sample's wires that readers of garment.md mark, too
 
 
 def open_sample(*opened: str) -> drive.Tour:
     """Open the sample in a window with only a 3D view and only these panels of ours open (the first at once)."""
+    open_panels(*opened)
+    bpy.ops.wm.open_mainfile(filepath=str(SAMPLE), load_ui=False)
+    yield from show_view_only(opened[0])
+
+
+def open_panels(*opened: str) -> None:
     bpy.context.preferences.view.ui_scale = UI_SCALE
     bpy.context.preferences.view.smooth_view = 0  # otherwise, Flatten still moves the view when a picture is taken
     panels = [cls for cls in wirewarp_addon.registration.CLASSES if issubclass(cls, bpy.types.Panel)]
@@ -32,7 +40,10 @@ def open_sample(*opened: str) -> drive.Tour:
         name = panel.__name__.removeprefix(PANEL)
         panel.bl_options = set() if name in opened else {"DEFAULT_CLOSED"}
         bpy.utils.register_class(panel)
-    bpy.ops.wm.open_mainfile(filepath=str(SAMPLE), load_ui=False)
+
+
+def show_view_only(first: str) -> drive.Tour:
+    """Enlarge the 3D view, with the tab of ours, which this panel opens, and look at the model."""
     yield from drive.ticks(5)
     with drive.in_view():
         bpy.ops.screen.screen_full_area()
@@ -47,7 +58,7 @@ def open_sample(*opened: str) -> drive.Tour:
     space.show_gizmo = False
     space.show_region_ui = True
     yield lambda: drive.region("UI").width > 1
-    yield from drive.open_tab(getattr(bpy.types, PANEL + opened[0]))
+    yield from drive.open_tab(getattr(bpy.types, PANEL + first))
     yield from look_at_model()
 
 
@@ -150,15 +161,25 @@ def take_picture(name: str) -> drive.Tour:
 def mark() -> drive.Tour:
     """Show a hip line that was just marked as elastic."""
     yield from open_sample("mark", "wires")
-    hip = near_level(0.11)
+    mark_hip_line()
+    yield from drive.ticks(10)
+    yield from take_picture("mark")
+
+
+def mark_hip_line() -> None:
+    """Mark and name the line around the hip as readers of the tutorials do; stay in Edit Mode."""
+    hip = near_level(HIP)
     select_edges(lambda a, b: max(abs(a.z - hip), abs(b.z - hip)) < 0.001)
     with drive.in_view():
         bpy.ops.mesh.wirewarp_mark("INVOKE_DEFAULT", kind="ELASTIC")
         bpy.ops.mesh.select_all(action="DESELECT")
     names = bpy.context.object.data.wirewarp_names
     names[len(names) - 1].name = "Hip line"
-    yield from drive.ticks(10)
-    yield from take_picture("mark")
+
+
+def leave_edit_mode() -> None:
+    with drive.in_view():
+        bpy.ops.object.mode_set(mode="OBJECT")
 
 
 def near_level(height: float) -> float:
@@ -167,7 +188,10 @@ def near_level(height: float) -> float:
 
 
 def flat() -> drive.Tour:
+    """Show the result of the first tutorial."""
     yield from open_sample("flatten", "report")
+    mark_hip_line()
+    leave_edit_mode()
     yield from flatten()
     yield from look_at_both()
     yield from take_picture("flat")
@@ -183,18 +207,68 @@ def report() -> drive.Tour:
 
 def suggest() -> drive.Tour:
     """Show darts for the front, with the first ones chosen."""
-    yield from open_sample("flatten")
+    yield from open_sample("flatten", "pieces")
+    mark_garment()
+    yield from flatten()
+    ease_sleeves()
     yield from flatten()
     with drive.in_view():
-        bpy.ops.object.wirewarp_suggest_darts("INVOKE_DEFAULT", True, piece=0)
+        bpy.ops.object.wirewarp_suggest_darts("INVOKE_DEFAULT", True, piece=0, place="PIECES")
     yield lambda: not wirewarp_addon.ui.window_run.is_running()
-    yield from look_at_both()
+    yield from look_at_both(bottom=0.28)
     yield from take_picture("suggest")
 
 
+def mark_garment() -> None:
+    """Mark the wires that readers of garment.md mark, and no others. The seams of the sample are theirs, too."""
+    clear_wires(OWN_WIRES)
+    mark_hip_line()
+    leave_edit_mode()
+
+
+def clear_wires(kept: Collection[str] = ()) -> None:
+    """Clear the wires of the sample, except for those with these names."""
+    mesh = bpy.context.object.data
+    cleared = {wire.wire_id for wire in mesh.wirewarp_names if wire.name not in kept}
+    wire_at = {
+        frozenset(edge.vertices): wire.value
+        for edge, wire in zip(mesh.edges, mesh.attributes["wirewarp_wire"].data, strict=True)
+    }
+    select_by_vertices(lambda ends: wire_at[ends] in cleared)
+    with drive.in_view():
+        bpy.ops.mesh.wirewarp_clear()
+    leave_edit_mode()
+
+
+def ease_sleeves() -> None:
+    """Make the sleeves 4% longer than the armholes, in a flattened model."""
+    mesh = bpy.context.object.data
+    piece = [each.value for each in mesh.attributes["wirewarp_piece"].data]
+    sleeves = sorted(set(piece), key=piece.count)[:2]
+    sides: dict[frozenset[int], list[bool]] = {}
+    for face in mesh.polygons:
+        for ends in face.edge_keys:
+            sides.setdefault(frozenset(ends), []).append(piece[face.index] in sleeves)
+    select_by_vertices(lambda ends: len(set(sides[ends])) == 2)
+    with drive.in_view():
+        bpy.ops.mesh.wirewarp_ease(sides="ONE", ease_percent=4.0)
+    leave_edit_mode()
+
+
+def select_by_vertices(wanted: Callable[[frozenset[int]], bool]) -> None:
+    """Select edges in Edit Mode. wanted: returns whether to select the edge between the vertices of these indices."""
+    select_edges(lambda _a, _b: False)
+    edit = bmesh.from_edit_mesh(bpy.context.object.data)
+    for edge in edit.edges:
+        edge.select = wanted(frozenset(vertex.index for vertex in edge.verts))
+    edit.select_flush_mode()
+    bmesh.update_edit_mesh(bpy.context.object.data)
+
+
 def tube() -> drive.Tour:
-    """Show a sleeve without its seam."""
+    """Show a sleeve without its seam, before any wire is marked."""
     yield from open_sample("flatten", "report")
+    clear_wires()
     clear_sleeve_seam(bpy.context.object.data)
     yield from flatten()
     hide_others()  # they would block the view from below
@@ -229,7 +303,7 @@ def contradiction() -> drive.Tour:
     with drive.in_view():
         bpy.ops.mesh.quads_convert_to_tris()
         bpy.ops.mesh.wirewarp_mark("INVOKE_DEFAULT", kind="RIGID")
-        bpy.ops.object.mode_set(mode="OBJECT")
+    leave_edit_mode()
     yield from flatten()
     hide_others()
     yield from look_at_model()  # Flatten has moved the view
@@ -238,6 +312,8 @@ def contradiction() -> drive.Tour:
 
 def pieces() -> drive.Tour:
     yield from open_sample("flatten", "pieces", "report", "report_wires")
+    mark_hip_line()
+    leave_edit_mode()
     yield from flatten()
     bpy.context.scene.wirewarp.shown_map = "STRETCH_COLOR"
     yield from show_pieces_from_above()
@@ -252,14 +328,17 @@ def show_pieces_from_above() -> drive.Tour:
     bpy.context.view_layer.objects.active = flat_pieces
     flat_pieces.select_set(True)
     look(Euler((0.0, 0.0, 0.0)))
-    yield from fit(bottom=0.3)
+    yield from fit(bottom=0.37)
     yield from drive.ticks(20)
 
 
 def allowance() -> drive.Tour:
     """Mark 30 mm at the hem, and on the sleeves' side of the armholes, on the pieces."""
-    yield from open_sample("flatten", "mark", "allowance", "export")
+    yield from open_sample("flatten", "export", "mark_sides")
     bpy.context.scene.wirewarp.spacing = 70.0
+    mark_garment()
+    yield from flatten()
+    ease_sleeves()
     yield from flatten()
     source = bpy.context.object
     low = min(vertex.co.z for vertex in source.data.vertices)
@@ -291,24 +370,69 @@ def allowance() -> drive.Tour:
 
 
 def pages() -> drive.Tour:
+    """Show the sheets of the first tutorial."""
     yield from open_sample("flatten", "export")
+    mark_hip_line()
+    leave_edit_mode()
     yield from flatten()
     settings = bpy.context.scene.wirewarp
-    settings.show_pages, settings.arrangement = True, "AS_LAID_OUT"
+    settings.pairs = settings.on_fold = settings.show_pages = True
+    settings.arrangement, settings.paper = "IN_ROWS", "A4"
     yield from show_pieces_from_above()
-    yield from fit(bottom=0.42)  # the lowest sheets extend below the pieces
+    yield from fit(bottom=0.55)  # the sheets are below the pieces
     yield from drive.ticks(10)
     yield from take_picture("pages")
-    folder = Path(os.environ["WIREWARP_PICTURES"])
+
+
+def ring_seams() -> drive.Tour:
+    """Show the suggested seams of the plush tutorial."""
+    yield from make_ring()
+    yield from suggest_ring_seams()
+    yield from take_picture("ring_seams")
+
+
+def ring() -> drive.Tour:
+    """Show the result of the plush tutorial."""
+    yield from make_ring()
+    yield from suggest_ring_seams()
     with drive.in_view():
-        bpy.ops.object.wirewarp_export(filepath=str(folder / "sheets.pdf"), paper="A4", arrangement="IN_ROWS")
-        marker = {"arrangement": "MARKER", "cloth_width": 1400.0, "grain": "BOTH_WAYS", "seconds": 10}
-        bpy.ops.object.wirewarp_export(filepath=str(folder / "marker.svg"), **marker)
+        bpy.ops.object.wirewarp_mend("INVOKE_DEFAULT", True, what="SUGGESTION")
+    yield lambda: not wirewarp_addon.ui.window_run.is_running()
+    bpy.context.scene.wirewarp.pairs = True
+    look(Euler((0.55, 0.0, 0.0)))
+    yield from fit(bottom=0.15)
+    yield from drive.ticks(20)
+    yield from take_picture("ring")
+
+
+def make_ring() -> drive.Tour:
+    """Make and flatten the closed model of the plush tutorial, in Blender's startup file."""
+    open_panels("flatten", "export")
+    with drive.in_view():
+        bpy.ops.object.select_all(action="SELECT")
+        bpy.ops.object.delete()
+        bpy.ops.mesh.primitive_torus_add(major_radius=0.1, minor_radius=0.05)
+    settings = bpy.context.scene.wirewarp
+    settings.cloth, settings.allowance = "FLEECE", 5.0
+    yield from show_view_only("flatten")
+    yield from flatten()
+
+
+def suggest_ring_seams() -> drive.Tour:
+    with drive.in_view():
+        bpy.ops.object.wirewarp_suggest_seams("INVOKE_DEFAULT", True)
+    yield lambda: not wirewarp_addon.ui.window_run.is_running()
+    look(Euler((0.95, 0.0, 0.42)))
+    yield from fit(bottom=0.1)
+    yield from drive.ticks(20)
 
 
 def export() -> drive.Tour:
     yield from open_sample("flatten", "pieces")
     yield from flatten()
-    folder = os.environ["WIREWARP_PICTURES"]
+    folder = Path(os.environ["WIREWARP_PICTURES"])
     with drive.in_view():
-        bpy.ops.object.wirewarp_export(filepath=str(Path(folder) / "pattern.svg"))
+        bpy.ops.object.wirewarp_export(filepath=str(folder / "pattern.svg"))
+        bpy.ops.object.wirewarp_export(filepath=str(folder / "sheets.pdf"), paper="A4", arrangement="IN_ROWS")
+        marker = {"arrangement": "MARKER", "cloth_width": 1400.0, "grain": "BOTH_WAYS", "seconds": 10}
+        bpy.ops.object.wirewarp_export(filepath=str(folder / "marker.svg"), **marker)
