@@ -5,7 +5,6 @@ tools/pictures.py.
 
 import json
 import os
-from collections.abc import Callable, Collection
 from pathlib import Path
 
 import bmesh
@@ -13,14 +12,21 @@ import bpy
 import drive
 import wirewarp_addon
 from bpy_extras.view3d_utils import location_3d_to_region_2d, region_2d_to_location_3d
+from marking import (
+    clear_sleeve_seam,
+    clear_wires,
+    ease_sleeves,
+    leave_edit_mode,
+    mark_garment,
+    mark_hip_line,
+    select_edges,
+)
 from mathutils import Euler, Vector
 
 SAMPLE = Path(__file__).resolve().parents[2] / "blend_samples" / "fitted_top.blend"
 PANEL = "VIEW3D_PT_wirewarp_"
 UI_SCALE = 1.3  # makes texts readable at the width of a page
 LEFT = 480  # pixels on the left of the view that pictures leave out
-HIP = 0.075  # approximate height of the hip line, in meters
-OWN_WIRES = {"Bust line", "Waist line", "Center front"}  # the sample's wires that readers of garment.md mark, too
 
 
 def open_sample(*opened: str) -> drive.Tour:
@@ -119,21 +125,6 @@ def hide_others() -> None:
         each.hide_set(each != bpy.context.view_layer.objects.active)
 
 
-def select_edges(wanted: Callable[[Vector, Vector], bool]) -> None:
-    """Select edges with such ends in Edit Mode."""
-    source = bpy.context.view_layer.objects.active
-    with drive.in_view():
-        if source.mode != "EDIT":
-            bpy.ops.object.mode_set(mode="EDIT")
-        bpy.context.tool_settings.mesh_select_mode = (False, True, False)
-        bpy.ops.mesh.select_all(action="DESELECT")
-    edit = bmesh.from_edit_mesh(source.data)
-    for edge in edit.edges:
-        edge.select = wanted(*(vertex.co for vertex in edge.verts))
-    edit.select_flush_mode()
-    bmesh.update_edit_mesh(source.data)
-
-
 def flatten() -> drive.Tour:
     with drive.in_view():
         bpy.ops.object.wirewarp_flatten("INVOKE_DEFAULT", True)
@@ -164,27 +155,6 @@ def mark() -> drive.Tour:
     mark_hip_line()
     yield from drive.ticks(10)
     yield from take_picture("mark")
-
-
-def mark_hip_line() -> None:
-    """Mark and name the line around the hip as readers of the tutorials do; stay in Edit Mode."""
-    hip = near_level(HIP)
-    select_edges(lambda a, b: max(abs(a.z - hip), abs(b.z - hip)) < 0.001)
-    with drive.in_view():
-        bpy.ops.mesh.wirewarp_mark("INVOKE_DEFAULT", kind="ELASTIC")
-        bpy.ops.mesh.select_all(action="DESELECT")
-    names = bpy.context.object.data.wirewarp_names
-    names[len(names) - 1].name = "Hip line"
-
-
-def leave_edit_mode() -> None:
-    with drive.in_view():
-        bpy.ops.object.mode_set(mode="OBJECT")
-
-
-def near_level(height: float) -> float:
-    """Return the height of the mesh line nearest to this height."""
-    return min((vertex.co.z for vertex in bpy.context.object.data.vertices), key=lambda z: abs(z - height))
 
 
 def flat() -> drive.Tour:
@@ -219,52 +189,6 @@ def suggest() -> drive.Tour:
     yield from take_picture("suggest")
 
 
-def mark_garment() -> None:
-    """Mark the wires that readers of garment.md mark, and no others. The seams of the sample are theirs, too."""
-    clear_wires(OWN_WIRES)
-    mark_hip_line()
-    leave_edit_mode()
-
-
-def clear_wires(kept: Collection[str] = ()) -> None:
-    """Clear the wires of the sample, except for those with these names."""
-    mesh = bpy.context.object.data
-    cleared = {wire.wire_id for wire in mesh.wirewarp_names if wire.name not in kept}
-    wire_at = {
-        frozenset(edge.vertices): wire.value
-        for edge, wire in zip(mesh.edges, mesh.attributes["wirewarp_wire"].data, strict=True)
-    }
-    select_by_vertices(lambda ends: wire_at[ends] in cleared)
-    with drive.in_view():
-        bpy.ops.mesh.wirewarp_clear()
-    leave_edit_mode()
-
-
-def ease_sleeves() -> None:
-    """Make the sleeves 4% longer than the armholes, in a flattened model."""
-    mesh = bpy.context.object.data
-    piece = [each.value for each in mesh.attributes["wirewarp_piece"].data]
-    sleeves = sorted(set(piece), key=piece.count)[:2]
-    sides: dict[frozenset[int], list[bool]] = {}
-    for face in mesh.polygons:
-        for ends in face.edge_keys:
-            sides.setdefault(frozenset(ends), []).append(piece[face.index] in sleeves)
-    select_by_vertices(lambda ends: len(set(sides[ends])) == 2)
-    with drive.in_view():
-        bpy.ops.mesh.wirewarp_ease(sides="ONE", ease_percent=4.0)
-    leave_edit_mode()
-
-
-def select_by_vertices(wanted: Callable[[frozenset[int]], bool]) -> None:
-    """Select edges in Edit Mode. wanted: returns whether to select the edge between the vertices of these indices."""
-    select_edges(lambda _a, _b: False)
-    edit = bmesh.from_edit_mesh(bpy.context.object.data)
-    for edge in edit.edges:
-        edge.select = wanted(frozenset(vertex.index for vertex in edge.verts))
-    edit.select_flush_mode()
-    bmesh.update_edit_mesh(bpy.context.object.data)
-
-
 def tube() -> drive.Tour:
     """Show a sleeve without its seam, before any wire is marked."""
     yield from open_sample("flatten", "report")
@@ -275,23 +199,6 @@ def tube() -> drive.Tour:
     look(Euler((2.0, 0.0, -0.4)))
     yield from fit()
     yield from take_picture("tube")
-
-
-def clear_sleeve_seam(mesh: bpy.types.Mesh) -> None:
-    """Clear the seam of the left sleeve from the cuff to the armhole."""
-    edit = bmesh.new()
-    edit.from_mesh(mesh)
-    cuff = max((v for v in edit.verts if v.is_boundary and seams_at(v)), key=lambda vertex: vertex.co.x)
-    while len(seams_at(cuff)) == 1:
-        (edge,) = seams_at(cuff)
-        edge.seam = False
-        cuff = edge.other_vert(cuff)
-    edit.to_mesh(mesh)
-    edit.free()
-
-
-def seams_at(vertex: bmesh.types.BMVert) -> list[bmesh.types.BMEdge]:
-    return [edge for edge in vertex.link_edges if edge.seam]
 
 
 def contradiction() -> drive.Tour:
