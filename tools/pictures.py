@@ -7,7 +7,7 @@ from concurrent.futures import ThreadPoolExecutor
 from functools import partial
 from pathlib import Path
 
-from tools.blender import BLENDER_APT, blender_folder, run_with_addon
+from tools.blender import BLENDER_APT, blender, blender_folder, run_with_addon
 from tools.blender_window import WINDOW_APT, run_tours
 from tools.environment import BUILD, DEBIAN_PYTHON, ROOT, StepError, clean_environment, require_apt, run, say, venv
 from tools.package import BUILD_APT, package_legacy
@@ -15,7 +15,20 @@ from tools.package import BUILD_APT, package_legacy
 PILLOW = "pillow==13.0.0"
 GUIDE = ROOT / "docs" / "guide"  # the scripts and the pictures
 SCRIPT = GUIDE / "take_pictures.py"
-TOURS = ("mark", "flat", "report", "suggest", "tube", "contradiction", "pieces", "allowance", "pages", "export")
+TOURS = (
+    "mark",
+    "flat",
+    "report",
+    "suggest",
+    "tube",
+    "contradiction",
+    "pieces",
+    "allowance",
+    "pages",
+    "ring_seams",
+    "ring",
+    "export",
+)
 SHEET, DOTS = 6, 60  # page of the PDF that is shown, and its dots per inch
 DRAWN = {"pattern": 2600, "marker": 1100}  # name of the SVG file and of its style: width in pixels
 PART = (970, 0, 1930, 1000)  # the pixels of the pattern that are shown: the left sleeve and the neck of the front
@@ -45,6 +58,7 @@ def pictures() -> None:
     for name, width in DRAWN.items():
         paper = ["--width", str(width), "--background-color", "white", "--stylesheet", str(GUIDE / f"{name}.css")]
         run(["rsvg-convert", *paper, taken / f"{name}.svg", "-o", taken / f"{name}.png"])
+    run(blender("--python", GUIDE / "draw_lines.py", "--", taken / "lines.png"))
     (taken / "pattern.json").write_text(json.dumps(PART))
     shown = ["-png", "-singlefile", "-r", str(DOTS), "-f", str(SHEET), "-l", str(SHEET)]
     run(["pdftoppm", *shown, taken / "sheets.pdf", taken / "sheet"])

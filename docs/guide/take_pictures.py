@@ -1,11 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Takes the pictures of the pages, by tours through Blender's window with the sample fitted top. See
+"""Takes the pictures of the pages, by tours through Blender's window with the sample fitted top or a ring. See
 tools/pictures.py.
 """
 
 import json
 import os
-from collections.abc import Callable
 from pathlib import Path
 
 import bmesh
@@ -13,6 +12,15 @@ import bpy
 import drive
 import wirewarp_addon
 from bpy_extras.view3d_utils import location_3d_to_region_2d, region_2d_to_location_3d
+from marking import (
+    clear_sleeve_seam,
+    clear_wires,
+    ease_sleeves,
+    leave_edit_mode,
+    mark_garment,
+    mark_hip_line,
+    select_edges,
+)
 from mathutils import Euler, Vector
 
 SAMPLE = Path(__file__).resolve().parents[2] / "blend_samples" / "fitted_top.blend"
@@ -23,6 +31,12 @@ LEFT = 480  # pixels on the left of the view that pictures leave out
 
 def open_sample(*opened: str) -> drive.Tour:
     """Open the sample in a window with only a 3D view and only these panels of ours open (the first at once)."""
+    open_panels(*opened)
+    bpy.ops.wm.open_mainfile(filepath=str(SAMPLE), load_ui=False)
+    yield from show_view_only(opened[0])
+
+
+def open_panels(*opened: str) -> None:
     bpy.context.preferences.view.ui_scale = UI_SCALE
     bpy.context.preferences.view.smooth_view = 0  # otherwise, Flatten still moves the view when a picture is taken
     panels = [cls for cls in wirewarp_addon.registration.CLASSES if issubclass(cls, bpy.types.Panel)]
@@ -32,7 +46,10 @@ def open_sample(*opened: str) -> drive.Tour:
         name = panel.__name__.removeprefix(PANEL)
         panel.bl_options = set() if name in opened else {"DEFAULT_CLOSED"}
         bpy.utils.register_class(panel)
-    bpy.ops.wm.open_mainfile(filepath=str(SAMPLE), load_ui=False)
+
+
+def show_view_only(first: str) -> drive.Tour:
+    """Enlarge the 3D view, with the tab of ours, which this panel opens, and look at the model."""
     yield from drive.ticks(5)
     with drive.in_view():
         bpy.ops.screen.screen_full_area()
@@ -47,7 +64,7 @@ def open_sample(*opened: str) -> drive.Tour:
     space.show_gizmo = False
     space.show_region_ui = True
     yield lambda: drive.region("UI").width > 1
-    yield from drive.open_tab(getattr(bpy.types, PANEL + opened[0]))
+    yield from drive.open_tab(getattr(bpy.types, PANEL + first))
     yield from look_at_model()
 
 
@@ -108,21 +125,6 @@ def hide_others() -> None:
         each.hide_set(each != bpy.context.view_layer.objects.active)
 
 
-def select_edges(wanted: Callable[[Vector, Vector], bool]) -> None:
-    """Select edges with such ends in Edit Mode."""
-    source = bpy.context.view_layer.objects.active
-    with drive.in_view():
-        if source.mode != "EDIT":
-            bpy.ops.object.mode_set(mode="EDIT")
-        bpy.context.tool_settings.mesh_select_mode = (False, True, False)
-        bpy.ops.mesh.select_all(action="DESELECT")
-    edit = bmesh.from_edit_mesh(source.data)
-    for edge in edit.edges:
-        edge.select = wanted(*(vertex.co for vertex in edge.verts))
-    edit.select_flush_mode()
-    bmesh.update_edit_mesh(source.data)
-
-
 def flatten() -> drive.Tour:
     with drive.in_view():
         bpy.ops.object.wirewarp_flatten("INVOKE_DEFAULT", True)
@@ -150,24 +152,16 @@ def take_picture(name: str) -> drive.Tour:
 def mark() -> drive.Tour:
     """Show a hip line that was just marked as elastic."""
     yield from open_sample("mark", "wires")
-    hip = near_level(0.11)
-    select_edges(lambda a, b: max(abs(a.z - hip), abs(b.z - hip)) < 0.001)
-    with drive.in_view():
-        bpy.ops.mesh.wirewarp_mark("INVOKE_DEFAULT", kind="ELASTIC")
-        bpy.ops.mesh.select_all(action="DESELECT")
-    names = bpy.context.object.data.wirewarp_names
-    names[len(names) - 1].name = "Hip line"
+    mark_hip_line()
     yield from drive.ticks(10)
     yield from take_picture("mark")
 
 
-def near_level(height: float) -> float:
-    """Return the height of the mesh line nearest to this height."""
-    return min((vertex.co.z for vertex in bpy.context.object.data.vertices), key=lambda z: abs(z - height))
-
-
 def flat() -> drive.Tour:
+    """Show the result of the first tutorial."""
     yield from open_sample("flatten", "report")
+    mark_hip_line()
+    leave_edit_mode()
     yield from flatten()
     yield from look_at_both()
     yield from take_picture("flat")
@@ -183,41 +177,28 @@ def report() -> drive.Tour:
 
 def suggest() -> drive.Tour:
     """Show darts for the front, with the first ones chosen."""
-    yield from open_sample("flatten")
+    yield from open_sample("flatten", "pieces")
+    mark_garment()
+    yield from flatten()
+    ease_sleeves()
     yield from flatten()
     with drive.in_view():
-        bpy.ops.object.wirewarp_suggest_darts("INVOKE_DEFAULT", True, piece=0)
+        bpy.ops.object.wirewarp_suggest_darts("INVOKE_DEFAULT", True, piece=0, place="PIECES")
     yield lambda: not wirewarp_addon.ui.window_run.is_running()
-    yield from look_at_both()
+    yield from look_at_both(bottom=0.28)
     yield from take_picture("suggest")
 
 
 def tube() -> drive.Tour:
-    """Show a sleeve without its seam."""
+    """Show a sleeve without its seam, before any wire is marked."""
     yield from open_sample("flatten", "report")
+    clear_wires()
     clear_sleeve_seam(bpy.context.object.data)
     yield from flatten()
     hide_others()  # they would block the view from below
     look(Euler((2.0, 0.0, -0.4)))
     yield from fit()
     yield from take_picture("tube")
-
-
-def clear_sleeve_seam(mesh: bpy.types.Mesh) -> None:
-    """Clear the seam of the left sleeve from the cuff to the armhole."""
-    edit = bmesh.new()
-    edit.from_mesh(mesh)
-    cuff = max((v for v in edit.verts if v.is_boundary and seams_at(v)), key=lambda vertex: vertex.co.x)
-    while len(seams_at(cuff)) == 1:
-        (edge,) = seams_at(cuff)
-        edge.seam = False
-        cuff = edge.other_vert(cuff)
-    edit.to_mesh(mesh)
-    edit.free()
-
-
-def seams_at(vertex: bmesh.types.BMVert) -> list[bmesh.types.BMEdge]:
-    return [edge for edge in vertex.link_edges if edge.seam]
 
 
 def contradiction() -> drive.Tour:
@@ -229,7 +210,7 @@ def contradiction() -> drive.Tour:
     with drive.in_view():
         bpy.ops.mesh.quads_convert_to_tris()
         bpy.ops.mesh.wirewarp_mark("INVOKE_DEFAULT", kind="RIGID")
-        bpy.ops.object.mode_set(mode="OBJECT")
+    leave_edit_mode()
     yield from flatten()
     hide_others()
     yield from look_at_model()  # Flatten has moved the view
@@ -238,6 +219,8 @@ def contradiction() -> drive.Tour:
 
 def pieces() -> drive.Tour:
     yield from open_sample("flatten", "pieces", "report", "report_wires")
+    mark_hip_line()
+    leave_edit_mode()
     yield from flatten()
     bpy.context.scene.wirewarp.shown_map = "STRETCH_COLOR"
     yield from show_pieces_from_above()
@@ -252,14 +235,17 @@ def show_pieces_from_above() -> drive.Tour:
     bpy.context.view_layer.objects.active = flat_pieces
     flat_pieces.select_set(True)
     look(Euler((0.0, 0.0, 0.0)))
-    yield from fit(bottom=0.3)
+    yield from fit(bottom=0.37)
     yield from drive.ticks(20)
 
 
 def allowance() -> drive.Tour:
     """Mark 30 mm at the hem, and on the sleeves' side of the armholes, on the pieces."""
-    yield from open_sample("flatten", "mark", "allowance", "export")
+    yield from open_sample("flatten", "export", "mark_sides")
     bpy.context.scene.wirewarp.spacing = 70.0
+    mark_garment()
+    yield from flatten()
+    ease_sleeves()
     yield from flatten()
     source = bpy.context.object
     low = min(vertex.co.z for vertex in source.data.vertices)
@@ -291,24 +277,69 @@ def allowance() -> drive.Tour:
 
 
 def pages() -> drive.Tour:
+    """Show the sheets of the first tutorial."""
     yield from open_sample("flatten", "export")
+    mark_hip_line()
+    leave_edit_mode()
     yield from flatten()
     settings = bpy.context.scene.wirewarp
-    settings.show_pages, settings.arrangement = True, "AS_LAID_OUT"
+    settings.pairs = settings.on_fold = settings.show_pages = True
+    settings.arrangement, settings.paper = "IN_ROWS", "A4"
     yield from show_pieces_from_above()
-    yield from fit(bottom=0.42)  # the lowest sheets extend below the pieces
+    yield from fit(bottom=0.55)  # the sheets are below the pieces
     yield from drive.ticks(10)
     yield from take_picture("pages")
-    folder = Path(os.environ["WIREWARP_PICTURES"])
+
+
+def ring_seams() -> drive.Tour:
+    """Show the suggested seams of the plush tutorial."""
+    yield from make_ring()
+    yield from suggest_ring_seams()
+    yield from take_picture("ring_seams")
+
+
+def ring() -> drive.Tour:
+    """Show the result of the plush tutorial."""
+    yield from make_ring()
+    yield from suggest_ring_seams()
     with drive.in_view():
-        bpy.ops.object.wirewarp_export(filepath=str(folder / "sheets.pdf"), paper="A4", arrangement="IN_ROWS")
-        marker = {"arrangement": "MARKER", "cloth_width": 1400.0, "grain": "BOTH_WAYS", "seconds": 10}
-        bpy.ops.object.wirewarp_export(filepath=str(folder / "marker.svg"), **marker)
+        bpy.ops.object.wirewarp_mend("INVOKE_DEFAULT", True, what="SUGGESTION")
+    yield lambda: not wirewarp_addon.ui.window_run.is_running()
+    bpy.context.scene.wirewarp.pairs = True
+    look(Euler((0.55, 0.0, 0.0)))
+    yield from fit(bottom=0.15)
+    yield from drive.ticks(20)
+    yield from take_picture("ring")
+
+
+def make_ring() -> drive.Tour:
+    """Make and flatten the closed model of the plush tutorial, in Blender's startup file."""
+    open_panels("flatten", "export")
+    with drive.in_view():
+        bpy.ops.object.select_all(action="SELECT")
+        bpy.ops.object.delete()
+        bpy.ops.mesh.primitive_torus_add(major_radius=0.1, minor_radius=0.05)
+    settings = bpy.context.scene.wirewarp
+    settings.cloth, settings.allowance = "FLEECE", 5.0
+    yield from show_view_only("flatten")
+    yield from flatten()
+
+
+def suggest_ring_seams() -> drive.Tour:
+    with drive.in_view():
+        bpy.ops.object.wirewarp_suggest_seams("INVOKE_DEFAULT", True)
+    yield lambda: not wirewarp_addon.ui.window_run.is_running()
+    look(Euler((0.95, 0.0, 0.42)))
+    yield from fit(bottom=0.1)
+    yield from drive.ticks(20)
 
 
 def export() -> drive.Tour:
     yield from open_sample("flatten", "pieces")
     yield from flatten()
-    folder = os.environ["WIREWARP_PICTURES"]
+    folder = Path(os.environ["WIREWARP_PICTURES"])
     with drive.in_view():
-        bpy.ops.object.wirewarp_export(filepath=str(Path(folder) / "pattern.svg"))
+        bpy.ops.object.wirewarp_export(filepath=str(folder / "pattern.svg"))
+        bpy.ops.object.wirewarp_export(filepath=str(folder / "sheets.pdf"), paper="A4", arrangement="IN_ROWS")
+        marker = {"arrangement": "MARKER", "cloth_width": 1400.0, "grain": "BOTH_WAYS", "seconds": 10}
+        bpy.ops.object.wirewarp_export(filepath=str(folder / "marker.svg"), **marker)

@@ -7,7 +7,9 @@ import bpy
 from suggesting import SUGGEST, found
 from test_export import export, pages
 
-TUTORIALS = Path(__file__).parents[2] / "docs" / "tutorials"
+ROOT = Path(__file__).parents[2]
+TUTORIALS = ROOT / "docs" / "tutorials"
+SAMPLE = ROOT / "blend_samples" / "fitted_top.blend"
 
 
 def test_the_ring_of_the_plush_tutorial(addon, tmp_path):
@@ -17,9 +19,9 @@ def test_the_ring_of_the_plush_tutorial(addon, tmp_path):
     ring, scene = bpy.context.object, bpy.context.scene
     scene.wirewarp.cloth, scene.wirewarp.allowance = "FLEECE", 5.0
     SUGGEST["SEAMS"]()
-    suggestions = found(addon, ring)
+    suggestions, lengths = found(addon, ring), addon.blender.objects.length_text(scene)
     chosen = suggestions.cuts[suggestions.chosen]
-    row = addon.solve.suggest.row_text("SEAMS", chosen, None, addon.blender.objects.length_text(scene))
+    row = addon.solve.suggest.row_text("SEAMS", chosen, None, lengths)
     assert f"*{row}*" in page
     bpy.ops.object.wirewarp_mend(what="SUGGESTION")
     bpy.ops.object.wirewarp_flatten(cloth="FLEECE")
@@ -28,4 +30,23 @@ def test_the_ring_of_the_plush_tutorial(addon, tmp_path):
         pages(export(tmp_path, f"{pairs}.pdf", paper="A4", allowance=5.0, proof_sheet=True, pairs=pairs))
         for pairs in (True, False)
     )
-    assert f"The ring takes {single} sheets of A4 instead of {all_pieces}." in page
+    assert f"With the map and the proof sheet, the ring takes {single} sheets of A4 instead of {all_pieces}." in page
+    scene.wirewarp.pairs = True
+    flat = bpy.data.objects["Torus Flat"]
+    copies = "Cut 2: Top Left and Top Right; Bottom Left and Bottom Right"
+    assert addon.overlay.shown.shown_copies(bpy.context, ring, flat) == [copies]
+    SUGGEST["DARTS"](piece=0)
+    darts = found(addon, ring)
+    row = addon.solve.suggest.row_text("DARTS", darts.cuts[darts.chosen], None, lengths)
+    assert f"*{row}* means one dart of" in page
+
+
+def test_the_top_of_the_first_tutorial(addon, tmp_path):
+    page = (TUTORIALS / "first-pattern.md").read_text(encoding="utf-8")
+    bpy.ops.wm.open_mainfile(filepath=str(SAMPLE))
+    bpy.ops.object.wirewarp_flatten(cloth=bpy.context.scene.wirewarp.cloth)
+    assert addon.state.reports.last_report(bpy.context.object).tables.verdict.kind is addon.core.Kind.READY
+    few, all_pieces = (
+        pages(export(tmp_path, f"{once}.pdf", paper="A4", pairs=once, on_fold=once)) for once in (True, False)
+    )
+    assert f"It takes {few} sheets of A4 instead of {all_pieces}." in page
