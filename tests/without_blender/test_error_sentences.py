@@ -118,9 +118,9 @@ def test_broken_guarantees_are_reported_together(said):
         ),
         (
             {"reason": "no_gain", "kind": "dart", "strain": 0.149, "wires": [0, 1] * 5},
-            'stretch: loosen wires "Hip", "Bust", "Hip", "Bust", "Hip" and 5 more or divide',
+            '14.9%: loosen wires "Hip", "Bust", "Hip", "Bust", "Hip" and 5 more or divide',
         ),
-        ({"reason": "no_gain", "kind": "seam", "strain": 0.149, "wires": []}, "stretch: move one of its seams to"),
+        ({"reason": "no_gain", "kind": "seam", "strain": 0.149, "wires": []}, "14.9%: move one of its seams to"),
         ({"reason": "too_strained"}, "by over 100%"),
         ({"reason": "no_set", "is_restricted": True}, "Mark a first seam."),
         ({"reason": "unfolded"}, "is unfolded without distortion."),
