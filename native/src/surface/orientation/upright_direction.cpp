@@ -86,11 +86,23 @@ const HalfEdgeChain& longest_boundary_chain(const Chart& chart) {
   return *best;
 }
 
+/// Returns the part of the grain wire in a chart, or the end if it does not cross the chart.
+std::vector<WirePart>::const_iterator part_of_grain(const Chart& chart, int grain) {
+  return std::find_if(chart.wire_parts.begin(), chart.wire_parts.end(),
+                      [&](const WirePart& part) { return part.wire_index == grain; });
+}
+
+/// Returns whether the direction Options::up is up in a chart: a grain wire elsewhere says nothing about it.
+bool rises(const Chart& chart, const Options& options) {
+  if (options.orientation == Orientation::up) return true;
+  return options.orientation == Orientation::wire && options.grain >= 0 &&
+         part_of_grain(chart, options.grain) == chart.wire_parts.end();
+}
+
 /// Returns the chain that defines up for Orientation::wire.
 const HalfEdgeChain& grain_of(const Chart& chart, int grain) {
   if (chart.wire_parts.empty()) return longest_boundary_chain(chart);
-  const auto chosen = std::find_if(chart.wire_parts.begin(), chart.wire_parts.end(),
-                                   [&](const WirePart& part) { return part.wire_index == grain; });
+  const auto chosen = part_of_grain(chart, grain);
   return (chosen != chart.wire_parts.end() ? *chosen : chart.wire_parts.front()).half_edges;
 }
 
@@ -98,11 +110,9 @@ const HalfEdgeChain& grain_of(const Chart& chart, int grain) {
 
 Eigen::Vector2d upright_direction(const Chart& chart, const Positions2& uv, const Options& options) {
   if (options.orientation == Orientation::boundary) return straightest_outline(chart, uv);
-  if (options.orientation == Orientation::up) {
-    const Eigen::Vector2d rising = rising_direction(chart, uv, {options.up[0], options.up[1], options.up[2]});
-    if (!rising.isZero(0)) return rising;
-  }
-  const Eigen::Vector2d along = direction_of(chart, grain_of(chart, options.grain), uv);
+  Eigen::Vector2d along(0, 0);
+  if (rises(chart, options)) along = rising_direction(chart, uv, {options.up[0], options.up[1], options.up[2]});
+  if (along.isZero(0)) along = direction_of(chart, grain_of(chart, options.grain), uv);
   const double angle = options.orientation == Orientation::wire ? options.grain_angle : 0;
   return angle == 0 ? along : Eigen::Vector2d(Eigen::Rotation2Dd(-angle) * along);
 }
@@ -123,7 +133,7 @@ void stand_upright(Positions2& uv, const Eigen::Vector2d& up) {
 }
 
 VertexPair upright_pair(const Chart& chart, const Positions2& uv, const Options& options) {
-  if (options.orientation == Orientation::wire) {
+  if (options.orientation == Orientation::wire && !rises(chart, options)) {
     const HalfEdgeChain& chain = grain_of(chart, options.grain);
     if (is_open(points_along(chart, chain, uv))) {
       return {chart.mesh.from_vertex_handle(chain.front()).idx(), chart.mesh.to_vertex_handle(chain.back()).idx()};
