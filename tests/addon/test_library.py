@@ -98,7 +98,7 @@ def test_a_library_for_another_python_or_system(addon, library_copy, suffix, mad
     module = module_in(library_copy)
     module.rename(module.with_name(f"_wirewarp{suffix}"))
     here = f"this Blender has Python 3.{sys.version_info.minor} on {platform.system()}"
-    check_sentence(addon, rf"is made for {made_for}; {here}\. Remove WireWarp")
+    check_sentence(addon, rf"is for {made_for}, but {here}\. Remove WireWarp")
 
 
 SPOILED = {  # content of the library's __init__.py, and the resulting sentence

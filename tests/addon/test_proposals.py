@@ -98,7 +98,7 @@ def test_a_report_of_the_mesh_with_modifiers_is_not_used(addon):
     with pytest.raises(RuntimeError, match="flatten without Modifiers"):
         take()
     buttons = []
-    assert "about edges that modifiers make" in draw_panels(addon, buttons)
+    assert "needs edges that modifiers make" in draw_panels(addon, buttons)
     assert not {"mesh.wirewarp_take_proposal", "mesh.wirewarp_select_result"} & set(buttons)
 
 

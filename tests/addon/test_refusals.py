@@ -69,7 +69,7 @@ REFUSED = {  # for each case, how the model is spoiled, and the resulting senten
 SETTINGS = [
     ({"fairness": math.nan}, "nan"),
     ({"spacing": math.nan}, "nan"),
-    ({"report_path": "//report.json"}, "Blender file; save that first"),
+    ({"report_path": "//report.json"}, "Blender file, so save the file first"),
     # nobody can create files in /proc
     ({"report_path": "/proc/report.json"}, 'Cannot write "/proc/report.json": '),
     ({"use_modifiers": True}, "Bump: "),  # the first modifier leaves no face

@@ -152,7 +152,7 @@ def _narrow_pieces(context: bpy.types.Context, outcomes: list[Outcome]) -> list[
     for outcome in outcomes:
         source = find_source(outcome.model)
         flat = find_flat_object(source) if source and outcome.pieces else None
-        own = read_narrow_pieces(scene, source, flat, depsgraph) if flat else []
+        own = read_narrow_pieces(scene, source, flat, depsgraph) if flat and not flat.data.is_editmode else []
         names += [f"{source.name}, {name}" for name in own] if len(outcomes) > 1 else own
     return names
 
