@@ -11,7 +11,6 @@ import argparse
 import json
 import os
 import resource
-from collections.abc import Iterator
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from statistics import median
@@ -27,10 +26,9 @@ from tables import table
 from text import wrap
 from which_commit import commit
 
-TARGETS = (0.5, 0.25, 0.05)  # strains: about what OptCuts leaves, half of it, and the default target of cut sets
-STRAINS = tuple(0.1 * 2 ** (step / 2) for step in range(7))  # accepted when seams are removed: 10% to 80%
+TARGETS = (0.5, 0.25, 0.1, 0.05)  # strains: OptCuts leaves about 0.5; 0.05 is the default target of cut sets
 LADDER = 60  # number of requested proposals, more than any cut set has
-FEWEST = 2  # number of sets to which darts are added, of the shortest and of those with the least energy over the bound
+FEWEST = 2  # number of sets to which darts are added; adding darts to larger sets gave longer cuts
 DARTS = 20  # maximum number of darts: half the largest number of cuts in a set
 CHOICE = 5  # number of proposed darts, the default of propose_darts()
 KEPT = "\n## The price of exactness\n"  # heading of the first section by other programs; it and all below are kept
@@ -65,40 +63,28 @@ def cut(vertices: np.ndarray, faces: np.ndarray, bound: float) -> tuple[CutFigur
     if uncut and (best := with_darts(vertices, faces, (nothing, uncut), None, bound)):
         return best, None
     sets = flat_sets(vertices, faces, bound)
-    good = [figures for _, figures in sets if figures.energy <= bound]
-    best = min(good, key=lambda figures: figures.length) if good else None
-    set_length = best.length if best else None
-    nearest = sorted((cuts for cuts in sets if cuts[1].energy > bound), key=lambda cuts: cuts[1].energy)
-    for first in sets[:FEWEST] + nearest[:FEWEST]:
+    is_enough = sets[-1][1].energy <= bound
+    best = sets[-1][1] if is_enough else None
+    for first in sets[:FEWEST]:
         best = with_darts(vertices, faces, first, best, bound)
     if not best:
         raise ValueError(f"{DARTS} darts more leave an energy over {bound}")
-    return best, set_length
+    return best, sets[-1][1].length if is_enough else None
 
 
 def flat_sets(vertices: np.ndarray, faces: np.ndarray, bound: float) -> list[Cuts]:
-    """Return cut sets with which everything is flat, the shortest first."""
-    sets = []
+    """Return cut sets with which everything is flat, the shortest first, up to the first one that is good enough."""
     for target in TARGETS:
+        sets = []
         proposals = wirewarp.propose_seams(vertices, faces, strain=target, count=LADDER)
-        found = [(proposal.edges, flat(vertices, faces, proposal.edges)) for proposal in proposals]
-        sets += [(edges, figures) for edges, figures in found if figures]
-        sets += simplified(vertices, faces, proposals[0].edges, bound)
+        for proposal in sorted(proposals, key=lambda proposal: proposal.length):
+            if figures := flat(vertices, faces, proposal.edges):
+                sets.append((proposal.edges, figures))
+                if figures.energy <= bound:
+                    return sets
     if not sets:
         raise ValueError("no cut set is flat without overlaps")
-    return sorted(sets, key=lambda cuts: cuts[1].length)
-
-
-def simplified(vertices: np.ndarray, faces: np.ndarray, seams: np.ndarray, bound: float) -> Iterator[Cuts]:
-    """Remove seams as long as the energy is below the bound, and yield the sets that are flat."""
-    for strain in STRAINS:
-        proposal = wirewarp.simplify_seams(vertices, faces, seams=seams, strain=strain)
-        seams = np.array(proposal.edges, dtype=int).reshape(-1, 2)
-        figures = flat(vertices, faces, seams)
-        if figures:
-            yield seams, figures
-        if figures and figures.energy > bound:
-            break
+    return sets
 
 
 def with_darts(
@@ -255,16 +241,16 @@ as the mean over the length of the cuts. *s* is the processor time on one core i
 program.
 
 **Comparison.** For WireWarp, we take the shortest cuts found that keep the energy below {BOUND}. A surface without a
-flat shape, or one for which darts alone do not reach the bound, is cut by `propose_seams`. It proposes cut sets for
-target strains of {", ".join(f"{100 * target:.0f}%" for target in TARGETS)}, each set shorter than the one before. From
-the first set for each target, `simplify_seams` removes seams, for accepted strains from {100 * STRAINS[0]:.0f}% to
-{100 * STRAINS[-1]:.0f}%, as long as the energy is below the bound. The column *without darts* has the shortest set
-below the bound. Darts are added to a surface that is flat without cuts, to the {FEWEST} shortest sets, and to the
-{FEWEST} with the least energy above the bound, until the energy is below the bound. Each dart is chosen from {CHOICE}
-of `propose_darts`: the one with the largest decrease of energy for its length. The shorter result counts. WireWarp
-keeps the length of every cut and outline, so that the sides of a cut can be sewn together. OptCuts does not; it only
-limits the distortion over the area. The section on the price of exactness measures the effect of this on the length of
-cuts.
+flat shape, or one for which darts alone do not reach the bound, is cut by `propose_seams`. It proposes cut sets, each
+shorter than the one before, for a target strain of {100 * TARGETS[0]:.0f}%. If none of these is below the bound, it
+does so for targets of {", ".join(f"{100 * target:.0f}%" for target in TARGETS[1:])}. The column *without darts* has
+the shortest set
+below the bound. Darts are added to a surface that is flat without cuts, and to the {FEWEST} sets with the fewest
+cuts, until the energy is below the bound. Each dart is chosen from {CHOICE} of `propose_darts`: the one
+with the largest decrease of energy for its length. The shorter result counts. WireWarp keeps the length of every cut
+and outline, so that the sides of a
+cut can be sewn together. OptCuts does not; it only limits the distortion over the area. The section on the price of
+exactness measures the effect of this on the length of cuts.
 
 ## Surfaces
 """

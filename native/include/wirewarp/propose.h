@@ -147,11 +147,10 @@ struct SeamProposal {
 };
 
 /// Returns the seams that remain after sections of seams, or parts of them, were removed one by one, the longest first.
-/// Sections are divided in the middle and at their sharpest corner, and darts are shortened by a quarter of their
-/// length. Without a section, the pieces beside it are joined. The section is left out only if flatten() finds a flat
-/// shape of the joined piece with at most the given strain, or at most the strain of the worst of these pieces with the
-/// input's seams. Strains below 1e-6 are rounding errors and always accepted. If a part between seams that remain is
-/// symmetric, mirrored sections in it are left out together.
+/// Sections are divided in the middle and at their sharpest corner. Without a section, the pieces beside it are joined.
+/// The section is left out only if flatten() finds a flat shape of the joined piece with at most the given strain, or
+/// at most the strain of the worst of these pieces with the input's seams. Strains below 1e-6 are rounding errors and
+/// always accepted. If a part between seams that remain is symmetric, mirrored sections in it are left out together.
 ///
 /// Seams with an ease on one side and seams with three sides or more remain. So do all seams of a part of the model
 /// that has no flat shape for other reasons than missing seams, such as a Moebius strip. The result does not depend on

@@ -41,10 +41,6 @@ std::vector<HalfEdgeChain> sections_of(const HalfEdgeMesh& mesh, const CutMask& 
   return sections;
 }
 
-bool is_tip(const HalfEdgeMesh& mesh, const CutMask& cut, VertexHandle v) {
-  return !mesh.is_boundary(v) && left_at(mesh, cut, v).size() == 1;
-}
-
 std::vector<VertexPair> edges_by_section(const Chart& chart, const CutMask& cut) {
   std::vector<VertexPair> edges;
   for (const HalfEdgeChain& section : sections_of(chart.mesh, cut)) {

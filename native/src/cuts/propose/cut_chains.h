@@ -10,9 +10,6 @@ namespace wirewarp {
 /// closed rings.
 std::vector<HalfEdgeChain> sections_of(const HalfEdgeMesh& mesh, const CutMask& cut);
 
-/// Returns whether a cut ends at this vertex inside the surface, as a dart does.
-bool is_tip(const HalfEdgeMesh& mesh, const CutMask& cut, VertexHandle v);
-
 /// Returns the ends of the cut edges in the input, section by section.
 std::vector<VertexPair> edges_by_section(const Chart& chart, const CutMask& cut);
 

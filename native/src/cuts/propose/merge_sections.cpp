@@ -108,12 +108,12 @@ InternalOptions without_long_runs(InternalOptions options) {
 /// jagged sections of regular triangles turn by 60 degrees.
 constexpr double kCornerCosine = 0.45;
 
-/// Returns the index of the edge in which a share of a section's length ends.
-std::size_t index_at(const HalfEdgeMesh& mesh, const HalfEdgeChain& section, double share) {
-  const double length = share * length_of(mesh, section);
+/// Returns the index where the second half of a section starts.
+std::size_t middle_of(const HalfEdgeMesh& mesh, const HalfEdgeChain& section) {
+  const double half = length_of(mesh, section) / 2;
   double passed = 0;
   std::size_t i = 0;
-  while (i + 1 < section.size() && passed + edge_length(mesh, section[i]) <= length)
+  while (i + 1 < section.size() && passed + edge_length(mesh, section[i]) <= half)
     passed += edge_length(mesh, section[i++]);
   return i;
 }
@@ -132,25 +132,17 @@ std::size_t sharpest_corner_of(const HalfEdgeMesh& mesh, const HalfEdgeChain& se
   return corner;
 }
 
-/// Returns both halves of a section, the parts before and after its sharpest corner, and the quarter at a tip, which
-/// makes a dart a little shorter; empty for a single edge.
-std::vector<HalfEdgeChain> parts_of(const HalfEdgeMesh& mesh, const CutMask& cut, const HalfEdgeChain& section) {
-  const std::size_t middle = index_at(mesh, section, 0.5), corner = sharpest_corner_of(mesh, section);
-  std::vector<HalfEdgeChain> parts;
-  const auto add = [&](std::size_t begin, std::size_t end) {
-    const auto first = section.begin();
-    parts.emplace_back(first + static_cast<std::ptrdiff_t>(begin), first + static_cast<std::ptrdiff_t>(end));
-  };
+/// Returns both halves of a section, and the parts before and after its sharpest corner; empty for a single edge.
+std::vector<HalfEdgeChain> halves_of(const HalfEdgeMesh& mesh, const HalfEdgeChain& section) {
+  const std::size_t middle = middle_of(mesh, section), corner = sharpest_corner_of(mesh, section);
+  std::vector<HalfEdgeChain> halves;
   for (const std::size_t begin : {middle, corner == middle ? std::size_t{0} : corner}) {
     if (begin == 0) continue;
-    add(0, begin);
-    add(begin, section.size());
+    const auto at = section.begin() + static_cast<std::ptrdiff_t>(begin);
+    halves.emplace_back(section.begin(), at);
+    halves.emplace_back(at, section.end());
   }
-  const std::size_t first_quarter = index_at(mesh, section, 0.25), last_quarter = index_at(mesh, section, 0.75);
-  if (first_quarter > 0 && is_tip(mesh, cut, mesh.from_vertex_handle(section.front()))) add(0, first_quarter);
-  if (last_quarter > middle && is_tip(mesh, cut, mesh.to_vertex_handle(section.back())))
-    add(last_quarter, section.size());
-  return parts;
+  return halves;
 }
 
 /// Sorts sections by length, the longest first.
@@ -225,16 +217,16 @@ bool SectionMerger::is_unwanted(const Chart& chart) const {
 /// Removes one more section or part of a section: the first allowed candidate. Returns false if there is none. Tries
 /// candidates in their order on all cores, but remembers none after the first allowed one, so that the number of cores
 /// changes no result.
-bool SectionMerger::open_one(bool is_part) {
+bool SectionMerger::open_one(bool is_half) {
   exact_.stop().check();
-  const std::vector<CutMask> candidates = list_candidates(is_part);
+  const std::vector<CutMask> candidates = list_candidates(is_half);
   std::vector<std::optional<Replacement>> tried(candidates.size());
   std::atomic<std::size_t> first_allowed{candidates.size()};
   const std::thread::id caller = std::this_thread::get_id();
   run_on_all_cores(candidates.size(), exact_.stop(), [&](std::size_t i) {
     if (i > first_allowed) return;
     if (std::this_thread::get_id() == caller)
-      report_((static_cast<double>(i) / static_cast<double>(candidates.size()) + (is_part ? 1 : 0)) / 2);
+      report_((static_cast<double>(i) / static_cast<double>(candidates.size()) + (is_half ? 1 : 0)) / 2);
     tried[i] = try_without(candidates[i]);
     if (tried[i]->after.empty()) return;
     std::size_t first = first_allowed;
@@ -275,11 +267,11 @@ CutState SectionMerger::replaced(const CutMask& mask, const Replacement& replace
 
 /// Returns symmetric candidates. Those beside narrow pieces come first, because they can be joined only as long as
 /// their neighbors have little strain. Drops those that were rejected before with the same pieces beside them.
-std::vector<CutMask> SectionMerger::list_candidates(bool are_parts) {
+std::vector<CutMask> SectionMerger::list_candidates(bool are_halves) {
   std::vector<HalfEdgeChain> sections;
   for (HalfEdgeChain& whole : sections_of(chart_.mesh, state_.cut)) {
-    if (are_parts) {
-      for (HalfEdgeChain& part : parts_of(chart_.mesh, state_.cut, whole)) sections.push_back(std::move(part));
+    if (are_halves) {
+      for (HalfEdgeChain& half : halves_of(chart_.mesh, whole)) sections.push_back(std::move(half));
     } else {
       sections.push_back(std::move(whole));
     }

@@ -32,10 +32,10 @@ struct MergeRules {
 };
 
 /// Removes sections of seams from a cut, the longest first, until no more can be removed. If no whole section can be
-/// removed, it tries halves, the parts before and after the sharpest corner, and quarters at the tips of darts. A
-/// section and its mirror image are removed together, after an exact evaluation of the pieces beside them. The new
-/// pieces must have a flat shape with at most the allowed strain or the strain of one of the old pieces. Other pieces
-/// that had no flat shape before are ignored.
+/// removed, it tries halves, and the parts before and after the sharpest corner. A section and its mirror image are
+/// removed together, after an exact evaluation of the pieces beside them. The new pieces must have a flat shape with at
+/// most the allowed strain or the strain of one of the old pieces. Other pieces that had no flat shape before are
+/// ignored.
 class SectionMerger {
  public:
   /// chart, mirrored and exact are kept by reference. state: a cut of the chart, and the pieces with it.
@@ -71,8 +71,8 @@ class SectionMerger {
     double strain;      // of the new pieces; a lower bound if they were not flattened
   };
 
-  bool open_one(bool is_part);
-  std::vector<CutMask> list_candidates(bool are_parts);
+  bool open_one(bool is_half);
+  std::vector<CutMask> list_candidates(bool are_halves);
   FlatPieces beside(const CutMask& mask) const { return pieces_beside(state_.pieces, edges_of(chart_, mask)); }
   double allowed_beside(const FlatPieces& pieces) const;
   bool had_error(const Chart& chart) const;
