@@ -92,7 +92,8 @@ struct Options {
   /// its warp, so π/4 cuts on the bias.
   double grain_angle = 0;
 
-  /// For Orientation::up, and for pieces that the wire `grain` does not cross: a direction in space, finite and not zero.
+  /// For Orientation::up, and for pieces that the wire `grain` does not cross: a direction in space, finite and not
+  /// zero.
   std::array<double, 3> up = {0, 0, 1};
 
   /// Space between pieces, as a fraction of the side of a square with the area of all pieces. In [0, 1].
