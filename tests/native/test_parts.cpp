@@ -298,7 +298,7 @@ VertexPairs edges_of(const FlattenInput& input, int face) {
   return edges;
 }
 
-/// Returns the faces with a point of a path inside or on their border.
+/// Returns the faces that share a corner with a face through which a path leads.
 std::set<int> faces_touched(const FlattenInput& input, const DartProposal& set) {
   std::set<int> corners, touched;
   for (const SurfacePath& path : set.paths) {

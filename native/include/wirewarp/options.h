@@ -88,7 +88,7 @@ struct Options {
   /// Other pieces are turned as for Orientation::up. For -1, each piece's first wire is upright.
   int grain = -1;
 
-  /// For Orientation::wire: angle of the chain from +y, counterclockwise, in radians, in [-π, π]. With a cloth, y is
+  /// For Orientation::wire: angle of the chain or of `up` from +y, counterclockwise, in radians, in [-π, π]. With a cloth, y is
   /// its warp, so π/4 cuts on the bias.
   double grain_angle = 0;
 

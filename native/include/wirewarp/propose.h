@@ -82,9 +82,10 @@ std::vector<DartProposal> propose_darts(const FlattenInput& input, const Options
 /// wires, eases and thickness, and if the piece has necks or no long sharp edges. Only sets that keep to no_seam and
 /// no_crossing count. The parts are joined for 1, 2 and 4 times the accepted strain, but only up to about 20%, or up to
 /// twice a larger accepted strain; without it, for 5%, 10% and 20%. They are not joined for less than 2%. A joined part
-/// covers 85% of its convex hull, or as much as one of its parts. Then the lines are smoothed. Sets have at most 24
-/// pieces. If one of them keeps the accepted strain, without it 20%, no others are searched; otherwise other sets are
-/// added. All are sorted by length, the longest first. A shorter set with more pieces may leave less strain.
+/// covers 85% of its convex hull, or as much as one of its parts. Then the lines are smoothed. Sets have at most 30
+/// pieces. If one of them keeps the accepted strain, without it 20%, and has at most 12 pieces, all wide enough, no
+/// others are searched; otherwise other sets are added. All are sorted by length, the longest first. A shorter set with
+/// more pieces may leave less strain.
 ///
 /// Otherwise, with is_smooth, the lines of a cut set are smoothed until they turn by less than 30 degrees at each
 /// vertex between their ends, and junctions move with them. Smooth lines do not cross wires, or edges of no_seam and

@@ -147,7 +147,6 @@ class PartSearch {
         piece_(piece),
         cut_options_(cut_options),
         exact_(exact),
-        forbidden_(cut_options, exact.surface().given().faces),
         progress_(progress),
         chart_(in_canonical_order(pieces[piece]->chart, exact.stop())),
         alone_(alone(chart_.mesh)),
@@ -204,6 +203,7 @@ class PartSearch {
     FlatPieces pieces;
     std::vector<int> faces;  // input face that contains each face of their mesh
     int num_narrow = 0;      // see count_narrow()
+    bool is_forbidden = false;  // whether it has forbidden lines
   };
 
   /// How a division ends: with all parts within the limit, with more strain in some, or with parts without a shape.
@@ -221,7 +221,6 @@ class PartSearch {
   const std::size_t piece_;
   const CutOptions& cut_options_;
   const ExactEvaluation& exact_;
-  const ForbiddenLines forbidden_;
   CutProgress& progress_;
   const Chart chart_;  // in canonical order
   const Chart alone_;  // the same, as a model of its own
@@ -330,7 +329,7 @@ void PartSearch::add_joined(const CutMesh& mesh, double limit, PartSets& found) 
         CutSet made = set_along(lines_across(own_, alone_, mesh, chart, image, merger.state().cut));
         const FlatPieces failed = failed_on_mesh({joined, faces}, {made.pieces, made.faces}, limit);
         const bool is_useful = made.pieces.size() == joined.size() && made.set.strain < kMostStrain &&
-                               made.set.length <= cut_options_.longest && !forbidden_.contain_any(made.set.paths);
+                               made.set.length <= cut_options_.longest && !made.is_forbidden;
         if (is_useful && (!best || rank(made) < rank(*best))) best = std::move(made);
         if (!merger.undo(failed)) break;
       }
@@ -358,6 +357,7 @@ PartSearch::CutSet PartSearch::set_along(const SurfaceLines& lines) const {
   made.set.paths = selected(paths, kept);
   const CutMesh cut = cut_mesh(given.vertices, given.faces, made.set.paths);
   made.faces = cut.sources.faces;
+  made.is_forbidden = has_forbidden_lines(cut, cut_options_);
   const CutSurface surface(pieces_, piece_, exact_, cut);
   made.pieces = parts_of(surface.after(), surface.before()[piece_]->chart);
   set_figures(surface, figures_of(made.pieces), made.set);
@@ -371,8 +371,12 @@ DartProposal PartSearch::smooth_set(const CutSet& made, double limit) const {
   if (made.set.strain > limit) return made.set;
   SmoothLimits limits{limit};
   limits.num_narrow = made.num_narrow;
-  return smooth_lines(made.set, made.lines, limits, {pieces_, piece_, chart_, image_}, cut_options_, exact_)
-      .value_or(made.set);
+  const std::optional<DartProposal> smooth =
+      smooth_lines(made.set, made.lines, limits, {pieces_, piece_, chart_, image_}, cut_options_, exact_);
+  const FlattenInput& given = exact_.surface().given();
+  if (!smooth || has_forbidden_lines(cut_mesh(given.vertices, given.faces, smooth->paths), cut_options_))
+    return made.set;
+  return *smooth;
 }
 
 }  // namespace

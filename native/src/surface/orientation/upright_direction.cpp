@@ -92,11 +92,12 @@ std::vector<WirePart>::const_iterator part_of_grain(const Chart& chart, int grai
                       [&](const WirePart& part) { return part.wire_index == grain; });
 }
 
-/// Returns whether the direction Options::up is up in a chart: a grain wire elsewhere says nothing about it.
-bool rises(const Chart& chart, const Options& options) {
-  if (options.orientation == Orientation::up) return true;
-  return options.orientation == Orientation::wire && options.grain >= 0 &&
-         part_of_grain(chart, options.grain) == chart.wire_parts.end();
+/// Returns the direction of Options::up in a layout, if it is up in the piece; zero otherwise, and in level pieces.
+Eigen::Vector2d up_in(const Chart& chart, const Positions2& uv, const Options& options) {
+  const bool is_grain_elsewhere = options.orientation == Orientation::wire && options.grain >= 0 &&
+                                  part_of_grain(chart, options.grain) == chart.wire_parts.end();
+  if (options.orientation != Orientation::up && !is_grain_elsewhere) return {0, 0};
+  return rising_direction(chart, uv, {options.up[0], options.up[1], options.up[2]});
 }
 
 /// Returns the chain that defines up for Orientation::wire.
@@ -110,8 +111,7 @@ const HalfEdgeChain& grain_of(const Chart& chart, int grain) {
 
 Eigen::Vector2d upright_direction(const Chart& chart, const Positions2& uv, const Options& options) {
   if (options.orientation == Orientation::boundary) return straightest_outline(chart, uv);
-  Eigen::Vector2d along(0, 0);
-  if (rises(chart, options)) along = rising_direction(chart, uv, {options.up[0], options.up[1], options.up[2]});
+  Eigen::Vector2d along = up_in(chart, uv, options);
   if (along.isZero(0)) along = direction_of(chart, grain_of(chart, options.grain), uv);
   const double angle = options.orientation == Orientation::wire ? options.grain_angle : 0;
   return angle == 0 ? along : Eigen::Vector2d(Eigen::Rotation2Dd(-angle) * along);
@@ -133,7 +133,7 @@ void stand_upright(Positions2& uv, const Eigen::Vector2d& up) {
 }
 
 VertexPair upright_pair(const Chart& chart, const Positions2& uv, const Options& options) {
-  if (options.orientation == Orientation::wire && !rises(chart, options)) {
+  if (options.orientation == Orientation::wire && up_in(chart, uv, options).isZero(0)) {
     const HalfEdgeChain& chain = grain_of(chart, options.grain);
     if (is_open(points_along(chart, chain, uv))) {
       return {chart.mesh.from_vertex_handle(chain.front()).idx(), chart.mesh.to_vertex_handle(chain.back()).idx()};
