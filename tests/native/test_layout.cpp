@@ -121,7 +121,7 @@ Options grain(int wire) {
   return options;
 }
 
-TEST(Grain, LevelPiecesWithoutTheGrainWireUseTheirFirstWire) {
+TEST(Grain, PiecesWithoutTheGrainWireUseTheirFirstWire) {
   FlattenInput input = test::flat_rectangle(6, 4, 3, 2);
   test::add_seam(input, test::grid_column(6, 4, 3));
   test::add_wire(input, test::grid_column(6, 4, 1));
@@ -132,28 +132,6 @@ TEST(Grain, LevelPiecesWithoutTheGrainWireUseTheirFirstWire) {
     EXPECT_EQ(upright_direction(charts.charts[0], planar_positions(charts.charts[0]), grain(wire)).x(), 0) << wire;
     EXPECT_EQ(upright_direction(charts.charts[1], planar_positions(charts.charts[1]), grain(wire)).y(), 0) << wire;
   }
-}
-
-TEST(Grain, PiecesWithoutTheGrainWireHaveTheSameSideUpAsTheModel) {
-  FlattenInput input = test::flat_rectangle(6, 4, 3, 2);
-  input.vertices = input.vertices * Eigen::AngleAxisd(-1, Eigen::Vector3d::UnitX()).toRotationMatrix();  // y rises
-  test::add_seam(input, test::grid_column(6, 4, 3));
-  test::add_wire(input, test::grid_column(6, 4, 1));
-  test::add_wire(input, {test::grid_row(6, 2)[4], test::grid_row(6, 2)[5]});  // along x, in the other piece
-  const Charts charts = charts_of(input);
-  const auto up = [&](int wire, double angle) -> Eigen::Vector2d {
-    Options options = grain(wire);
-    options.grain_angle = angle;
-    Positions2 uv(charts.charts[1].mesh.n_vertices(), 2);  // as before the sheet was tilted
-    for (const VertexHandle v : charts.charts[1].mesh.vertices()) {
-      const OpenMesh::Vec3d& p = charts.charts[1].mesh.point(v);
-      uv.row(v.idx()) << p[0], std::cos(1) * p[1] + std::sin(1) * p[2];
-    }
-    return upright_direction(charts.charts[1], uv, options).normalized();
-  };
-  EXPECT_NEAR(up(0, 0).y(), 1, 1e-12);
-  EXPECT_NEAR(up(0, 0.5).y(), std::cos(0.5), 1e-12) << "the angle is from this direction";
-  EXPECT_NEAR(up(-1, 0).y(), 0, 1e-12) << "its first wire";
 }
 
 /// A sheet with a lower side that is straight except for a kink of 2 degrees, and a longer, rounded upper side.

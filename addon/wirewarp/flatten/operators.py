@@ -126,7 +126,8 @@ class FlattenSteps(WindowSteps, FlattenSettings):
         redraw_views()  # Blender redraws on its own only if the run changed data
         reports = [outcome.report for outcome in outcomes]
         self._write_report(context, reports)
-        level, text = run_message(reports, _narrow_pieces(context, outcomes) if all(report.ok for report in reports) else ())
+        are_ok = all(report.ok for report in reports)
+        level, text = run_message(reports, _narrow_pieces(context, outcomes) if are_ok else ())
         self.message(failed if level == "ERROR" else level, text)
         return {"FINISHED" if any(outcome.pieces for outcome in outcomes) else "CANCELLED"}
 
@@ -153,8 +154,8 @@ def _narrow_pieces(context: bpy.types.Context, outcomes: list[Outcome]) -> list[
         source = find_source(outcome.model)
         flat = find_flat_object(source) if source and outcome.pieces else None
         own = read_narrow_pieces(scene, source, flat, depsgraph) if flat and not flat.data.is_editmode else []
-        is_named = [len(outcomes) > 1 and name != source.name for name in own]
-        names += [f"{source.name}, {name}" if with_object else name for name, with_object in zip(own, is_named)]
+        for name in own:
+            names.append(f"{source.name}, {name}" if len(outcomes) > 1 and name != source.name else name)
     return names
 
 

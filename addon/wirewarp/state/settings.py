@@ -192,8 +192,8 @@ class FlattenSettings:
             (
                 "WIRE",
                 "Grain Wire",
-                "The grain wire, which has an arrow in the list of wires. In pieces that it does not cross, "
-                "and if there is none, the same as World Up",
+                "The grain wire, which has an arrow in the list of wires; in pieces that it does not cross, their "
+                "first wire. Without a grain wire, the same as World Up",
             ),
             ("BEST", "Best for the Fabric", "Turn each piece so that the fabric must stretch least. Needs a fabric"),
             ("BOUNDARY", "Longest Straight Edge", "The longest straight section of the outline"),

@@ -85,15 +85,14 @@ struct Options {
   Orientation orientation = Orientation::wire;  // direction that is up in each piece
 
   /// For Orientation::wire: index of the wire that is upright in the pieces that it crosses, in [-1, number of wires).
-  /// Other pieces are turned as for Orientation::up. For -1, each piece's first wire is upright.
+  /// For -1, and in pieces that this wire does not cross, the piece's first wire is upright.
   int grain = -1;
 
-  /// For Orientation::wire: angle of the chain or of `up` from +y, counterclockwise, in radians, in [-π, π]. With a cloth, y is
+  /// For Orientation::wire: angle of the chain from +y, counterclockwise, in radians, in [-π, π]. With a cloth, y is
   /// its warp, so π/4 cuts on the bias.
   double grain_angle = 0;
 
-  /// For Orientation::up, and for pieces that the wire `grain` does not cross: a direction in space, finite and not
-  /// zero.
+  /// For Orientation::up: a direction in space, finite and not zero.
   std::array<double, 3> up = {0, 0, 1};
 
   /// Space between pieces, as a fraction of the side of a square with the area of all pieces. In [0, 1].

@@ -201,8 +201,8 @@ class PartSearch {
     DartProposal set;
     SurfaceLines lines;
     FlatPieces pieces;
-    std::vector<int> faces;  // input face that contains each face of their mesh
-    int num_narrow = 0;      // see count_narrow()
+    std::vector<int> faces;     // input face that contains each face of their mesh
+    int num_narrow = 0;         // see count_narrow()
     bool is_forbidden = false;  // whether it has forbidden lines
   };
 

@@ -86,24 +86,11 @@ const HalfEdgeChain& longest_boundary_chain(const Chart& chart) {
   return *best;
 }
 
-/// Returns the part of the grain wire in a chart, or the end if it does not cross the chart.
-std::vector<WirePart>::const_iterator part_of_grain(const Chart& chart, int grain) {
-  return std::find_if(chart.wire_parts.begin(), chart.wire_parts.end(),
-                      [&](const WirePart& part) { return part.wire_index == grain; });
-}
-
-/// Returns the direction of Options::up in a layout, if it is up in the piece; zero otherwise, and in level pieces.
-Eigen::Vector2d up_in(const Chart& chart, const Positions2& uv, const Options& options) {
-  const bool is_grain_elsewhere = options.orientation == Orientation::wire && options.grain >= 0 &&
-                                  part_of_grain(chart, options.grain) == chart.wire_parts.end();
-  if (options.orientation != Orientation::up && !is_grain_elsewhere) return {0, 0};
-  return rising_direction(chart, uv, {options.up[0], options.up[1], options.up[2]});
-}
-
 /// Returns the chain that defines up for Orientation::wire.
 const HalfEdgeChain& grain_of(const Chart& chart, int grain) {
   if (chart.wire_parts.empty()) return longest_boundary_chain(chart);
-  const auto chosen = part_of_grain(chart, grain);
+  const auto chosen = std::find_if(chart.wire_parts.begin(), chart.wire_parts.end(),
+                                   [&](const WirePart& part) { return part.wire_index == grain; });
   return (chosen != chart.wire_parts.end() ? *chosen : chart.wire_parts.front()).half_edges;
 }
 
@@ -111,8 +98,11 @@ const HalfEdgeChain& grain_of(const Chart& chart, int grain) {
 
 Eigen::Vector2d upright_direction(const Chart& chart, const Positions2& uv, const Options& options) {
   if (options.orientation == Orientation::boundary) return straightest_outline(chart, uv);
-  Eigen::Vector2d along = up_in(chart, uv, options);
-  if (along.isZero(0)) along = direction_of(chart, grain_of(chart, options.grain), uv);
+  if (options.orientation == Orientation::up) {
+    const Eigen::Vector2d rising = rising_direction(chart, uv, {options.up[0], options.up[1], options.up[2]});
+    if (!rising.isZero(0)) return rising;
+  }
+  const Eigen::Vector2d along = direction_of(chart, grain_of(chart, options.grain), uv);
   const double angle = options.orientation == Orientation::wire ? options.grain_angle : 0;
   return angle == 0 ? along : Eigen::Vector2d(Eigen::Rotation2Dd(-angle) * along);
 }
@@ -133,7 +123,7 @@ void stand_upright(Positions2& uv, const Eigen::Vector2d& up) {
 }
 
 VertexPair upright_pair(const Chart& chart, const Positions2& uv, const Options& options) {
-  if (options.orientation == Orientation::wire && up_in(chart, uv, options).isZero(0)) {
+  if (options.orientation == Orientation::wire) {
     const HalfEdgeChain& chain = grain_of(chart, options.grain);
     if (is_open(points_along(chart, chain, uv))) {
       return {chart.mesh.from_vertex_handle(chain.front()).idx(), chart.mesh.to_vertex_handle(chain.back()).idx()};

@@ -8,21 +8,21 @@ namespace wirewarp {
 /// Returns the direction in the layout uv that becomes up (+y) by options.orientation. Not normalized; zero only if all
 /// points of the chain coincide.
 ///
-/// wire: along the first part of the wire options.grain in this chart. If that wire is elsewhere, the direction is
-/// that for up; if there is no such wire, it is along the chart's first wire part; without wires, along the longest chain of the outline. A chain's
-/// direction is its chord. For a chain that is closed or nearly closed, it is the long side of the smallest box around
-/// it, with the chain's first vertex in the lower half. boundary: straightest_outline(). up: rising_direction() of
-/// options.up; if that is zero, the chart's first wire part or longest chain. best: as for wire without a grain wire.
+/// wire: along the first part of the wire options.grain in this chart, otherwise along the chart's first wire part;
+/// without wires, along the longest chain of the outline. A chain's direction is its chord. For a chain that is closed
+/// or nearly closed, it is the long side of the smallest box around it, with the chain's first vertex in the lower
+/// half. boundary: straightest_outline(). up: rising_direction() of options.up; if that is zero, as for wire. best: as
+/// for wire.
 ///
-/// options.grain_angle rotates the direction for wire: +y is that angle to the right of it.
+/// options.grain_angle rotates the direction of wires: +y is that angle to the right of the chain.
 Eigen::Vector2d upright_direction(const Chart& chart, const Positions2& uv, const Options& options);
 
 /// Rotates a layout so that up becomes +y, and moves its lower-left corner to the origin.
 void stand_upright(Positions2& uv, const Eigen::Vector2d& up);
 
 /// Returns two vertices of an upright layout that define its rotation: for Orientation::wire the ends of the chain that
-/// defines up, if one does and they are apart; otherwise the lowest and the highest vertex of the outline. At equal
-/// heights, the leftmost vertex is used, so that the numbering of the mesh does not matter.
+/// defines up, if they are apart; otherwise the lowest and the highest vertex of the outline. At equal heights, the
+/// leftmost vertex is used, so that the numbering of the mesh does not matter.
 VertexPair upright_pair(const Chart& chart, const Positions2& uv, const Options& options);
 
 }  // namespace wirewarp
