@@ -38,7 +38,7 @@ class Flat:
 
 
 def flatten(shape: Path) -> list[Flat | None]:
-    """Return the flattening with exact lengths and the one with elastic seams, or None if there is no flat shape."""
+    """Flatten with exact lengths, then with elastic seams. Return both results; None instead of one without a shape."""
     vertices, faces = read_obj(shape)
     cuts, _, _ = cuts_of(faces, read_corner_uv(shape))
     found: list[Flat | None] = []

@@ -14,6 +14,15 @@ OWN_WIRES = {"Bust line", "Waist line", "Center front"}  # the sample's wires th
 
 def select_edges(wanted: Callable[[Vector, Vector], bool]) -> None:
     """Select edges with such ends in Edit Mode."""
+    _select(lambda edge: wanted(*(vertex.co for vertex in edge.verts)))
+
+
+def select_by_vertices(wanted: Callable[[frozenset[int]], bool]) -> None:
+    """Select edges in Edit Mode. wanted: returns whether to select the edge between the vertices of these indices."""
+    _select(lambda edge: wanted(frozenset(vertex.index for vertex in edge.verts)))
+
+
+def _select(wanted: Callable[[bmesh.types.BMEdge], bool]) -> None:
     source = bpy.context.view_layer.objects.active
     with drive.in_view():
         if source.mode != "EDIT":
@@ -22,7 +31,7 @@ def select_edges(wanted: Callable[[Vector, Vector], bool]) -> None:
         bpy.ops.mesh.select_all(action="DESELECT")
     edit = bmesh.from_edit_mesh(source.data)
     for edge in edit.edges:
-        edge.select = wanted(*(vertex.co for vertex in edge.verts))
+        edge.select = wanted(edge)
     edit.select_flush_mode()
     bmesh.update_edit_mesh(source.data)
 
@@ -73,7 +82,7 @@ def ease_sleeves() -> None:
     """Make the sleeves 4% longer than the armholes, in a flattened model."""
     mesh = bpy.context.object.data
     piece = [each.value for each in mesh.attributes["wirewarp_piece"].data]
-    sleeves = sorted(set(piece), key=piece.count)[:2]
+    sleeves = sorted(set(piece), key=piece.count)[:2]  # the pieces with the fewest faces
     sides: dict[frozenset[int], list[bool]] = {}
     for face in mesh.polygons:
         for ends in face.edge_keys:
@@ -82,16 +91,6 @@ def ease_sleeves() -> None:
     with drive.in_view():
         bpy.ops.mesh.wirewarp_ease(sides="ONE", ease_percent=4.0)
     leave_edit_mode()
-
-
-def select_by_vertices(wanted: Callable[[frozenset[int]], bool]) -> None:
-    """Select edges in Edit Mode. wanted: returns whether to select the edge between the vertices of these indices."""
-    select_edges(lambda _a, _b: False)
-    edit = bmesh.from_edit_mesh(bpy.context.object.data)
-    for edge in edit.edges:
-        edge.select = wanted(frozenset(vertex.index for vertex in edge.verts))
-    edit.select_flush_mode()
-    bmesh.update_edit_mesh(bpy.context.object.data)
 
 
 def clear_sleeve_seam(mesh: bpy.types.Mesh) -> None:

@@ -30,13 +30,14 @@ LEFT = 480  # pixels on the left of the view that pictures leave out
 
 
 def open_sample(*opened: str) -> drive.Tour:
-    """Open the sample in a window with only a 3D view and only these panels of ours open (the first at once)."""
+    """Open the sample in a window with only a 3D view, in which only these panels of ours are open."""
     open_panels(*opened)
     bpy.ops.wm.open_mainfile(filepath=str(SAMPLE), load_ui=False)
     yield from show_view_only(opened[0])
 
 
 def open_panels(*opened: str) -> None:
+    """Register all panels of ours again, with only these open, which Blender takes from their class."""
     bpy.context.preferences.view.ui_scale = UI_SCALE
     bpy.context.preferences.view.smooth_view = 0  # otherwise, Flatten still moves the view when a picture is taken
     panels = [cls for cls in wirewarp_addon.registration.CLASSES if issubclass(cls, bpy.types.Panel)]
@@ -49,7 +50,7 @@ def open_panels(*opened: str) -> None:
 
 
 def show_view_only(first: str) -> drive.Tour:
-    """Enlarge the 3D view, with the tab of ours, which this panel opens, and look at the model."""
+    """Enlarge the 3D view, open the tab that contains the panel `first`, and look at the model."""
     yield from drive.ticks(5)
     with drive.in_view():
         bpy.ops.screen.screen_full_area()

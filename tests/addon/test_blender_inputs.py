@@ -180,7 +180,7 @@ def test_ignored_modifiers_and_shape_keys_are_reported(addon):
 def ignored_after(addon, source):
     """Return the sentence of a run on ignored modifiers; the pieces are then not ready to cut."""
     bpy.ops.object.wirewarp_flatten()
-    level, text = addon.solve.report.run_message([addon.state.reports.last_report(source)])
+    level, text = addon.solve.report.run_message([addon.state.reports.last_report(source)], {})
     assert level == "WARNING" and "Lengths are exact" not in text
     return text.removesuffix(" were ignored, so sizes differ from what you see.")
 
@@ -202,7 +202,7 @@ def test_modifiers_that_change_nothing_are_not_reported(addon):
 
 def message_after(addon, source):
     bpy.ops.object.wirewarp_flatten()
-    return addon.solve.report.run_message([addon.state.reports.last_report(source)])[1]
+    return addon.solve.report.run_message([addon.state.reports.last_report(source)], {})[1]
 
 
 def test_shape_keys_are_flattened_with_the_modifiers():

@@ -127,10 +127,10 @@ def test_notes_are_not_warnings(addon, source):
     report = addon.state.reports.last_report(source)
     (note,) = report.notes
     assert "from an earlier run without Modifiers" in note.text
-    level, text = addon.solve.report.run_message([report])
+    level, text = addon.solve.report.run_message([report], {})
     assert level == "INFO" and text.endswith(note.text)
     report.notes = [addon.core.Note(note.text, is_warning=True)]
-    assert addon.solve.report.run_message([report]) == ("WARNING", text)
+    assert addon.solve.report.run_message([report], {}) == ("WARNING", text)
 
 
 def test_the_method_and_the_settings_reach_the_core(source, tmp_path):

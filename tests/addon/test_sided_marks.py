@@ -231,7 +231,7 @@ def test_edges_inside_of_a_piece_get_no_allowance(source):
 def drawn(addon, source, allowance=10.0):
     """Return the size of the cutting line as drawn, in Blender units."""
     pages, depsgraph = addon.overlay.pages, bpy.context.evaluated_depsgraph_get()
-    parts = pages.outlines(bpy.context.scene, source, flat_of(source), depsgraph)
+    parts = addon.export.read.read_outlines(bpy.context.scene, source, flat_of(source), depsgraph)
     lines = pages.cut_places(pages.cut_lines(parts, allowance, darts="close"), 100.0)
     return np.ptp(lines, axis=0) if len(lines) else np.zeros(3)
 

@@ -186,13 +186,15 @@ def test_ignored_modifiers_make_no_piece_ready():
 
 
 def test_pieces_without_room_for_their_allowances_are_not_ready():
-    found = with_narrow(verdict(report_of_pieces(0.0, 0.1)), ["Piece 1", "Piece 2"])
+    found = with_narrow(verdict(report_of_pieces(0.0, 0.1)), {"Top": ["Piece 1", "Piece 2"]})
     assert [line.kind for line in found.lines] == [Kind.NEEDS_STRETCH, Kind.TOO_NARROW]
     sentence = "no room for two allowances in one place, and may be too narrow to sew."
     assert found.lines[1].text == f"Piece 1 and Piece 2 have {sentence}"
-    (line,) = with_narrow(verdict(report_of_pieces(0.0)), ["Piece 1"]).lines
+    (line,) = with_narrow(verdict(report_of_pieces(0.0)), {"Top": ["Piece 1"]}).lines
     assert line.text == f"Piece 1 has {sentence}"
-    assert with_narrow(verdict(report_of_pieces(0.0)), []).is_ready
+    (line,) = with_narrow(verdict(report_of_pieces(0.0)), {"Top": ["Piece 1"], "Cap": ["Cap"], "Belt": []}).lines
+    assert line.text == f"Top, Piece 1; Cap have {sentence}"
+    assert with_narrow(verdict(report_of_pieces(0.0)), {"Top": []}).is_ready
 
 
 def test_success_mentions_exact_lengths_only_if_they_are_fixed():

@@ -52,23 +52,15 @@ def read_pattern(scene: bpy.types.Scene, source: bpy.types.Object) -> PatternPar
 def read_outlines(
     scene: bpy.types.Scene, source: bpy.types.Object, flat: bpy.types.Object, depsgraph: bpy.types.Depsgraph
 ) -> PatternParts | None:
-    """Return the data like read_pattern, even if something has changed since. The model may be in Edit Mode. Returns
-    None if these pieces have no report. Raises ObjectError."""
+    """Return the data like read_pattern, even if something has changed since. Returns None if the pieces have no report
+    or cannot make a pattern; Export reports why. The model may be in Edit Mode, but not the flat pieces."""
     report = pieces_report(source)
     if report is None or not has_attributes(flat.data, PIECE_INDEX, SOURCE_VERTEX):
         return None
-    return _parts(scene, source, report, flat, depsgraph)
-
-
-def read_narrow_pieces(
-    scene: bpy.types.Scene, source: bpy.types.Object, flat: bpy.types.Object, depsgraph: bpy.types.Depsgraph
-) -> list[str]:
-    """Return the names of the pieces without room for their allowances; none if they cannot make a pattern."""
     try:
-        parts = read_outlines(scene, source, flat, depsgraph)
+        return _parts(scene, source, report, flat, depsgraph)
     except ObjectError:
-        return []  # Export reports why
-    return parts.narrow(scene.wirewarp.allowance) if parts else []
+        return None
 
 
 def _parts(

@@ -13,7 +13,7 @@ from ..blender.objects import meters_per_blender_unit
 from ..blender.selection import WORKING_MODES, hold_whole_file
 from ..blender.views import is_over_sidebar, redraw_views, show_objects, work_area
 from ..core import Issue
-from ..export.read import read_narrow_pieces
+from ..export.read import read_outlines
 from ..issues import ObjectError, object_error
 from ..properties import preferences, take_settings
 from ..solve.report import ObjectReport, run_message
@@ -127,7 +127,8 @@ class FlattenSteps(WindowSteps, FlattenSettings):
         reports = [outcome.report for outcome in outcomes]
         self._write_report(context, reports)
         are_ok = all(report.ok for report in reports)
-        level, text = run_message(reports, _narrow_pieces(context, outcomes) if are_ok else ())
+        narrow = {each.report.object: _narrow_pieces(context, each) for each in outcomes} if are_ok else {}
+        level, text = run_message(reports, narrow)
         self.message(failed if level == "ERROR" else level, text)
         return {"FINISHED" if any(outcome.pieces for outcome in outcomes) else "CANCELLED"}
 
@@ -146,17 +147,14 @@ class FlattenSteps(WindowSteps, FlattenSettings):
             self.report({"ERROR"}, unwritten(self.report_file, error))
 
 
-def _narrow_pieces(context: bpy.types.Context, outcomes: list[Outcome]) -> list[str]:
-    """Return the names of the pieces without room for their allowances, with their objects if there are several."""
-    scene, depsgraph = context.scene, context.evaluated_depsgraph_get()
-    names: list[str] = []
-    for outcome in outcomes:
-        source = find_source(outcome.model)
-        flat = find_flat_object(source) if source and outcome.pieces else None
-        own = read_narrow_pieces(scene, source, flat, depsgraph) if flat and not flat.data.is_editmode else []
-        for name in own:
-            names.append(f"{source.name}, {name}" if len(outcomes) > 1 and name != source.name else name)
-    return names
+def _narrow_pieces(context: bpy.types.Context, outcome: Outcome) -> list[str]:
+    """Return the names of the pieces without room for their allowances; none while the pieces are edited."""
+    source = find_source(outcome.model)
+    flat = find_flat_object(source) if source and outcome.pieces else None
+    if flat is None or flat.data.is_editmode:
+        return []
+    parts = read_outlines(context.scene, source, flat, context.evaluated_depsgraph_get())
+    return parts.narrow(context.scene.wirewarp.allowance) if parts else []
 
 
 def _place(context: bpy.types.Context) -> tuple[str, str]:

@@ -3,12 +3,11 @@
 
 from dataclasses import dataclass, field
 
-import bpy
 import numpy as np
 
 from ..core import FlattenError, counted, pattern
 from ..export.export import Cloth, PatternParts, laid_on_kept
-from ..export.read import kept_marker, read_outlines
+from ..export.read import kept_marker
 from ..issues import ObjectError
 from .lines import Name
 
@@ -34,19 +33,9 @@ class PagePreview:
     names: list[Name] = field(default_factory=list)
 
 
-def outlines(
-    scene: bpy.types.Scene, source: bpy.types.Object, flat: bpy.types.Object, depsgraph: bpy.types.Depsgraph
-) -> PatternParts | None:
-    """Return the outlines of flat pieces outside Edit Mode, with allowances; None if they cannot make a pattern."""
-    try:
-        return read_outlines(scene, source, flat, depsgraph)
-    except ObjectError:
-        return None
-
-
 def cut_lines(parts: PatternParts | None, allowance: float, **options: object) -> CutLines:
-    """Return the cutting lines. parts: see outlines; options: see PatternOptions. allowance: the allowance at edges
-    without a marked one, in millimeters."""
+    """Return the cutting lines. parts: see read_outlines; options: see PatternOptions. allowance: the allowance at
+    edges without a marked one, in millimeters."""
     if parts is None:
         return CutLines(None, False)
     try:

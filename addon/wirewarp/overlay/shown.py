@@ -13,6 +13,7 @@ from ..blender.attributes import stored_text
 from ..blender.objects import meters_per_blender_unit, metric
 from ..core import by_way, percent_text
 from ..export.export import GRAINS, Cloth, PatternParts, library_paper
+from ..export.read import read_outlines
 from ..export.steps import copies_of_piece, copies_sentences
 from ..issues import ObjectError
 from ..names import MARKER, MARKS
@@ -27,7 +28,7 @@ from ..state.suggestions import suggestions_of
 from .failures import Failures, failures, suggested_lines, uv_suggested_lines, with_cut
 from .gather import ColoredTriangles, shows_our_map
 from .objects import Lines, colored_surface, marked_lines, uv_lines
-from .pages import CutLines, PageChoices, PagePreview, cut_lines, cut_places, outlines, page_preview
+from .pages import CutLines, PageChoices, PagePreview, cut_lines, cut_places, page_preview
 
 MODES = {"OBJECT", "EDIT"}
 STRETCH_MAPS = (STRETCH, ASPECT_RATIO)
@@ -176,7 +177,7 @@ def _outlines(context: bpy.types.Context, source: bpy.types.Object, flat: bpy.ty
     made_of = stamp(flat), stamp(flat.data), Same(pieces_report(source)), source.name_full
     of_model = stamp(source), stamp(source.data), source.data.is_editmode
     units = meters_per_blender_unit(scene), scene.unit_settings.system
-    build = partial(outlines, scene, source, flat, depsgraph)
+    build = partial(read_outlines, scene, source, flat, depsgraph)
     return kept_drawing(flat, "outlines", (*made_of, *of_model, *units), build, source)
 
 

@@ -163,7 +163,8 @@ def _draw_state(
         draw_suggestions(context, layout, "FLATTEN")
         return
     left_out = _left_out(context, source, report)
-    verdict = with_narrow(as_seen(report.tables.verdict, left_out), narrow_names(context, source, report))
+    narrow = {source.name: narrow_names(context, source, report)}
+    verdict = with_narrow(as_seen(report.tables.verdict, left_out), narrow)
     lines = verdict.lines
     if is_updated:  # the rows turn gray instead of disappearing, so that nothing below moves
         draw_sentence(context, layout, DUE, "INFO", as_high_as=lines[0].text)

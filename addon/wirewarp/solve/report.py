@@ -4,7 +4,7 @@
 Also the message of a run.
 """
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import combinations, pairwise
 from typing import Any
@@ -171,10 +171,10 @@ def failure_report(issue: Issue, facts: Facts | None = None) -> ObjectReport:
     return ObjectReport(issues=[issue], **(vars(facts) if facts else {}))
 
 
-def run_message(reports: Sequence[ObjectReport], narrow: Sequence[str] = ()) -> tuple[str, str]:
+def run_message(reports: Sequence[ObjectReport], narrow: Mapping[str, Sequence[str]]) -> tuple[str, str]:
     """Return the level (INFO, WARNING or ERROR) and the text of a run's message.
 
-    narrow: pieces without room for their allowances, as named by place_name() if there are several reports.
+    narrow: names of the pieces without room for their allowances, by object; unused if a piece failed.
     """
     notes = [(note, note_text(report, note)) for report in reports for note in report.notes]
     makers = [maker for report in reports for maker in report.left_out]
@@ -183,7 +183,7 @@ def run_message(reports: Sequence[ObjectReport], narrow: Sequence[str] = ()) -> 
         torn = {hint.sentence for report in reports for hint in report.hints if hint.code == TORN}
         ignored = [line.text for line in as_seen(verdict(), makers).lines[1:]]
         return "ERROR", paragraph([_failure_text(reports), *ignored, *warnings, *torn])
-    found = with_narrow(as_seen(verdict(*reports), makers), narrow, with_objects=len(reports) > 1)
+    found = with_narrow(as_seen(verdict(*reports), makers), narrow)
     is_fine = found.is_ready and not any(note.is_warning for note, _ in notes)
     sentences = [line.text for line in found.lines] + [text for _, text in notes]
     return "INFO" if is_fine else "WARNING", paragraph(sentences)

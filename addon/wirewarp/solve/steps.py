@@ -48,7 +48,7 @@ def of_all(done: int, count: int, share: float) -> float:
 
 
 def in_slices(steps: Generator[S, None, T]) -> Generator[S, None, T]:
-    """Return the steps in groups, each of which fills a slice of time."""
+    """Group the steps, so that each group fills a slice of time."""
     with closing(steps):
         while True:
             end = time.monotonic() + SLICE

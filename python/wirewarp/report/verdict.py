@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The verdict: which pieces can be cut, and from which fabric. It is the same in Blender and on the command line."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 
@@ -108,12 +108,13 @@ def as_seen(found: Verdict, makers: Iterable[str]) -> Verdict:
     return Verdict((*lines, Line(Kind.NOT_AS_SEEN, wording.ignored(names))))
 
 
-def with_narrow(found: Verdict, names: Sequence[str], with_objects: bool = False) -> Verdict:
-    """Return the verdict if the pieces with these names have no room for their allowances.
+def with_narrow(found: Verdict, narrow: Mapping[str, Sequence[str]]) -> Verdict:
+    """Return the verdict if some pieces have no room for their allowances, which reports do not contain.
 
-    Reports have no allowances. The verdict says what the pieces need, but not that they are ready to cut. with_objects:
-    the names contain those of objects.
+    It says what the pieces need, but not that they are ready to cut. narrow: names of these pieces by object.
     """
+    with_objects = len(narrow) > 1
+    names = [_with_object(owner, name) if with_objects else name for owner, own in narrow.items() for name in own]
     if not names:
         return found
     lines = [line for line in found.lines if line.kind.level is not Level.GOOD]
@@ -215,5 +216,8 @@ def kept_text(reports: Iterable[Report]) -> str:
 
 def place_name(report: Report, piece: int | None) -> str:
     """Return the name of the object, and the name of the piece if it is different."""
-    name = report.object if piece is None else report.pieces[piece].name
-    return name if name == report.object else f"{report.object}, {name}"
+    return _with_object(report.object, report.object if piece is None else report.pieces[piece].name)
+
+
+def _with_object(owner: str, name: str) -> str:
+    return name if name == owner else f"{owner}, {name}"
