@@ -29,7 +29,8 @@ inline constexpr Named<PieceLayout> kPieceLayouts[] = {{PieceLayout::packed, "pa
 inline constexpr Named<Orientation> kOrientations[] = {{Orientation::wire, "wire"},
                                                        {Orientation::boundary, "boundary"},
                                                        {Orientation::up, "up"},
-                                                       {Orientation::best, "best"}};
+                                                       {Orientation::best, "best"},
+                                                       {Orientation::grain, "grain"}};
 
 inline constexpr Named<Surface> kSurfaces[] = {
     {Surface::inside, "inside"}, {Surface::middle, "middle"}, {Surface::outside, "outside"}};

@@ -43,7 +43,7 @@ class Options:
     fairness: float
     max_factorizations: int
     layout: Literal["packed", "row"]
-    orientation: Literal["wire", "boundary", "up", "best"]
+    orientation: Literal["wire", "boundary", "up", "best", "grain"]
     grain: int
     @property
     def up(self) -> tuple[float, float, float]: ...
@@ -67,7 +67,7 @@ class Options:
         fairness: float = 0.05,
         max_factorizations: int = 200,
         layout: Literal["packed", "row"] = "packed",
-        orientation: Literal["wire", "boundary", "up", "best"] = "wire",
+        orientation: Literal["wire", "boundary", "up", "best", "grain"] = "wire",
         grain: int = -1,
         up: npt.ArrayLike = (0.0, 0.0, 1.0),
         gap: float = 0.03,

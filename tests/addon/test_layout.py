@@ -110,6 +110,21 @@ def test_either_a_wire_or_its_copy_can_be_the_grain_wire(mode):
     assert source.data.wirewarp_grain == ids[copy]
 
 
+def test_pieces_without_the_grain_wire_are_upright_as_on_the_model():
+    """Their own wires do not turn them: a grain wire in front must not lay the back on its waist line."""
+    source = two_wires()
+    source.rotation_euler = (np.pi / 2, 0, 0)  # its y points up
+    bpy.ops.object.mode_set(mode="EDIT")
+    bpy.ops.mesh.select_all(action="SELECT")
+    bpy.ops.mesh.duplicate_move(TRANSFORM_OT_translate={"value": (0, 5, 0)})
+    bpy.ops.object.mode_set(mode="OBJECT")
+    bpy.ops.mesh.wirewarp_grain_wire(edge=edge_of_wire(source, ALONG_X))
+    flatten(source)
+    assert abs(direction_of(source, *ALONG_X)[1]) == pytest.approx(1, abs=1e-4)
+    low, high = (81 + vertex for vertex in ALONG_Y)
+    assert direction_of(source, low, high)[1] == pytest.approx(1, abs=1e-4)
+
+
 def test_a_missing_grain_wire_has_no_effect():
     source = two_wires()
     with pytest.raises(RuntimeError):

@@ -20,6 +20,7 @@ from surfaces import (
     flatten,
     flatten_fails,
     grid,
+    mark,
     mark_seam,
     on_line,
     read,
@@ -226,6 +227,20 @@ def test_a_rotated_model_keeps_its_pieces_with_a_message(source, notes):
     flatten(source, orientation="BOUNDARY")
     source.rotation_euler.x = 1.0
     flatten(source, orientation="BOUNDARY")
+    assert notes() == []
+
+
+def test_a_rotated_model_is_mentioned_only_if_the_grain_wire_leaves_out_a_piece(source, notes):
+    mark(source, lambda a, b: on_line(1, 0.0)(a, b) and a[0] + b[0] > 0)  # a wire across one of the two pieces
+    source.data.wirewarp_grain = source.data.wirewarp_names[0].wire_id
+    flatten(source)
+    source.rotation_euler.x = math.radians(90)
+    flatten(source)
+    assert [note[:20] for note in notes()] == ["The model was turned"]
+    source.data.edges.foreach_set("use_seam", [False] * len(source.data.edges))
+    flatten(source, keep_places=False)
+    source.rotation_euler.x = 0
+    flatten(source)
     assert notes() == []
 
 

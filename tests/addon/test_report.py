@@ -185,7 +185,7 @@ def test_the_report_names_the_upright_direction(source, tmp_path):
     assert upright(orientation="WIRE") == "up"
     assert upright(orientation="BOUNDARY") == "boundary"
     source.data.wirewarp_grain = source.data.wirewarp_names[0].wire_id
-    assert upright(orientation="WIRE") == "wire"
+    assert upright(orientation="WIRE") == "grain"
 
 
 def test_the_report_follows_the_names_of_wires(addon):

@@ -161,7 +161,7 @@ def test_an_option_is_the_same_however_it_is_set(name):
         ("max_factorizations", math.nan, "a whole number"),
         ("max_factorizations", math.inf, "a whole number"),
         ("layout", "column", "'packed' or 'row'"),
-        ("orientation", "grain", "'wire' or 'boundary' or 'up'"),
+        ("orientation", "Wire", "'wire' or 'boundary' or 'up' or 'best' or 'grain'"),
         ("grain", -2, "be -1 or the index"),
         ("grain", 0.5, "a whole number"),
         ("grain", 2**40, "at most 2147483647"),

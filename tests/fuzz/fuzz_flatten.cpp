@@ -59,7 +59,8 @@ Options any_options(FuzzedDataProvider& bytes) {
   options.gap = bytes.ConsumeProbability<double>();
   options.mirror = bytes.ConsumeBool();
   options.layout = bytes.PickValueInArray({PieceLayout::packed, PieceLayout::row});
-  options.orientation = bytes.PickValueInArray({Orientation::wire, Orientation::boundary, Orientation::up});
+  options.orientation =
+      bytes.PickValueInArray({Orientation::wire, Orientation::boundary, Orientation::up, Orientation::grain});
   if (bytes.ConsumeBool()) {
     for (double& x : options.up) x = any_coordinate(bytes);
   }

@@ -88,11 +88,15 @@ void check_longest_chain(Judged& judged, int number) {
   check_upright(judged, chains[0].second, "the longest chain of the outline");
 }
 
+bool has_grain(const Judged& judged, int piece) {
+  const int grain = judged.options.grain;
+  return grain >= 0 && runs_through(judged, judged.input.wires[grain], piece);
+}
+
 void check_wire_upright(Judged& judged, int piece) {
   const std::vector<Wire>& wires = judged.input.wires;
-  const int grain = judged.options.grain;
-  if (grain >= 0 && runs_through(judged, wires[grain], piece)) {
-    return check_upright(judged, uncut_wire(judged, wires[grain], piece), "the grain");
+  if (has_grain(judged, piece)) {
+    return check_upright(judged, uncut_wire(judged, wires[judged.options.grain], piece), "the grain");
   }
   for (const Wire& wire : wires) {
     if (!runs_through(judged, wire, piece)) continue;
@@ -149,8 +153,9 @@ std::optional<Eigen::Vector2d> mean_rise(const Judged& judged, const Piece& piec
 }  // namespace
 
 void check_orientation(Judged& judged, int number) {
-  if (judged.options.orientation == Orientation::boundary) return check_straightest_section(judged, number);
-  if (judged.options.orientation == Orientation::up) {
+  const Orientation orientation = judged.options.orientation;
+  if (orientation == Orientation::boundary) return check_straightest_section(judged, number);
+  if (orientation == Orientation::up || (orientation == Orientation::grain && !has_grain(judged, number))) {
     const std::optional<Eigen::Vector2d> rise = mean_rise(judged, judged.result.pieces[number]);
     if (!rise) return;
     if (rise->norm() > 1.001 * kLevel) {

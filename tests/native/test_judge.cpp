@@ -198,6 +198,12 @@ TEST(Judge, ReportsPiecesThatDoNotRise) {
     expect_broken("the direction up in space is not up in the piece",
                   flattened(test::cylinder_patch(6, 4, 1, 2, 1), options), turned(0, angle));
   }
+  options.orientation = Orientation::grain;
+  FlattenInput patch = test::cylinder_patch(6, 4, 1, 2, 1);
+  expect_broken("the direction up in space is not up in the piece", flattened(patch, options), turned(0, 1e-5));
+  test::add_wire(patch, test::grid_row(6, 2));
+  options.grain = 0;
+  expect_broken("the grain is not upright", flattened(patch, options), turned(0, 1e-5));
 }
 
 TEST(Judge, ReportsChangesByALayout) {

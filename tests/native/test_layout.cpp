@@ -134,6 +134,33 @@ TEST(Grain, PiecesWithoutTheGrainWireUseTheirFirstWire) {
   }
 }
 
+TEST(Grain, PiecesWithoutTheGrainWireMayHaveTheSameSideUpAsTheModel) {
+  FlattenInput input = test::flat_rectangle(6, 4, 3, 2);
+  input.vertices = input.vertices * Eigen::AngleAxisd(-1, Eigen::Vector3d::UnitX()).toRotationMatrix();  // y rises
+  test::add_seam(input, test::grid_column(6, 4, 3));
+  test::add_wire(input, {test::grid_row(6, 1)[0], test::grid_row(6, 1)[1]});  // along x
+  test::add_wire(input, {test::grid_row(6, 2)[4], test::grid_row(6, 2)[5]});  // along x, in the other piece
+  const Charts charts = charts_of(input);
+  ASSERT_EQ(charts.charts.size(), 2u);
+  Options options = by(Orientation::grain);
+  options.grain_angle = 0.5;
+  const auto up = [&](std::size_t chart) {
+    const Chart& own = charts.charts[chart];
+    Positions2 uv(own.mesh.n_vertices(), 2);  // as before the sheet was tilted
+    for (const VertexHandle v : own.mesh.vertices()) {
+      const OpenMesh::Vec3d& p = own.mesh.point(v);
+      uv.row(v.idx()) << p[0], std::cos(1) * p[1] + std::sin(1) * p[2];
+    }
+    return Eigen::Vector2d(upright_direction(own, uv, options).normalized());
+  };
+  const Eigen::Vector2d by_model(0, 1), by_wire(std::cos(0.5), -std::sin(0.5));
+  EXPECT_LT((up(0) - by_model).norm(), 1e-12) << "no grain wire";
+  EXPECT_LT((up(1) - by_model).norm(), 1e-12);
+  options.grain = 0;
+  EXPECT_LT((up(0) - by_wire).norm(), 1e-12);
+  EXPECT_LT((up(1) - by_model).norm(), 1e-12) << "another wire says nothing about the grain";
+}
+
 /// A sheet with a lower side that is straight except for a kink of 2 degrees, and a longer, rounded upper side.
 FlattenInput hill(int nx) {
   return test::make_grid(nx, 2, [](double s, double t) {

@@ -26,8 +26,8 @@ void choose_layout(RandomStream& random, std::size_t num_wires, Options& options
   if (random.chance(0.3)) options.layout = PieceLayout::row;
   if (random.chance(0.2)) options.gap = random.uniform();
   options.mirror = random.chance(0.2);
-  options.orientation =
-      random.pick(std::vector<Orientation>{Orientation::wire, Orientation::boundary, Orientation::up});
+  options.orientation = random.pick(
+      std::vector<Orientation>{Orientation::wire, Orientation::boundary, Orientation::up, Orientation::grain});
   if (random.chance(0.5)) options.grain = random.whole(-1, static_cast<int>(num_wires) - 1);
   if (random.chance(0.5)) {
     const double length = random.across_scales(1e-100, 1e100);

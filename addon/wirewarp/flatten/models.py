@@ -102,7 +102,7 @@ def _solve(library: ModuleType, model: Model, choices: FlattenChoices, meters: f
         used = used_choices(choices, model.arrays)
         if choices.thickness > 0 and choices.surface != "middle":
             outcome.report.notes.append(note(MIDDLE))
-        if choices.grain_angle and used.orientation != "wire":
+        if choices.grain_angle and used.orientation != "grain":
             outcome.report.notes.append(note(NO_ANGLE))
         outcome.report.options = asdict(used) | {"grain_wire": model.arrays.grain_wire}
     outcome.report.notes += model.notes

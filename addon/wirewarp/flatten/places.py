@@ -16,6 +16,7 @@ from ..solve.flat_mesh import FlatMesh
 from ..solve.identity import PieceIdentity
 from ..solve.outlines import FlatPieces, piece_of_vertices
 from ..solve.places import NONE_AWAY, find_places, points_of
+from ..solve.report import ObjectReport
 from ..state.flat_pieces import read_flat_pieces
 from ..state.owners import model_of
 from ..state.record import layout_of, read_record
@@ -103,9 +104,11 @@ def up_when_laid_out(flat: bpy.types.Object, now: np.ndarray) -> np.ndarray:
     return np.array(record.up) if record else now
 
 
-def is_turned(up: np.ndarray, then: np.ndarray, options: dict) -> bool:
+def is_turned(up: np.ndarray, then: np.ndarray, report: ObjectReport) -> bool:
     """Return whether a new layout would turn pieces because the model was turned."""
-    return options["orientation"] == "up" and not float(up @ then) > TURNED
+    if float(up @ then) > TURNED or report.options["orientation"] not in ("up", "grain"):
+        return False
+    return not all(report.follows_grain_wire(piece) for piece in range(len(report.pieces)))
 
 
 def crowded_text(names: list[str]) -> str:

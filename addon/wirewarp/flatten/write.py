@@ -99,6 +99,6 @@ def _place(source: bpy.types.Object, outcome: Outcome, earlier: bpy.types.Object
         outcome.report.notes.append(note(crowded_text([name_of[piece_id] for piece_id in crowded])))
     up = present_up(source)
     then = up_when_laid_out(earlier, up) if earlier else up
-    if is_turned(up, then, options):
+    if is_turned(up, then, outcome.report):
         outcome.report.notes.append(note(TURNED_TEXT))
     return pieces, then

@@ -184,17 +184,9 @@ def _grain_arrows(flat: bpy.types.Object, edges: LineEdges, middles: Mapping[int
             continue
         ends = arrow(edges, piece, middles[piece].place[:2], direction, ARROW * rooms[piece])
         if ends is not None:
-            kind = "grain" if _has_grain_wire(report, piece) else "default grain"
+            kind = "grain" if report.follows_grain_wire(piece) else "default grain"
             arrows.setdefault(kind, []).append(ends)
     return {kind: np.concatenate(parts) for kind, parts in arrows.items()}
-
-
-def _has_grain_wire(report: ObjectReport, piece: int) -> bool:
-    """Return whether the grain wire crosses this piece."""
-    options = report.options or {}
-    ids = {wire.wire: wire.wire_id for wire in report.wires}
-    own = {ids[part.wire] for part in report.pieces[piece].wires}
-    return options.get("orientation") == "wire" and options.get("grain_wire") in own
 
 
 def colored_surface(

@@ -170,9 +170,8 @@ def _side(arrays: MeshArrays) -> float:
 
 
 def used_choices(choices: FlattenChoices, arrays: MeshArrays) -> FlattenChoices:
-    """Return the choices. Without a grain wire, pieces are upright as on the model, because the first wires are often
-    waist and hip."""
-    if choices.orientation == "wire" and _grain_index(arrays) == -1:
+    """Return the choices. Without a grain wire, "grain" is the same as "up"."""
+    if choices.orientation == "grain" and _grain_index(arrays) == -1:
         return replace(choices, orientation="up")
     return choices
 

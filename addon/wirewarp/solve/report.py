@@ -94,6 +94,13 @@ class ObjectReport(Report):
         """Return the modifiers and shape keys that the run ignored."""
         return [] if self.with_modifiers else self.shaped_by
 
+    def follows_grain_wire(self, piece: int) -> bool:
+        """Return whether the grain wire is upright in this piece (an index)."""
+        options = self.options or {}
+        ids = {wire.wire: wire.wire_id for wire in self.wires}
+        crossing = {ids[part.wire] for part in self.pieces[piece].wires}
+        return options.get("orientation") == "grain" and options.get("grain_wire") in crossing
+
     @property
     def offered_seams(self) -> list[tuple[int, int]]:
         """Return the proposed seams that the next step marks, as vertex pairs. There are none if the UV map has good

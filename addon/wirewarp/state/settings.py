@@ -50,6 +50,7 @@ METHODS = [
     ),
 ]
 LIBRARY_METHODS = {"REFINED": "refined", "WIREWARP_PLUS_PLUS": "wirewarp++", "WIREWARPING": "wirewarping"}
+LIBRARY_ORIENTATIONS = {"WIRE": "grain", "BEST": "best", "BOUNDARY": "boundary", "UP": "up"}
 
 
 MEASURE = (
@@ -192,8 +193,8 @@ class FlattenSettings:
             (
                 "WIRE",
                 "Grain Wire",
-                "The grain wire, which has an arrow in the list of wires; in pieces that it does not cross, their "
-                "first wire. Without a grain wire, the same as World Up",
+                "The grain wire, which has an arrow in the list of wires. In pieces that it does not cross, and "
+                "without a grain wire, the same as World Up",
             ),
             ("BEST", "Best for the Fabric", "Turn each piece so that the fabric must stretch least. Needs a fabric"),
             ("BOUNDARY", "Longest Straight Edge", "The longest straight section of the outline"),
@@ -306,7 +307,7 @@ SETTINGS = (  # in the order of the panel
     _setting("thickness", to_choice=_in_units("thickness"), is_advanced=True),
     _setting("surface", is_advanced=True, is_used=lambda settings: settings.thickness > 0),
     _setting("layout_kind", "layout"),
-    _setting("orientation"),
+    _setting("orientation", to_choice=lambda settings, _: LIBRARY_ORIENTATIONS[settings.orientation]),
     _setting("grain_angle", is_used=lambda settings: settings.orientation == "WIRE"),
     _setting("spacing", to_choice=_in_units("spacing")),
     Setting("keep_places"),

@@ -139,11 +139,11 @@ def _changed_choices(
     that time."""
     now = asdict(choices) | {"grain_wire": source.data.wirewarp_grain}
     had_grain = then["grain_wire"] in wire_ids
-    if (now["orientation"], then["orientation"]) == ("wire", "up") and not had_grain:
+    if (now["orientation"], then["orientation"]) == ("grain", "up") and not had_grain:
         # wires do not matter: without a grain wire, pieces are upright as on the model
         ignored = ignored | {"orientation"}
     compared = [each for each in SETTINGS if each.choice and each.choice not in ignored and each.is_used(settings)]
     changed = [each.label for each in compared if now[each.choice] != then[each.choice]]
-    if "grain_wire" not in ignored and now["orientation"] == "wire" and then["grain_wire"] != now["grain_wire"]:
+    if "grain_wire" not in ignored and now["orientation"] == "grain" and then["grain_wire"] != now["grain_wire"]:
         changed.append("Grain Wire")
     return changed

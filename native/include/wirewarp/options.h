@@ -41,6 +41,7 @@ enum class Orientation {
   boundary,  // the longest straight section of the outline, with the piece on its left
   up,        // Options::up: the direction in which the surface rises most on average; for level pieces, as for wire
   best,      // the direction with the least energy of the cloth; needs a cloth
+  grain,     // as for wire in pieces that the wire Options::grain crosses, as for up in the others
 };
 
 /// Surface of a thick material that the input represents.
@@ -71,8 +72,8 @@ struct Options {
   int max_factorizations = 200;
 
   /// For the refined method: fabric that the pieces are cut from, with x along its weft and y along its warp. None: an
-  /// isotropic material, Eq. (4). The piece is first turned by orientation and then keeps this direction. For wire,
-  /// boundary and up, two of its vertices define the direction.
+  /// isotropic material, Eq. (4). The piece is first turned by orientation and then keeps this direction. Except
+  /// for best, two of its vertices define the direction.
   std::optional<Cloth> cloth;
 
   /// Thickness of the material in scene units, finite and at least 0. Bent material keeps its length in the middle of
@@ -84,15 +85,16 @@ struct Options {
   PieceLayout layout = PieceLayout::packed;     // how the pieces are placed
   Orientation orientation = Orientation::wire;  // direction that is up in each piece
 
-  /// For Orientation::wire: index of the wire that is upright in the pieces that it crosses, in [-1, number of wires).
-  /// For -1, and in pieces that this wire does not cross, the piece's first wire is upright.
+  /// For Orientation::wire and grain: index of the wire that is upright in the pieces that it crosses, in
+  /// [-1, number of wires). For -1, and in pieces that this wire does not cross, Orientation::wire uses the piece's
+  /// first wire.
   int grain = -1;
 
-  /// For Orientation::wire: angle of the chain from +y, counterclockwise, in radians, in [-π, π]. With a cloth, y is
-  /// its warp, so π/4 cuts on the bias.
+  /// Angle of the chain that Orientation::wire or grain uses, from +y, counterclockwise, in radians, in [-π, π]. With a
+  /// cloth, y is its warp, so π/4 cuts on the bias.
   double grain_angle = 0;
 
-  /// For Orientation::up: a direction in space, finite and not zero.
+  /// For Orientation::up and grain: a direction in space, finite and not zero.
   std::array<double, 3> up = {0, 0, 1};
 
   /// Space between pieces, as a fraction of the side of a square with the area of all pieces. In [0, 1].

@@ -8,7 +8,7 @@ from typing import Literal
 from ..pattern.nest.items import Grain
 
 MILLIMETERS = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "in": 25.4}
-Orientation = Literal["wire", "boundary", "up", "best"]  # as in Options
+Orientation = Literal["wire", "boundary", "up", "best"]  # as in Options, except "grain", which needs a chosen wire
 FROM_MODEL = ("uv", "sharp")
 BLEND = ".blend"
 READ_BY_TRIMESH = (".obj", ".ply", ".stl", ".gltf", ".glb")

@@ -86,24 +86,36 @@ const HalfEdgeChain& longest_boundary_chain(const Chart& chart) {
   return *best;
 }
 
+/// Returns the first part of the grain wire in a chart; nullptr if the wire does not cross it.
+const HalfEdgeChain* grain_in(const Chart& chart, int grain) {
+  const auto part = std::find_if(chart.wire_parts.begin(), chart.wire_parts.end(),
+                                 [&](const WirePart& each) { return each.wire_index == grain; });
+  return part == chart.wire_parts.end() ? nullptr : &part->half_edges;
+}
+
 /// Returns the chain that defines up for Orientation::wire.
-const HalfEdgeChain& grain_of(const Chart& chart, int grain) {
-  if (chart.wire_parts.empty()) return longest_boundary_chain(chart);
-  const auto chosen = std::find_if(chart.wire_parts.begin(), chart.wire_parts.end(),
-                                   [&](const WirePart& part) { return part.wire_index == grain; });
-  return (chosen != chart.wire_parts.end() ? *chosen : chart.wire_parts.front()).half_edges;
+const HalfEdgeChain& upright_chain(const Chart& chart, int grain) {
+  if (const HalfEdgeChain* chosen = grain_in(chart, grain)) return *chosen;
+  return chart.wire_parts.empty() ? longest_boundary_chain(chart) : chart.wire_parts.front().half_edges;
+}
+
+/// Returns the orientation that applies to this chart, which is wire or up for Orientation::grain.
+Orientation orientation_of(const Chart& chart, const Options& options) {
+  if (options.orientation != Orientation::grain) return options.orientation;
+  return grain_in(chart, options.grain) != nullptr ? Orientation::wire : Orientation::up;
 }
 
 }  // namespace
 
 Eigen::Vector2d upright_direction(const Chart& chart, const Positions2& uv, const Options& options) {
-  if (options.orientation == Orientation::boundary) return straightest_outline(chart, uv);
-  if (options.orientation == Orientation::up) {
+  const Orientation orientation = orientation_of(chart, options);
+  if (orientation == Orientation::boundary) return straightest_outline(chart, uv);
+  if (orientation == Orientation::up) {
     const Eigen::Vector2d rising = rising_direction(chart, uv, {options.up[0], options.up[1], options.up[2]});
     if (!rising.isZero(0)) return rising;
   }
-  const Eigen::Vector2d along = direction_of(chart, grain_of(chart, options.grain), uv);
-  const double angle = options.orientation == Orientation::wire ? options.grain_angle : 0;
+  const Eigen::Vector2d along = direction_of(chart, upright_chain(chart, options.grain), uv);
+  const double angle = orientation == Orientation::wire ? options.grain_angle : 0;
   return angle == 0 ? along : Eigen::Vector2d(Eigen::Rotation2Dd(-angle) * along);
 }
 
@@ -123,8 +135,8 @@ void stand_upright(Positions2& uv, const Eigen::Vector2d& up) {
 }
 
 VertexPair upright_pair(const Chart& chart, const Positions2& uv, const Options& options) {
-  if (options.orientation == Orientation::wire) {
-    const HalfEdgeChain& chain = grain_of(chart, options.grain);
+  if (orientation_of(chart, options) == Orientation::wire) {
+    const HalfEdgeChain& chain = upright_chain(chart, options.grain);
     if (is_open(points_along(chart, chain, uv))) {
       return {chart.mesh.from_vertex_handle(chain.front()).idx(), chart.mesh.to_vertex_handle(chain.back()).idx()};
     }

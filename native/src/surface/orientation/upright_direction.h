@@ -12,7 +12,7 @@ namespace wirewarp {
 /// without wires, along the longest chain of the outline. A chain's direction is its chord. For a chain that is closed
 /// or nearly closed, it is the long side of the smallest box around it, with the chain's first vertex in the lower
 /// half. boundary: straightest_outline(). up: rising_direction() of options.up; if that is zero, as for wire. best: as
-/// for wire.
+/// for wire. grain: as for wire if options.grain crosses this chart, as for up otherwise.
 ///
 /// options.grain_angle rotates the direction of wires: +y is that angle to the right of the chain.
 Eigen::Vector2d upright_direction(const Chart& chart, const Positions2& uv, const Options& options);
@@ -20,9 +20,9 @@ Eigen::Vector2d upright_direction(const Chart& chart, const Positions2& uv, cons
 /// Rotates a layout so that up becomes +y, and moves its lower-left corner to the origin.
 void stand_upright(Positions2& uv, const Eigen::Vector2d& up);
 
-/// Returns two vertices of an upright layout that define its rotation: for Orientation::wire the ends of the chain that
-/// defines up, if they are apart; otherwise the lowest and the highest vertex of the outline. At equal heights, the
-/// leftmost vertex is used, so that the numbering of the mesh does not matter.
+/// Returns two vertices of an upright layout that define its rotation: the ends of the wire or chain that
+/// defines up for Orientation::wire or grain, if they are apart; otherwise the lowest and the highest vertex of the
+/// outline. At equal heights, the leftmost vertex is used, so that the numbering of the mesh does not matter.
 VertexPair upright_pair(const Chart& chart, const Positions2& uv, const Options& options);
 
 }  // namespace wirewarp
