@@ -5,7 +5,18 @@ import bpy
 import numpy as np
 import pytest
 from suggesting import add_layers, check_layers, pairs, places
-from surfaces import bump, edge_vertices, flat_of, grid, mark_seam, on_line, read, round_bump, select_edges
+from surfaces import (
+    bump,
+    edge_vertices,
+    flat_of,
+    grid,
+    mark_seam,
+    on_line,
+    read,
+    round_bump,
+    select_edges,
+    select_only,
+)
 from test_proposals import seams_of
 
 pytestmark = pytest.mark.api
@@ -158,11 +169,40 @@ def test_lines_that_cannot_be_smoothed_are_reported_and_stay(addon):
     assert not bpy.ops.mesh.wirewarp_smooth_seam.poll()
 
 
-def test_if_a_second_line_fails_the_first_is_not_cut(addon, monkeypatch):
+def edit_with_stairs(*targets):
+    """Edit several objects at once, each with a seam along stair steps and all edges selected."""
+    for target in targets:
+        stairs(target)
+        select_edges(target, lambda a, b: True)
+        bpy.ops.object.mode_set(mode="OBJECT")
+    select_only(*targets)
+    bpy.ops.object.mode_set(mode="EDIT")
+
+
+def test_seams_of_all_edited_objects_are_smoothed():
+    targets = [grid(name, bump) for name in ("First", "Second")]
+    edit_with_stairs(*targets)
+    before = [pairs(seams_of(target)) for target in targets]
+    assert bpy.ops.mesh.wirewarp_smooth_seam() == {"FINISHED"}
+    assert [target.mode for target in targets] == ["EDIT", "EDIT"]
+    bpy.ops.object.mode_set(mode="OBJECT")
+    for target, old in zip(targets, before, strict=True):
+        selected = {tuple(sorted(each.vertices)) for each in target.data.edges if each.select}
+        assert pairs(seams_of(target)) == selected and old - selected
+
+
+@pytest.mark.parametrize("of", ["one object", "two objects"])
+def test_if_a_second_line_fails_the_first_is_not_cut(addon, monkeypatch, of):
     source = grid("Bump", bump)
-    stairs(source)
-    mark_seam(source, on_line(1, 0.75))
+    if of == "one object":
+        stairs(source)
+        mark_seam(source, on_line(1, 0.75))
+        select_edges(source, lambda a, b: True)
+    else:
+        edit_with_stairs(source, grid("Other", bump))
+    bpy.ops.object.mode_set(mode="OBJECT")
     before = edge_vertices(source.data), seams_of(source), places(source)
+    bpy.ops.object.mode_set(mode="EDIT")
     run, calls = addon.suggest.smooth, []
     cut_lines = run.cut_lines
 
@@ -174,7 +214,7 @@ def test_if_a_second_line_fails_the_first_is_not_cut(addon, monkeypatch):
 
     monkeypatch.setattr(run, "cut_lines", cut_once)
     with pytest.raises(RuntimeError, match="No"):
-        smooth(source)
+        bpy.ops.mesh.wirewarp_smooth_seam()
     bpy.ops.object.mode_set(mode="OBJECT")
     assert calls
     assert np.array_equal(edge_vertices(source.data), before[0])

@@ -146,6 +146,23 @@ def test_a_whole_wire_is_selected(addon, source, by):
     assert selected == [row for row, ends in enumerate(ends_of(source)) if NORTH_SOUTH(*ends)]
 
 
+def test_whole_wires_of_all_edited_objects_are_selected(source):
+    other = grid("Other", bump, wire=NORTH_SOUTH)
+    plain = grid("Plain", bump)
+    for target, value in ((source, 1), (other, 1), (plain, 0.5)):
+        select_edges(target, lambda a, b, value=value: NORTH_SOUTH(a, b) and max(a.y, b.y) == value)
+        bpy.ops.object.mode_set(mode="OBJECT")
+    select_only(source, other, plain)
+    bpy.ops.object.mode_set(mode="EDIT")
+    bpy.ops.mesh.wirewarp_select_wire()
+    assert [each.mode for each in (source, other, plain)] == ["EDIT"] * 3
+    assert set(bpy.context.selected_objects) == {source, other, plain}
+    bpy.ops.object.mode_set(mode="OBJECT")
+    for target, is_wire in ((source, NORTH_SOUTH), (other, NORTH_SOUTH), (plain, lambda *_: False)):
+        selected = np.flatnonzero(read(target.data.edges, "select", bool)).tolist()
+        assert selected == [row for row, ends in enumerate(ends_of(target)) if is_wire(*ends)]
+
+
 def test_wires_with_a_common_id_get_their_own(addon):
     own_ids, last = addon.state.marked_mesh.own_ids, addon.solve.identity.MAX_ID
     assert own_ids([5, 9, 5, 5, 6]) == [5, 9, 7, 8, 6]

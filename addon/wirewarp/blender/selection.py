@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Switches between Object Mode and Edit Mode, makes undo work in both, and selects given elements."""
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 
+import bmesh
 import bpy
 import numpy as np
 from numpy.typing import ArrayLike
@@ -95,6 +96,21 @@ def select_elements(context: bpy.types.Context, target: bpy.types.Object, elemen
     if vertex_mask.any():
         _frame(context, target, vertex_mask)
     bpy.ops.object.mode_set(mode="EDIT")
+
+
+def select_edges_in_edit_mode(mesh: bpy.types.Mesh, pairs: Iterable[tuple[int, int]]) -> None:
+    """Select only the edges with these ends, and show them, in a mesh that stays in Edit Mode."""
+    edit = bmesh.from_edit_mesh(mesh)
+    for element in (*edit.verts, *edit.edges, *edit.faces):
+        element.select_set(False)
+    edit.verts.ensure_lookup_table()
+    for a, b in pairs:
+        ends = edit.verts[a], edit.verts[b]
+        edge = edit.edges.get(ends)
+        for element in (*ends, edge):
+            element.hide = False
+        edge.select_set(True)
+    bmesh.update_edit_mesh(mesh, loop_triangles=False, destructive=False)
 
 
 def _frame(context: bpy.types.Context, target: bpy.types.Object, vertex_mask: np.ndarray) -> None:

@@ -2,6 +2,7 @@
 """Draws the list of wires with name, kind and length, and operators for the chosen wire."""
 
 import math
+from collections.abc import Sequence
 
 import bpy
 import numpy as np
@@ -9,7 +10,13 @@ from bpy.props import IntProperty, StringProperty
 
 from ..blender.mesh import current_mesh, edge_vertices, read_selected_edges
 from ..blender.objects import check_local, length_text
-from ..blender.selection import WORKING_MODES, hold_whole_file, in_object_mode, select_elements
+from ..blender.selection import (
+    WORKING_MODES,
+    hold_whole_file,
+    in_object_mode,
+    select_edges_in_edit_mode,
+    select_elements,
+)
 from ..core import Elements, counted, wire_text
 from ..issues import ObjectError, object_error
 from ..properties import LEAST_EASE
@@ -132,19 +139,36 @@ class MESH_OT_wirewarp_select_wire(OnMesh, bpy.types.Operator):
     @reporting_refusals
     def execute(self, context: bpy.types.Context) -> set[str]:
         target = context.active_object
-        rows = wire_at(target, self.edge).edges if self.edge >= 0 else self._rows_of_selected(target)
-        with current_mesh(target) as mesh:
-            edges = edge_vertices(mesh)[rows]
-        select_elements(context, target, Elements(edges=edges))
+        if self.edge >= 0:
+            select_elements(context, target, Elements(edges=_ends(target, wire_at(target, self.edge).edges)))
+        elif context.mode == "EDIT_MESH":
+            targets = list(context.objects_in_mode_unique_data)
+            wires = _selected_wires(targets)
+            bpy.ops.mesh.select_mode(type="EDGE")
+            for each, edges in zip(targets, wires, strict=True):
+                select_edges_in_edit_mode(each.data, edges)
+        else:
+            select_elements(context, target, Elements(edges=_selected_wires([target])[0]))
         return {"FINISHED"}
 
-    def _rows_of_selected(self, target: bpy.types.Object) -> list[int]:
+
+def _selected_wires(targets: Sequence[bpy.types.Object]) -> list[list[tuple[int, int]]]:
+    """Return, for each object, the edges of the wires that have a selected edge. Raises ObjectError if there are
+    none."""
+    found = []
+    for target in targets:
         with current_mesh(target) as mesh:
             selected = read_selected_edges(mesh)
-        found = [wire.edges for wire in find_wires(target) if selected[wire.edges].any()]
-        if not found:
-            raise object_error("no_wire", "No selected edge is a wire. Select an edge of the wire first.")
-        return [row for rows in found for row in rows]
+        rows = [row for wire in find_wires(target) if selected[wire.edges].any() for row in wire.edges]
+        found.append(_ends(target, rows))
+    if not any(found):
+        raise object_error("no_wire", "No selected edge is a wire. Select an edge of the wire first.")
+    return found
+
+
+def _ends(target: bpy.types.Object, rows: list[int]) -> list[tuple[int, int]]:
+    with current_mesh(target) as mesh:
+        return [(a, b) for a, b in edge_vertices(mesh)[rows].tolist()]
 
 
 ROWS = 5  # fixed number of rows, so that the buttons below do not move

@@ -6,7 +6,7 @@ that they divide.
 """
 
 from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from itertools import pairwise
 
 import bmesh
@@ -18,7 +18,7 @@ from numpy.typing import ArrayLike
 from .. import core
 from ..blender.mesh import edge_vertices, faces_at_edges, read_seams, read_selected_edges
 from ..blender.objects import check_local
-from ..blender.selection import in_object_mode
+from ..blender.selection import in_object_mode, select_edges_in_edit_mode
 from ..core import Issue, SurfacePath, counted
 from ..issues import ObjectError, object_error
 from ..marks.ease import clear_seams, edges_with_marks, mark_seams
@@ -199,22 +199,22 @@ def cut_smooth_lines(source: bpy.types.Object, edges: Pairs) -> Pairs:
     """Replace each line of these seam edges with a smooth seam with the same ends.
 
     The new lines meet each other, other seams and wires at the same places as before, and do not enter painted faces.
-    Vertices keep their indices. Returns the edges of the smooth lines. Raises ObjectError, with no change.
+    Vertices keep their indices. Returns the edges of the smooth lines. Raises ObjectError, perhaps after changes: see
+    unchanged_on_error.
     """
     mesh, seams = source.data, []
     places = object_to_arrays(source, marked_mesh(source), None).vertices
     paths = [chain.vertices for chain in split_into_chains(np.array(edges), places)]
     for path in paths:
         _check_ends(source, path)
-    with unchanged_on_error(mesh):
-        for index, path in enumerate(paths):
-            clear_seams(mesh, list(pairwise(path)))  # done now, because the line cuts some of these edges in two
-            arrays = object_to_arrays(source, marked_mesh(source), None)
-            kept = [pair for other in paths[index + 1 :] for pair in pairwise(other)]
-            line = _smooth_line(arrays, path, kept, read_no_seam(source))
-            cut = cut_lines(mesh, _divided(arrays, [line]))
-            mark_seams(mesh, cut)
-            seams += cut
+    for index, path in enumerate(paths):
+        clear_seams(mesh, list(pairwise(path)))  # done now, because the line cuts some of these edges in two
+        arrays = object_to_arrays(source, marked_mesh(source), None)
+        kept = [pair for other in paths[index + 1 :] for pair in pairwise(other)]
+        line = _smooth_line(arrays, path, kept, read_no_seam(source))
+        cut = cut_lines(mesh, _divided(arrays, [line]))
+        mark_seams(mesh, cut)
+        seams += cut
     return seams
 
 
@@ -270,16 +270,22 @@ class MESH_OT_wirewarp_smooth_seam(OnModel, bpy.types.Operator):
 
     @reporting_refusals
     def execute(self, context: bpy.types.Context) -> set[str]:
-        target = context.active_object
+        targets = list(context.objects_in_mode_unique_data)
         with in_object_mode(context):
-            check_local(target, target.data)
-            check_not_edited(target)
-            edges = _selected_seams(target)
-            seams = cut_smooth_lines(target, edges) if edges else []
-        if not seams:
+            for target in targets:
+                check_local(target, target.data)
+                check_not_edited(target)
+            selected = {target: edges for target in targets if (edges := _selected_seams(target))}
+            with ExitStack() as restored:
+                for target in selected:
+                    restored.enter_context(unchanged_on_error(target.data))
+                smooth = {target: cut_smooth_lines(target, edges) for target, edges in selected.items()}
+        if not smooth:
             raise object_error("nothing", "Nothing to smooth: select edges of a seam first.")
-        _select(target.data, seams)
-        self.report({"INFO"}, f"A smooth line of {counted(len(seams), 'edge')} instead of {len(edges)}")
+        for target in targets:
+            select_edges_in_edit_mode(target.data, smooth.get(target, []))
+        before, after = (sum(map(len, each.values())) for each in (selected, smooth))
+        self.report({"INFO"}, f"A smooth line of {counted(after, 'edge')} instead of {before}")
         return {"FINISHED"}
 
 
@@ -296,17 +302,6 @@ def _selected_seams(target: bpy.types.Object) -> Pairs:
         )
         raise ObjectError(Issue("marks_lost", sentence, edges=[tuple(pair) for pair in marked.tolist()]))
     return [tuple(pair) for pair in pairs[np.flatnonzero(rows)].tolist()]
-
-
-def _select(mesh: bpy.types.Mesh, pairs: Pairs) -> None:
-    """Select only these edges, in Edit Mode."""
-    edit = bmesh.from_edit_mesh(mesh)
-    for element in (*edit.verts, *edit.edges, *edit.faces):
-        element.select_set(False)
-    edit.verts.ensure_lookup_table()
-    for a, b in pairs:
-        edit.edges.get((edit.verts[a], edit.verts[b])).select_set(True)
-    bmesh.update_edit_mesh(mesh, loop_triangles=False, destructive=False)
 
 
 CLASSES = (MESH_OT_wirewarp_smooth_seam,)
