@@ -165,8 +165,10 @@ def test_marked_widths_stay_when_the_unit_is_set(addon, source, mode):
     sides = source.data.attributes.new("wirewarp_side_allowance", "FLOAT", "CORNER")
     sides.data[0].value = 0.5
     bpy.ops.object.mode_set(mode=mode)
+    bpy.context.scene.wirewarp.aim_length = 0.5
     assert bpy.ops.scene.wirewarp_set_unit(meters=0.01) == {"FINISHED"}
     assert source.mode == mode
+    assert bpy.context.scene.wirewarp.aim_length == pytest.approx(5)  # cm
     with addon.blender.mesh.current_mesh(source) as mesh:
         marked = addon.state.allowances.read_allowances(mesh)
     assert np.unique(marked.widths) == pytest.approx([-1.0, 0.6])  # cm

@@ -335,11 +335,13 @@ class SCENE_OT_wirewarp_set_height(OnMesh, bpy.types.Operator):
 
 
 def _set_unit(context: bpy.types.Context, meters: float) -> None:
-    """Set the length of a Blender unit, and keep the marked lengths. Raises ObjectError before any change."""
+    """Set the length of a Blender unit, and keep the marked lengths and Max Length. Raises ObjectError before any
+    change."""
     scene, settings = context.scene, context.scene.unit_settings
     before = meters_per_blender_unit(scene)
     with in_object_mode(context):
         _keep_lengths(scene, before / meters)
+    scene.wirewarp.aim_length *= before / meters
     if settings.system == "NONE":
         settings.system = "METRIC"
     settings.scale_length = meters
