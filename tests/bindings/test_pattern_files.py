@@ -167,6 +167,19 @@ def test_inches_in_apparel_dxf(tmp_path):
     assert "Units: ENGLISH" in texts
 
 
+@pytest.mark.parametrize("dialect", ["astm", "aama"])
+def test_apparel_dxf_numbers_pieces_whose_names_have_no_ascii_letters(tmp_path, dialect):
+    names = ["前身頃", "袖 L", "Ärmel"]
+    pattern = Pattern.from_result(flattened("Ball of six gores"), title="型紙", piece_names=[*names, "4", "5", "6"])
+    pattern.write(tmp_path / "ball.dxf", dialect=dialect)
+    document = ezdxf.readfile(tmp_path / "ball.dxf")
+    texts = [text.dxf.text for block in document.blocks for text in block.query("TEXT")]
+    found = [text.partition(": ")[2] for text in texts if text.lower().startswith("piece name")]
+    assert found == ["PIECE_1", "? L", "Armel", "4", "5", "6"]
+    styles = [text.dxf.text for text in document.modelspace().query("TEXT")]
+    assert any(style.lower() == "style name: pattern" for style in styles)
+
+
 def test_plain_dxf_has_named_layers_and_true_extents(tmp_path):
     pattern = sample("Carnival mask", allowance=2.0)
     pattern.write(tmp_path / "mask.dxf", dialect="plain")

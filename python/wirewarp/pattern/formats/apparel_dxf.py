@@ -47,6 +47,12 @@ def apparel_dxf(pattern: PatternData, is_aama: bool, control_square: bool) -> St
     return "".join(part.data() for part in parts) + "  0\nEOF\n", changed
 
 
+def _legible(text: str, otherwise: str) -> str:
+    """Return the text in ASCII, or the other text if none of its letters are in ASCII."""
+    plain = plain_text(text)
+    return plain if plain.strip(" ?") else otherwise
+
+
 class _Writer:
     def __init__(self, pattern: PatternData, is_aama: bool) -> None:
         self._pattern, self._is_aama = pattern, is_aama
@@ -65,7 +71,7 @@ class _Writer:
         """Write the data of the whole pattern as texts of layer 1."""
         tags = self._tags()
         fields = {
-            "Style Name": plain_text(self._pattern.title) or "PATTERN",
+            "Style Name": _legible(self._pattern.title, "PATTERN"),
             "Creation Date": today().strftime("%d-%m-%Y"),
             "Author": "WireWarp",
             "Sample Size": "1",
@@ -86,7 +92,7 @@ class _Writer:
         tags = self._opened(name)
         right, left = piece.quantity
         quantity = str(right + left) if self._is_aama else f"{right},{left}"
-        fields = {"Piece Name": plain_text(piece.name)[:LONGEST_NAME], "Quantity": quantity}
+        fields = {"Piece Name": _legible(piece.name, name)[:LONGEST_NAME], "Quantity": quantity}
         fields |= {"Material": plain_text(piece.material)} if piece.material else {}
         fields |= {"Size": "1"} if self._is_aama else {}
         middle = piece.bounds[0] + piece.size / 2
