@@ -85,6 +85,12 @@ def test_the_copy_is_not_a_flat_object_and_has_no_marks(source, addon):
     assert not addon.overlay.shown.concerns_us(target)
 
 
+def test_the_copy_of_a_model_with_a_long_name_has_the_ending(source):
+    source.name = "Bump" * 100  # Blender cuts it
+    bpy.ops.object.wirewarp_sewing()
+    assert bpy.context.active_object.name.endswith(" Sewing")
+
+
 def test_sewing_edges_are_refused_without_pieces():
     source = grid("Bump", bump)
     with pytest.raises(RuntimeError, match='"Bump" has no flat pieces'):

@@ -7,7 +7,7 @@ import bpy
 import numpy as np
 
 from ..blender.mesh import edge_vertices, evaluated_mesh, vertex_places
-from ..blender.objects import remove_object
+from ..blender.objects import name_with, remove_object
 from ..blender.selection import in_object_mode
 from ..issues import object_error
 from ..names import FLAT_LENGTH, MARKS, SEAM
@@ -31,7 +31,7 @@ def add_sewing_object(source: bpy.types.Object) -> bpy.types.Object:
     sewn = sewing_edges(pieces, seams)
     worn = _worn(source, flat, pieces, report.with_modifiers)
     mesh = flat.data.copy()
-    target = bpy.data.objects.new(f"{source.name} Sewing", mesh)
+    target = bpy.data.objects.new(name_with(source.name, " Sewing"), mesh)
     try:
         _forget_origin(mesh)
         _add_edges(mesh, sewn)
