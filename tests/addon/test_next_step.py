@@ -74,7 +74,7 @@ def turned_over():
         (contradiction, "flattened with", "Loosen and Flatten", 32, "has no suggested tolerance"),
         (sliver, "no area", "Dissolve and Flatten", 2, "has no zero-area faces"),
         (loose_faces, "(?i)merge", "Merge and Flatten", 48 * 48, "Nothing to merge: no vertices"),
-        (turned_over, "to opposite sides", "Fix Normals and Flatten", 16, "cannot be oriented consistently"),
+        (turned_over, "to opposite sides", "Fix Normals and Flatten", 16, "so that more normals agree"),
     ],
 )
 def test_a_fault_is_fixed_and_the_model_flattened_with_one_click(addon, make, said, button, faces, again):
@@ -91,6 +91,14 @@ def test_a_fault_is_fixed_and_the_model_flattened_with_one_click(addon, make, sa
     assert len(source.data.vertices) == (49 * 49 if make is loose_faces else len(source.data.vertices))
     with pytest.raises(RuntimeError, match=again):
         MEND(**step.settings)
+
+
+def test_tooltips_of_fixes_are_one_sentence(addon):
+    rna = MEND.get_rna_type()
+    for item in rna.properties["what"].enum_items:
+        shown = SimpleNamespace(what=item.identifier, rna_type=rna)
+        tooltip = addon.report_panel.fix.OBJECT_OT_wirewarp_mend.description(bpy.context, shown)
+        assert tooltip.endswith(", and flatten again") and ". " not in tooltip
 
 
 def test_ignored_modifiers_turn_the_verdict_amber_and_are_used_afterwards(addon):

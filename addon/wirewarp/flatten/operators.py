@@ -228,7 +228,7 @@ class OBJECT_OT_wirewarp_flatten(FlattenSteps, bpy.types.Operator):
 
 
 class OBJECT_OT_wirewarp_cancel(bpy.types.Operator):
-    """Stop and write nothing"""
+    """Stop, and keep only what is finished"""
 
     bl_idname = "object.wirewarp_cancel"
     bl_label = "Cancel"

@@ -135,7 +135,7 @@ NOTHING = {  # sentences for fixes that changed nothing, by kind of fix
     "TOLERANCES": "These wires are already that loose, or were removed. Flatten again.",
     "DISSOLVE": 'Nothing to dissolve: "{}" has no zero-area faces.',
     "MERGE": 'Nothing to merge: no vertices of "{}" overlap.',
-    "NORMALS": '"{}" cannot be oriented consistently. Mark a seam where the normals flip.',
+    "NORMALS": 'No face of "{}" can be flipped so that more normals agree. Mark a seam where they flip.',
 }
 CLEAN_UP = ("DISSOLVE", "MERGE", "NORMALS")  # kinds in blender.faults
 
@@ -156,14 +156,14 @@ class OBJECT_OT_wirewarp_mend(BetweenRuns, FlattenSteps, bpy.types.Operator):
             ("DISSOLVE", "Dissolve", "Dissolve faces without area on the model"),
             ("MERGE", "Merge", "Merge overlapping vertices of the model"),
             ("NORMALS", "Normals", "Flip faces of the model so that all point to the same side"),
-            ("APPLY", "Apply Modifiers", "Apply the modifiers, so that their edges can be marked"),
+            ("APPLY", "Apply Modifiers", "Apply the modifiers to the model"),
             ("UV_SEAMS", "Seams of the UV Map", "Mark the borders of the islands of the model's own UV map as seams"),
             ("FABRIC", "Fabric", "Choose this fabric"),
             (
                 "SUBDIVIDE",
                 "Subdivide",
-                "Add a Subdivision Surface modifier, or one more level, and use modifiers. It rounds the model, "
-                "so that it becomes a little smaller",
+                "Add a Subdivision Surface modifier, or one more level, which makes the model a little smaller, "
+                "use modifiers",
             ),
             ("MODIFIERS", "Modifiers", "Use the mesh with its modifiers and shape keys from now on"),
         ],
