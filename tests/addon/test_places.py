@@ -334,3 +334,11 @@ def test_lengths_are_true_again_after_the_flat_object_was_edited(source, change)
     assert len(mesh.polygons) == len(source.data.polygons)
     assert np.all(read(mesh.vertices, "co", np.float32, 3)[:, 2] == 0)
     assert_true(source)
+
+
+def test_unreadable_pieces_are_laid_out_again_for_the_rotated_model(source, notes):
+    source.rotation_euler.x = math.radians(90)
+    flat_of(source).data.vertices[3].co.x = math.nan
+    for _ in range(2):
+        flatten(source)
+        assert notes() == []

@@ -2,7 +2,7 @@
 """Chooses places of flat pieces: first beside their model, later where the user moves them."""
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import bpy
 import numpy as np
@@ -61,13 +61,39 @@ def _clear_of(obstacles: Sequence[Box], place: np.ndarray, size: np.ndarray, gap
     return place
 
 
-def pieces_in_place(flat: FlatMesh, earlier: bpy.types.Object | None, spacing: float) -> tuple[FlatMesh, list[int]]:
-    """Return the pieces in their places in the flat object `earlier`, if there is one. Also return the ids of pieces
-    that had to move because they would overlap others. spacing: see find_places."""
-    known = _read(earlier.data) if earlier else None
-    if known is None:
+@dataclass(frozen=True)
+class Earlier:
+    """Pieces of an earlier run, which may have been moved since."""
+
+    flat: bpy.types.Object
+    pieces: FlatPieces
+    away: np.ndarray  # (k,4) places of pieces that had no shape, see NONE_AWAY
+    up: np.ndarray  # (3,) upward direction when they were laid out, in the model's own space
+
+
+def earlier_layout(flat: bpy.types.Object | None, options: dict) -> Earlier | None:
+    """Return the pieces in the flat object; None if these options change the layout, or if the pieces are unreadable,
+    so that all pieces are laid out again."""
+    record = read_record(flat.data) if flat else None
+    if record is None or record.layout != layout_of(options):
+        return None
+    if not len(flat.data.polygons) or not has_attributes(flat.data, SOURCE_VERTEX, PIECE):
+        return None
+    try:
+        pieces = read_flat_pieces(flat.data)
+    except ObjectError:  # something else has the name of an attribute
+        return None
+    if not np.isfinite(pieces.vertices).all():
+        return None
+    return Earlier(flat, pieces, np.array(record.away) if record.away else NONE_AWAY, np.array(record.up))
+
+
+def pieces_in_place(flat: FlatMesh, earlier: Earlier | None, spacing: float) -> tuple[FlatMesh, list[int]]:
+    """Return the pieces in their earlier places, if there are any. Also return the ids of pieces that had to move
+    because they would overlap others. spacing: see find_places."""
+    if earlier is None:
         return flat, []
-    places = find_places(flat, known, _read_away(earlier.data), spacing)
+    places = find_places(flat, earlier.pieces, earlier.away, spacing)
     vertices = flat.vertices.copy()
     piece = piece_of_vertices(len(vertices), flat.loop_vertices, flat.face_sizes, flat.piece_id)
     for piece_id, motion in places.motions.items():
@@ -76,32 +102,17 @@ def pieces_in_place(flat: FlatMesh, earlier: bpy.types.Object | None, spacing: f
     return replace(flat, vertices=vertices), places.crowded
 
 
-def wants_new_layout(options: dict, earlier: bpy.types.Object) -> bool:
-    """Return whether these options give a different layout from the run that made the flat object `earlier`."""
-    record = read_record(earlier.data)
-    return record is None or record.layout != layout_of(options)
-
-
-def places_of_absent(
-    flat: FlatMesh, earlier: bpy.types.Object | None, identities: Sequence[PieceIdentity]
-) -> np.ndarray:
-    """Return the places (k,4) in the flat object `earlier` of pieces that have no flat shape now, see NONE_AWAY."""
+def places_of_absent(flat: FlatMesh, earlier: Earlier | None, identities: Sequence[PieceIdentity]) -> np.ndarray:
+    """Return the earlier places (k,4) of pieces that have no flat shape now, see NONE_AWAY."""
     present = set(np.unique(flat.piece_id).tolist())
     absent = [identity.piece_id for identity in identities if identity.piece_id not in present]
-    known = _read(earlier.data) if earlier and absent else None
-    return points_of(known, _read_away(earlier.data), absent) if known else NONE_AWAY
+    return points_of(earlier.pieces, earlier.away, absent) if earlier and absent else NONE_AWAY
 
 
 def present_up(source: bpy.types.Object) -> np.ndarray:
     """Return the unit vector (3,) in the model's own space that is up in the world."""
     up = linear_part(source)[2]
     return up / np.linalg.norm(up)
-
-
-def up_when_laid_out(flat: bpy.types.Object, now: np.ndarray) -> np.ndarray:
-    """Return the upward direction (3,) at the time when the pieces were laid out; the present one if none is stored."""
-    record = read_record(flat.data)
-    return np.array(record.up) if record else now
 
 
 def is_turned(up: np.ndarray, then: np.ndarray, report: ObjectReport) -> bool:
@@ -115,19 +126,3 @@ def crowded_text(names: list[str]) -> str:
     if len(names) == 1:
         return f"{names[0]} no longer fits in its place and was moved aside."
     return f"{', '.join(names[:-1])} and {names[-1]} no longer fit in their places and were moved aside."
-
-
-def _read(mesh: bpy.types.Mesh) -> FlatPieces | None:
-    """Return the present flat pieces of the mesh; None if it has none."""
-    if not len(mesh.polygons) or not has_attributes(mesh, SOURCE_VERTEX, PIECE):
-        return None
-    try:
-        pieces = read_flat_pieces(mesh)
-    except ObjectError:  # something else has the name of an attribute
-        return None
-    return pieces if np.isfinite(pieces.vertices).all() else None
-
-
-def _read_away(mesh: bpy.types.Mesh) -> np.ndarray:
-    record = read_record(mesh)
-    return np.array(record.away) if record and record.away else NONE_AWAY

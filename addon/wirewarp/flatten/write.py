@@ -19,13 +19,13 @@ from .flat_object import follow_name, show_flat_object, write_flat_object, write
 from .models import Outcome
 from .places import (
     TURNED_TEXT,
+    Earlier,
     crowded_text,
+    earlier_layout,
     is_turned,
     pieces_in_place,
     places_of_absent,
     present_up,
-    up_when_laid_out,
-    wants_new_layout,
 )
 from .read import RunSettings, find_source
 
@@ -57,9 +57,7 @@ def _write_pieces(
     all models of this run."""
     arrays = outcome.arrays
     is_new, failed = not has_flat_object(source), [issue.piece for issue in outcome.report.issues]
-    earlier = find_flat_object(source)
-    if earlier and (not settings.keep_places or wants_new_layout(outcome.report.options, earlier)):
-        earlier = None  # all pieces are laid out again
+    earlier = earlier_layout(find_flat_object(source), outcome.report.options) if settings.keep_places else None
     pieces, up = _place(source, outcome, earlier)
     away = places_of_absent(outcome.pieces, earlier, outcome.identities)
     record = new_record(outcome.report.options, up, away, outcome.pieces, pieces, arrays)
@@ -87,18 +85,18 @@ def _write_pieces(
     store(source, outcome.report)
 
 
-def _place(source: bpy.types.Object, outcome: Outcome, earlier: bpy.types.Object | None) -> tuple[FlatMesh, np.ndarray]:
-    """Return the pieces in their places in the flat object `earlier`, and the upward direction (3,) of that layout."""
+def _place(source: bpy.types.Object, outcome: Outcome, earlier: Earlier | None) -> tuple[FlatMesh, np.ndarray]:
+    """Return the pieces in their earlier places, and the upward direction (3,) of their layout."""
     options = outcome.report.options
     pieces, crowded = pieces_in_place(outcome.pieces, earlier, gap_between(outcome.arrays, options["spacing"]))
-    was = np.ptp(np.array(earlier.bound_box), axis=0)[:2] if earlier else np.zeros(2)
+    was = np.ptp(np.array(earlier.flat.bound_box), axis=0)[:2] if earlier else np.zeros(2)
     has_grown = bool(np.any(np.ptp(pieces.vertices, axis=0) > GROWN * was))  # many pieces are new
     outcome.is_elsewhere = bool(crowded) or has_grown
     if crowded:
         name_of = {identity.piece_id: identity.name for identity in outcome.identities}
         outcome.report.notes.append(note(crowded_text([name_of[piece_id] for piece_id in crowded])))
     up = present_up(source)
-    then = up_when_laid_out(earlier, up) if earlier else up
+    then = earlier.up if earlier else up
     if is_turned(up, then, outcome.report):
         outcome.report.notes.append(note(TURNED_TEXT))
     return pieces, then
