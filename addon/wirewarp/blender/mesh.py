@@ -226,7 +226,7 @@ _copies: dict[int, bpy.types.Mesh] = {}  # copies in use, by the memory addresse
 
 @contextmanager
 def current_mesh(target: bpy.types.Object) -> Iterator[bpy.types.Mesh]:
-    """Return the object's own present mesh for reading: in Edit Mode a copy, because the mesh has no attributes then.
+    """Yield the object's own present mesh for reading: in Edit Mode a copy, because the mesh has no attributes then.
 
     Nested calls for one object share the copy of the outermost, so that several readers cost one copy.
     Shape keys are updated from it, as Blender does before each undo step.

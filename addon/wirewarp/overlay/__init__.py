@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Draws seams, wires, failures, names, a legend and maps on models, on flat pieces and in the UV editor.
 
-shown (which objects) -> objects, failures (arrays and names, kept in cache) -> view3d, uv_editor (the handlers).
+shown (which objects) -> objects, failures (arrays and names, kept in state.drawings) -> view3d (the handlers).
 May import: export, ui, state, solve, blender, core, issues, names.
 """
 

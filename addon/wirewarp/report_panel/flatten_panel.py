@@ -48,9 +48,8 @@ EVERYDAY = {"fleece", "jersey", "swim"}
 def fabrics_to_choose(report: ObjectReport, present: str = "") -> tuple[list[str], list[str]]:
     """Return the presets that stretch far enough for the present pieces, and the others; both by increasing stretch.
 
-    present: the fabric of these pieces, which is not among the others.
-
-    This is an estimate, because another fabric changes the shapes of the pieces.
+    This is an estimate, because another fabric changes the shapes of the pieces. present: the fabric of these pieces,
+    which is not among the others.
     """
     across = max((piece.threads.across if piece.threads else piece.needed for piece in report.pieces), default=0.0)
     along = max((piece.threads.along if piece.threads else piece.needed for piece in report.pieces), default=0.0)

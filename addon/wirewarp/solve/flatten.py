@@ -69,7 +69,7 @@ class FlattenChoices:
     mirror: bool = field(metadata=LAYS_OUT)
 
 
-# Return those options of a report that require a new layout if they change.
+# Options of a report that require a new layout if they change.
 LAYOUT_OPTIONS = (*(each.name for each in fields(FlattenChoices) if each.metadata), "grain_wire")
 
 

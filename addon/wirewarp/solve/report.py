@@ -75,8 +75,8 @@ class UvSeams:
 
 @dataclass(kw_only=True)
 class ObjectReport(Report):
-    """The library's report with the add-on's fields. The defaults are needed for stored reports that a user has
-    changed."""
+    """The library's report with the add-on's fields. The defaults are for failure_report, which knows only the
+    issue."""
 
     mesh: str = ""
     with_modifiers: bool = False

@@ -228,9 +228,8 @@ def _check_ends(source: bpy.types.Object, path: list[int]) -> None:
 def _smooth_line(arrays: MeshArrays, path: list[int], kept: Pairs, no_seam: NoSeam) -> SurfacePath:
     """Return a smooth line beside a path of vertices inside a piece, with the same ends.
 
-    It crosses kept edges at the same places.
-
-    It enters only painted faces that the path enters. Edges of the path must not be seams. Raises ObjectError.
+    It crosses kept edges at the same places, and enters only painted faces that the path enters. Edges of the path must
+    not be seams. Raises ObjectError.
     """
     library = core.library()
     painted = (painted_at_edges(arrays, no_seam) > 0) | no_seam.vertices[arrays.edges].all(axis=1)

@@ -23,9 +23,9 @@ class PatternOptions(TypedDict, total=False):
     on_fold: bool  # draw one half of each symmetric piece, "Cut 1 on the fold" (False)
     measures: Sequence[tuple[str, float]]  # names and finished lengths, for the proof sheet (default: the rigid wires)
     notch_spacing: float  # along seams, 0 for none (100)
-    # "auto" (default) chooses by the sewing order; "mitre", "right angle", "fold-back", "extend", "step"
+    # "auto" (default) chooses by the sewing order; "mitre", "right angle", "fold-back", "extend", "step" or "round" for
+    # all corners
     corner: str
-    # or "round" for all corners
     darts: str  # "close" (default) cuts straight over their mouths; "cut" cuts them out, with allowance on the legs;
     # "slit" cuts along the legs
     material: str  # text on the pieces

@@ -160,9 +160,8 @@ def _width_before(by_side: Sequence[Sequence[Run]], number: int) -> float:
 def _cap(dart: Dart, before: Run, after: Run) -> np.ndarray:
     """Return the line (k,2) across the mouth of a dart.
 
-    When the dart is folded, the line continues the outlines on both sides.
-
-    It therefore consists of the two outlines, each reflected in its leg, up to the point where they meet.
+    When the dart is folded, the line continues the outlines on both sides. It therefore consists of the two outlines,
+    each reflected in its leg, up to the point where they meet.
     """
     a, b = dart.mouth
     flat = np.array([a, b])
