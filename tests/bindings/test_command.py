@@ -8,7 +8,6 @@ import os
 import subprocess
 import sys
 from pathlib import Path
-from types import SimpleNamespace
 
 import ezdxf
 import numpy as np
@@ -21,7 +20,6 @@ from samples import SAMPLES, flattened
 from wirewarp.command import staged
 from wirewarp.command.arguments import parsed
 from wirewarp.command.flatten import flatten_model
-from wirewarp.command.picture import strain
 from wirewarp.pattern import Marker
 
 trimesh = pytest.importorskip("trimesh")
@@ -149,13 +147,6 @@ def test_a_missing_pillow_is_reported(model, tmp_path, monkeypatch):
 def longest_run(row):
     changes = np.flatnonzero(np.diff(np.concatenate([[0], row.astype(int), [0]])))
     return max(changes[1::2] - changes[::2], default=0)
-
-
-def test_the_strain_of_a_stretched_square():
-    # The flat square is 10% wider and 20% lower than that on the model.
-    square = np.array([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)], dtype=float)
-    flat = SimpleNamespace(vertices=square[:, :2] * (1.1, 0.8), faces=np.array([(0, 1, 2), (0, 2, 3)]))
-    assert strain(square, flat) == pytest.approx([0.2, 0.2])
 
 
 def test_finished_models_are_skipped_until_something_changes(model, tmp_path):

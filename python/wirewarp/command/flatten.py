@@ -136,7 +136,7 @@ def _flattened(request: Request, model: Model, folder: Path) -> tuple[Line, dict
     if request.repair:
         report["repaired_faces"] = model.faces.tolist()
     if request.picture:
-        _draw_picture(folder / request.picture_path.name, request, model, result, line)
+        _draw_picture(folder / request.picture_path.name, request, result, line)
     if not failed:
         pattern = _pattern(request, result)
         for kind in request.formats:
@@ -183,12 +183,12 @@ def _timeless(result: dict[str, Any]) -> dict[str, Any]:
     return result
 
 
-def _draw_picture(path: Path, request: Request, model: Model, result: FlattenResult, line: Line) -> None:
+def _draw_picture(path: Path, request: Request, result: FlattenResult, line: Line) -> None:
     try:
         from .picture import write_picture
     except ModuleNotFoundError as error:
         raise InputError("Pictures are drawn by pillow, which is missing: pip install wirewarp[command]") from error
-    if write_picture(path, result, model.vertices, MILLIMETERS[request.unit]):
+    if write_picture(path, result, MILLIMETERS[request.unit]):
         line["files"].append(path.name)
 
 

@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 from PIL import Image, ImageDraw, ImageFont
 
-from .. import FlattenResult, Piece
+from .. import FlattenResult
 from ..pattern.files import replaced_file
 from ..pattern.make.outline import FlatPiece, flat_piece
 from ..pattern.sheet.drawing import LOOKS, WIRES
@@ -21,9 +21,8 @@ LEGEND = 24  # pixels: height of its letters; numbers of pieces are twice as hig
 Point = tuple[float, float]
 
 
-def write_picture(path: Path, result: FlattenResult, vertices: np.ndarray, millimeters: float) -> bool:
-    """Write a PNG; False if no piece has a layout. vertices (n,3): vertices of the model; millimeters: length of its
-    unit."""
+def write_picture(path: Path, result: FlattenResult, millimeters: float) -> bool:
+    """Write a PNG; False if no piece has a layout. millimeters: length of the model's unit."""
     pieces = {number: piece for number, piece in enumerate(result.pieces, start=1) if len(piece.vertices)}
     if not pieces:
         return False
@@ -39,8 +38,9 @@ def write_picture(path: Path, result: FlattenResult, vertices: np.ndarray, milli
         x, y = ((points - low) * scale + SMOOTH * MARGIN).T
         return list(zip(x.tolist(), (height - y).tolist(), strict=True))
 
-    strains = [strain(vertices[piece.source_vertex], piece) for piece in pieces.values()]
-    most = max(LEAST, *(float(each.max(initial=0.0)) for each in strains))
+    strains = [piece.metrics.face_aspect_ratio - 1 for piece in pieces.values()]
+    every = np.concatenate(strains)
+    most = max(LEAST, float(every[np.isfinite(every)].max(initial=0.0)))
     for (number, piece), own in zip(pieces.items(), strains, strict=True):
         at = placed(piece.vertices)
         for face, color in zip(piece.faces.tolist(), _colors(own / most), strict=True):
@@ -54,23 +54,6 @@ def write_picture(path: Path, result: FlattenResult, vertices: np.ndarray, milli
     with replaced_file(path) as unfinished:
         image.resize((width // SMOOTH, (height + foot) // SMOOTH), Image.Resampling.LANCZOS).save(unfinished, "PNG")
     return True
-
-
-def strain(vertices: np.ndarray, piece: Piece) -> np.ndarray:
-    """Return the largest |stretch - 1| (q,) of each face in any direction. vertices (p,3): vertices of the piece on the
-    model."""
-    a, b, c = (vertices[piece.faces[:, corner]] for corner in range(3))
-    along, aside = b - a, c - a
-    length = np.linalg.norm(along, axis=1)
-    # In the face's own axes, its sides are (length, 0) and (x, y).
-    x = (along * aside).sum(axis=1) / length
-    y = np.linalg.norm(np.cross(along, aside), axis=1) / length
-    flat = [piece.vertices[piece.faces[:, corner]] - piece.vertices[piece.faces[:, 0]] for corner in (1, 2)]
-    first = flat[0] / length[:, None]
-    second = (flat[1] - first * x[:, None]) / y[:, None]
-    stretches = np.linalg.svd(np.stack([first, second], axis=2), compute_uv=False)
-    largest: np.ndarray = np.abs(stretches - 1).max(axis=1)
-    return largest
 
 
 def _colors(shares: np.ndarray) -> list[tuple[int, ...]]:
