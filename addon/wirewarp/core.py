@@ -66,6 +66,7 @@ def library() -> ModuleType:
 if TYPE_CHECKING:
     from wirewarp import *  # noqa: F403
     from wirewarp import pattern as pattern
+    from wirewarp import report as report
     from wirewarp.report import *  # type: ignore[assignment] # noqa: F403
 else:
 

@@ -3,8 +3,9 @@
 
 import bpy
 
+from .. import core
 from ..blender.objects import length_text
-from ..core import PieceRow, needs_text, percent_text
+from ..core import needs_text, percent_text
 from ..overlay.shown import piece_copies
 from ..solve.report import ObjectReport
 from ..state.owners import find_flat_object
@@ -85,8 +86,8 @@ def shown_pieces(context: bpy.types.Context) -> ObjectReport | None:
     return pieces_report(source) if source else None
 
 
-def _row_of(context: bpy.types.Context, index: int) -> PieceRow | None:
-    """Return the row; None if the report and the list have different pieces."""
+def _row_of(context: bpy.types.Context, index: int) -> core.report.Piece | None:
+    """Return the piece; None if the report and the list have different pieces."""
     return next((row for row in shown_pieces(context).tables.pieces if row.index == index), None)
 
 
@@ -134,7 +135,7 @@ class VIEW3D_PT_wirewarp_pieces(SidebarPanel, bpy.types.Panel):
             button.keep_places, button.only_active = False, True
 
 
-def draw_figures(context: bpy.types.Context, layout: bpy.types.UILayout, row: PieceRow) -> None:
+def draw_figures(context: bpy.types.Context, layout: bpy.types.UILayout, row: core.report.Piece) -> None:
     text, column = length_text(context.scene), layout.column(align=True)
     draw_cells(column, "Area, model", [text.area(row.area_3d)], 0.45)
     if not row.has_layout:
@@ -150,7 +151,9 @@ def draw_figures(context: bpy.types.Context, layout: bpy.types.UILayout, row: Pi
     if row.needed >= NO_STRAIN:
         line = column.row(align=True)
         draw_cells(line, "Stretch", [percent_text(row.shown)], 0.5)
-        draw_select(line, "STRETCH" if row.stretch_max >= row.ease_max else "EASE", row.index)
+        # None: infinite
+        is_stretched = row.stretch_max is None or (row.ease_max is not None and row.stretch_max >= row.ease_max)
+        draw_select(line, "STRETCH" if is_stretched else "EASE", row.index)
 
 
 def draw_copies(context: bpy.types.Context, layout: bpy.types.UILayout, source: bpy.types.Object, name: str) -> None:

@@ -12,7 +12,7 @@ from .json_form import ReportError, from_dict, run_to_dict, to_dict
 from .make import failure_report, make_report
 from .model import METHOD_NAMES, Chain, Hint, Issue, LooserWire, Note, Piece, Report, Seam, Threads, Wire, WirePart
 from .names import hint_text, issue_text, joined_pieces, note_text, open_edges, rename_wires
-from .rows import PieceRow, ReportRow, ReportTables, Side, largest_difference, merged, tables_of
+from .rows import ReportRow, ReportTables, Side, largest_difference, merged, tables_of
 from .strain import percent_text
 from .verdict import (
     ANY_LIMIT,
@@ -70,7 +70,6 @@ __all__ = [
     "note_text",
     "open_edges",
     "rename_wires",
-    "PieceRow",
     "ReportRow",
     "ReportTables",
     "Side",

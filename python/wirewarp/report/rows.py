@@ -4,7 +4,7 @@
 import math
 from dataclasses import dataclass
 
-from .model import Chain, Lengths, Report, Seam, Threads, Wire
+from .model import Chain, Lengths, Piece, Report, Seam, Wire
 from .names import joined_pieces, open_edges, piece_names, pieces_of_wires, side_names
 from .verdict import Verdict, verdict
 from .words import ease_text, tolerance_text
@@ -48,22 +48,6 @@ class ReportRow:
         return math.inf if not self.ok else round(worst, 8)  # rounded, so that rounding errors do not affect the order
 
 
-@dataclass(frozen=True)
-class PieceRow:
-    index: int
-    name: str
-    ok: bool
-    is_strained: bool  # see Piece.is_strained
-    has_layout: bool
-    area_3d: float | None
-    area_2d: float | None
-    needed: float  # see Piece.needed
-    shown: float  # see Piece.shown
-    stretch_max: float  # stretch of the worst face; inf if a face has no area
-    ease_max: float
-    threads: Threads | None
-
-
 def seam_rows(report: Report) -> list[ReportRow]:
     return _worst_first([
         ReportRow(
@@ -104,29 +88,9 @@ def outline_rows(report: Report) -> list[ReportRow]:
     ])  # fmt: skip
 
 
-def piece_rows(report: Report) -> list[PieceRow]:
+def piece_rows(report: Report) -> list[Piece]:
     """Return failed pieces first, then by how far they are beyond the fabric."""
-    return [
-        PieceRow(
-            index=piece.index,
-            name=piece.name,
-            ok=piece.ok,
-            is_strained=piece.is_strained,
-            has_layout=piece.has_layout,
-            area_3d=piece.area_3d,
-            area_2d=piece.area_2d,
-            needed=piece.needed,
-            shown=piece.shown,
-            stretch_max=_or_inf(piece.stretch_max),
-            ease_max=_or_inf(piece.ease_max),
-            threads=piece.threads,
-        )
-        for piece in sorted(report.pieces, key=lambda piece: (piece.ok, -piece.excess))
-    ]
-
-
-def _or_inf(share: float | None) -> float:
-    return math.inf if share is None else share
+    return sorted(report.pieces, key=lambda piece: (piece.ok, -piece.excess))
 
 
 def _note(places: str, tolerance: str) -> str:
@@ -191,7 +155,7 @@ class ReportTables:
     seams: list[ReportRow]
     wires: list[ReportRow]
     outlines: list[ReportRow]
-    pieces: list[PieceRow]
+    pieces: list[Piece]
 
 
 def tables_of(report: Report) -> ReportTables:
