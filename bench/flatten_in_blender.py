@@ -23,7 +23,6 @@ from surfaces import bumpy_sheet  # noqa: E402 (the folder must be on the path f
 
 # Names in Debian 12's Blender and in Debian 13's, which has extensions.
 addon = sys.modules.get("wirewarp_addon") or sys.modules["bl_ext.user_default.wirewarp"]
-core = addon.core
 choices_of = addon.state.settings.choices_of
 solve_models, read_models = addon.flatten.models.solve_models, addon.flatten.read.read_models
 write_results = addon.flatten.write.write_results
@@ -69,7 +68,7 @@ def seconds_of_steps(sheet: bpy.types.Object) -> dict[str, float]:
     marks = [time.perf_counter()]
     models = read_models(context, [sheet], settings)
     marks.append(time.perf_counter())
-    outcomes = in_one_go(solve_models(core.library(), models, choices_of(settings, 1.0), 1.0))
+    outcomes = in_one_go(solve_models(models, choices_of(settings, 1.0), 1.0))
     marks.append(time.perf_counter())
     write_results(context, outcomes, settings)
     marks.append(time.perf_counter())

@@ -105,8 +105,8 @@ def test_the_panel_does_not_say_that_the_model_changed_right_after_a_run(source,
 def test_a_piece_renamed_during_a_run_keeps_its_new_name(source, addon):
     models = addon.flatten.read.read_models(bpy.context, [source], bpy.context.scene.wirewarp)
     settings = bpy.context.scene.wirewarp
-    choices, library = addon.state.settings.choices_of(settings, 1.0), addon.core.library()
-    outcomes = addon.solve.steps.in_one_go(addon.flatten.models.solve_models(library, models, choices, 1.0))
+    choices = addon.state.settings.choices_of(settings, 1.0)
+    outcomes = addon.solve.steps.in_one_go(addon.flatten.models.solve_models(models, choices, 1.0))
     source.wirewarp_pieces[0].name = "Sleeve"
     addon.flatten.write.write_results(bpy.context, outcomes, settings)
     names = {entry.name for entry in source.wirewarp_pieces}

@@ -88,7 +88,7 @@ def test_a_sentence_is_broken_where_it_fills_the_sidebar(addon):
         assert (counts[0] > 5, counts[-1]) == (True, 1)
 
 
-def test_a_canceled_piece_with_exact_lengths_reports_it(addon):
+def test_a_canceled_piece_with_exact_lengths_reports_it(addon, monkeypatch):
     target = grid("Bump", bump)
     arrays = addon.state.read_model.object_to_arrays(target, addon.state.marked_mesh.marked_mesh(target), None)
     identities = [addon.solve.identity.PieceIdentity(1, "Top")]
@@ -105,8 +105,8 @@ def test_a_canceled_piece_with_exact_lengths_reports_it(addon):
             result = library.flatten(*what, progress=stops, **options)
             return SimpleNamespace(is_done=lambda: True, cancel=lambda: None, result=lambda: result)
 
-        stopping = SimpleNamespace(**vars(library) | {"start": start})
-        result = addon.solve.steps.in_one_go(addon.solve.flatten.flatten_arrays(stopping, arrays, choices))
+        monkeypatch.setattr(addon.solve.flatten, "start", start)
+        result = addon.solve.steps.in_one_go(addon.solve.flatten.flatten_arrays(arrays, choices))
         facts = addon.solve.report.Facts(object="Top", mesh="Top", with_modifiers=False, shaped_by=[], counts={})
         return addon.solve.report.object_report(result, arrays, facts, identities, [], 1.0)
 

@@ -20,7 +20,7 @@ def read_models(addon, *sources):
 
 def solving(addon, *sources):
     choices = addon.state.settings.choices_of(bpy.context.scene.wirewarp, 1.0)
-    return addon.flatten.models.solve_models(addon.core.library(), read_models(addon, *sources), choices, 1.0)
+    return addon.flatten.models.solve_models(read_models(addon, *sources), choices, 1.0)
 
 
 def test_a_run_reports_its_progress(addon):
@@ -48,15 +48,14 @@ def test_an_abandoned_run_is_canceled_in_the_core_too(addon, started):
 def started(addon, monkeypatch):
     """Collect weak references to the core's jobs that start from now on. When these are dead, the threads of the jobs
     have ended."""
-    jobs, library = [], addon.core.library()
-    start = library.start
+    jobs, start = [], addon.solve.flatten.start
 
     def remember(*what, **options):
         job = start(*what, **options)
         jobs.append(weakref.ref(job))
         return job
 
-    monkeypatch.setattr(library, "start", remember)
+    monkeypatch.setattr(addon.solve.flatten, "start", remember)
     return jobs
 
 
@@ -103,7 +102,7 @@ from surfaces import bump, grid
 addon = sys.modules[{module!r}]
 choices = addon.state.settings.choices_of(bpy.context.scene.wirewarp, 1.0)
 models = addon.flatten.read.read_models(bpy.context, [grid("Large", bump, size=200)], bpy.context.scene.wirewarp)
-kept = addon.flatten.models.solve_models(addon.core.library(), models, choices, 1.0)
+kept = addon.flatten.models.solve_models(models, choices, 1.0)
 next(kept)
 print("the end")
 """

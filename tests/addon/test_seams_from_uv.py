@@ -188,7 +188,7 @@ def test_canceling_while_the_seams_of_the_map_are_tried_keeps_the_pieces(addon, 
     monkeypatch.setattr(solver, "flatten_arrays", counting)
     models = addon.flatten.read.read_models(bpy.context, [source], scene.wirewarp)
     choices = addon.state.settings.choices_of(scene.wirewarp, 1.0)
-    running = solver.solve_models(addon.core.library(), models, choices, 1.0)
+    running = solver.solve_models(models, choices, 1.0)
     while len(runs) < 2:
         fractions.append(next(running))
     with pytest.raises(StopIteration) as end:

@@ -157,13 +157,12 @@ def test_a_piece_that_no_dart_helps_is_reported_in_one_sentence(addon, monkeypat
     source = grid("Bump", bump, wire=on_line(0, -0.75))
     bpy.ops.object.wirewarp_flatten()
     source.wirewarp_pieces[0].name = "Front"
-    library = addon.core.library()
 
     def fail(faces, **_):
         why = {"reason": "no_gain", "kind": "dart", "strain": 0.149, "wires": [0]}
-        raise library.FlattenError("no_proposal", "", faces=range(len(faces)), arguments=why)
+        raise addon.core.FlattenError("no_proposal", "", faces=range(len(faces)), arguments=why)
 
-    monkeypatch.setattr(library, "start_darts", fail)
+    monkeypatch.setattr(addon.solve.suggest, "start_darts", fail)
     sentence = 'No dart helps "Front", which must stretch by 14.9%: loosen wire "Wire 1" or divide the piece by a seam'
     with pytest.raises(RuntimeError, match=sentence):
         SUGGEST["DARTS"]()

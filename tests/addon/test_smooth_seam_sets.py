@@ -16,7 +16,7 @@ def narrowest(addon, source):
     """Return the narrowest width of the pieces of the model as it is now."""
     arrays = addon.state.read_model.object_to_arrays(source, addon.state.marked_mesh.marked_mesh(source), None)
     choices = addon.state.settings.choices_of(bpy.context.scene.wirewarp, 1.0)
-    steps = addon.solve.flatten.flatten_arrays(addon.core.library(), arrays, choices)
+    steps = addon.solve.flatten.flatten_arrays(arrays, choices)
     result = addon.solve.steps.in_one_go(steps)
     return min(addon.core.pattern.piece_width(piece) for piece in result.pieces)
 

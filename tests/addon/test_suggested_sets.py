@@ -200,12 +200,11 @@ def test_a_refused_cut_applies_no_modifiers(addon, monkeypatch):
     settings = bpy.context.scene.wirewarp
     settings.use_modifiers = True
     SUGGEST["DARTS"]()
-    library = addon.core.library()
 
     def fail(*_):
-        raise library.FlattenError("invalid_option", "The line is refused.")
+        raise addon.core.FlattenError("invalid_option", "The line is refused.")
 
-    monkeypatch.setattr(library, "cut_mesh", fail)
+    monkeypatch.setattr(addon.solve.cut_faces, "cut_mesh", fail)
     with pytest.raises(RuntimeError, match="The line is refused"):
         bpy.ops.object.wirewarp_mend(what="SUGGESTION")
     assert len(source.modifiers) == 1 and settings.use_modifiers and len(source.data.vertices) == 25

@@ -154,7 +154,7 @@ def measuring(addon, measured, monkeypatch):
             return next(left)
 
         monkeypatch.setattr(sets, "_measured_set", measure)
-        return sets.with_measures(search(), SimpleNamespace(Cache=lambda: None), None, None, [0.05, 0.2])
+        return sets.with_measures(search(), None, None, [0.05, 0.2])
 
     return begin, found
 

@@ -3,7 +3,6 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass, replace
-from types import ModuleType
 
 import numpy as np
 
@@ -59,7 +58,7 @@ class Outcome:
 
 
 def solve_models(
-    library: ModuleType, models: list[Model], choices: FlattenChoices, meters: float, *, tries_uv_seams: bool = True
+    models: list[Model], choices: FlattenChoices, meters: float, *, tries_uv_seams: bool = True
 ) -> Steps[list[Outcome]]:
     """Flattens every model. meters: meters in a Blender unit; tries_uv_seams: whether to try UV seams if the marked
     ones fail. Canceling the attempt with UV seams keeps the pieces."""
@@ -72,11 +71,11 @@ def solve_models(
         return lambda share: (done + share) / (len(models) + len(with_map))
 
     for number, model in enumerate(models):
-        outcomes.append((yield from reported_as(_solve(library, model, choices, meters), after(number))))
+        outcomes.append((yield from reported_as(_solve(model, choices, meters), after(number))))
     try:
         for number, model in enumerate(with_map, start=len(models)):
             report = outcomes[models.index(model)].report
-            trying = _try_uv_seams(library, model, choices, meters, report)
+            trying = _try_uv_seams(model, choices, meters, report)
             report.uv_seams = yield from reported_as(trying, after(number))
     except CanceledError:
         return outcomes
@@ -88,11 +87,11 @@ def failed_report(model: Model, issue: Issue) -> ObjectReport:
     return replace(failure_report(issue, model.facts), model_state=model.state)
 
 
-def _solve(library: ModuleType, model: Model, choices: FlattenChoices, meters: float) -> Steps[Outcome]:
+def _solve(model: Model, choices: FlattenChoices, meters: float) -> Steps[Outcome]:
     try:
         if model.issue:
             raise ObjectError(model.issue)
-        result = yield from flatten_arrays(library, model.arrays, choices, model.solved)
+        result = yield from flatten_arrays(model.arrays, choices, model.solved)
         yield 1.0  # the rest of the work is one step
     except ObjectError as error:
         outcome = Outcome(model, failed_report(model, error.issue))
@@ -114,9 +113,7 @@ def _solve(library: ModuleType, model: Model, choices: FlattenChoices, meters: f
     return outcome
 
 
-def _try_uv_seams(
-    library: ModuleType, model: Model, choices: FlattenChoices, meters: float, report: ObjectReport
-) -> Steps[UvSeams | None]:
+def _try_uv_seams(model: Model, choices: FlattenChoices, meters: float, report: ObjectReport) -> Steps[UvSeams | None]:
     """Return the result with the seams of the model's own UV map; None if it is not better. Tried if pieces failed, or
     if the model has no seams and cannot be cut from every fabric."""
     arrays = model.arrays
@@ -127,7 +124,7 @@ def _try_uv_seams(
     ids = np.zeros(len(seam_edges), dtype=np.int32)
     tried = replace(arrays, seam_edges=seam_edges, seams=arrays.edges[seam_edges], seam_ids=ids)
     try:
-        result = yield from flatten_arrays(library, tried, choices, model.solved_by_map)
+        result = yield from flatten_arrays(tried, choices, model.solved_by_map)
     except ObjectError:
         return None  # faults of the whole model are in the report
     found = uv_seams(result, tried, meters, choices.cloth)

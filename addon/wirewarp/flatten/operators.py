@@ -7,12 +7,11 @@ from pathlib import Path
 import bpy
 from bpy.props import BoolProperty, StringProperty
 
-from .. import core
 from ..blender.files import OPTIONS, check_room, given_file, replaced_file, unwritten
 from ..blender.objects import meters_per_blender_unit
 from ..blender.selection import WORKING_MODES, hold_whole_file
 from ..blender.views import is_over_sidebar, redraw_views, show_objects, work_area
-from ..core import Issue
+from ..core import Issue, library, run_to_dict
 from ..export.read import read_outlines
 from ..issues import ObjectError, object_error
 from ..properties import preferences, take_settings
@@ -74,7 +73,7 @@ class FlattenSteps(WindowSteps, FlattenSettings):
     def _solving(self, context: bpy.types.Context, models: list[Model]) -> Steps[list[Outcome]]:
         meters = meters_per_blender_unit(context.scene)
         choices = choices_of(self, meters)
-        return solve_models(core.library(), models, choices, meters, tries_uv_seams=self.tries_uv_seams)
+        return solve_models(models, choices, meters, tries_uv_seams=self.tries_uv_seams)
 
     def finish_run(self, context: bpy.types.Context) -> set[str]:
         try:
@@ -140,7 +139,7 @@ class FlattenSteps(WindowSteps, FlattenSettings):
             "system": context.scene.unit_settings.system,
         }
         try:
-            report = core.run_to_dict(core.library().__version__, units, reports)
+            report = run_to_dict(library().__version__, units, reports)
             with replaced_file(self.report_file) as unfinished:
                 unfinished.write_text(json.dumps(report, indent=1, allow_nan=False) + "\n", encoding="utf-8")
         except OSError as error:

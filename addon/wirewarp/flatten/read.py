@@ -9,11 +9,10 @@ from typing import Protocol
 import bpy
 import numpy as np
 
-from .. import core
 from ..blender.mesh import current_mesh, element_counts
 from ..blender.objects import check_local, length_text, linear_part, meters_per_blender_unit, metric
 from ..blender.selection import edited_meshes, in_object_mode
-from ..core import Issue, LengthText, quoted
+from ..core import Cache, Issue, LengthText, quoted
 from ..issues import ObjectError, object_error
 from ..solve.report import Facts
 from ..state.changes import has_changed, model_state
@@ -242,9 +241,9 @@ def _counts(source: bpy.types.Object, edited: Collection[bpy.types.Mesh]) -> dic
         return element_counts(mesh)
 
 
-def solved_pieces(source: bpy.types.Object) -> tuple[core.Cache, core.Cache]:
+def solved_pieces(source: bpy.types.Object) -> tuple[Cache, Cache]:
     """Return the object's Caches: one for its pieces, and one for the attempt with its UV seams."""
     state = state_of(source)
     if state.solved is None:
-        state.solved, state.solved_by_map = core.library().Cache(), core.library().Cache()
+        state.solved, state.solved_by_map = Cache(), Cache()
     return state.solved, state.solved_by_map

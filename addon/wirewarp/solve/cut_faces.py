@@ -5,11 +5,10 @@ from collections import Counter, defaultdict
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from types import ModuleType
 
 import numpy as np
 
-from ..core import CutSources, SurfacePath
+from ..core import CutSources, SurfacePath, cut_mesh
 from .arrays import MeshArrays
 from .chains import edge_keys
 from .flatten import polygons_across
@@ -98,9 +97,9 @@ def places_on(segments: Segments, polygons: np.ndarray, vertices: np.ndarray, pl
     return np.array(ends, dtype=np.float32).reshape(-1, 3)
 
 
-def divide(library: ModuleType, arrays: MeshArrays, paths: Sequence[SurfacePath]) -> Division:
+def divide(arrays: MeshArrays, paths: Sequence[SurfacePath]) -> Division:
     """Return how the lines become edges. Raises the library's FlattenError."""
-    _, faces, edges, sources = library.cut_mesh(arrays.vertices, arrays.triangles, list(paths))
+    _, faces, edges, sources = cut_mesh(arrays.vertices, arrays.triangles, list(paths))
     inside = set(range(len(arrays.vertices), len(sources.vertices)))
     inside -= {index for line in sources.divided_edges for index in line.tolist()}
     lines = [(int(a), int(b)) for a, b in edges]

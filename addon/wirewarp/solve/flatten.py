@@ -5,7 +5,6 @@ import math
 from collections.abc import Iterable, Sequence
 from dataclasses import asdict, dataclass, field, fields, replace
 from itertools import pairwise
-from types import ModuleType
 from typing import Any, TypeVar
 
 import numpy as np
@@ -23,6 +22,7 @@ from ..core import (
     Piece,
     Wire,
     counted,
+    start,
 )
 from ..issues import ObjectError
 from .arrays import MeshArrays, NamedWire, triangle_areas
@@ -73,30 +73,28 @@ class FlattenChoices:
 LAYOUT_OPTIONS = (*(each.name for each in fields(FlattenChoices) if each.metadata), "grain_wire")
 
 
-def flatten_arrays(
-    library: ModuleType, arrays: MeshArrays, choices: FlattenChoices, solved: Cache | None = None
-) -> Steps[FlattenResult]:
+def flatten_arrays(arrays: MeshArrays, choices: FlattenChoices, solved: Cache | None = None) -> Steps[FlattenResult]:
     """Return the library's FlattenResult. solved: a Cache of earlier pieces, which are not solved again if they are
     unchanged. Raises ObjectError if the mesh as a whole is refused. The library continues to work between steps."""
     try:
-        arguments = library_arguments(library, arrays, choices)
-        return (yield from result_of(library.start(arrays.vertices, arrays.triangles, **arguments, cache=solved)))
-    except library.FlattenError as error:
+        arguments = library_arguments(arrays, choices)
+        return (yield from result_of(start(arrays.vertices, arrays.triangles, **arguments, cache=solved)))
+    except FlattenError as error:
         raise ObjectError(issue_of_error(error, arrays)) from error
 
 
-def library_arguments(library: ModuleType, arrays: MeshArrays, choices: FlattenChoices) -> dict[str, Any]:
+def library_arguments(arrays: MeshArrays, choices: FlattenChoices) -> dict[str, Any]:
     """Return arguments that the library's calls share, except the triangles. Raises ObjectError and FlattenError."""
     return {
         "seams": arrays.seams,
-        "options": _library_options(library, used_choices(choices, arrays), arrays),
-        **library_marks(library, arrays),
+        "options": _library_options(used_choices(choices, arrays), arrays),
+        **library_marks(arrays),
     }
 
 
-def library_marks(library: ModuleType, arrays: MeshArrays) -> dict[str, Any]:
+def library_marks(arrays: MeshArrays) -> dict[str, Any]:
     """Return the wires and eases. Raises ObjectError."""
-    return {"wires": [_library_wire(library, wire) for wire in arrays.wires], "eases": _library_eases(library, arrays)}
+    return {"wires": [_library_wire(wire) for wire in arrays.wires], "eases": _library_eases(arrays)}
 
 
 def result_of(job: "Job[Result]") -> Steps[Result]:
@@ -120,14 +118,14 @@ def drop_jobs(*_: object) -> None:
     _ending.clear()
 
 
-def _library_options(library: ModuleType, choices: FlattenChoices, arrays: MeshArrays) -> Options:
+def _library_options(choices: FlattenChoices, arrays: MeshArrays) -> Options:
     """Return the options. The gap is converted to a share of the side of a square with the area of all pieces."""
     options = asdict(choices)
     side, gap = _side(arrays), gap_between(arrays, options.pop("spacing"))
     options |= {"gap": gap / side if side > 0 else 0.0, "grain": _grain_index(arrays)}
     if choices.cloth:
         options["cloth"] = library_cloth(choices.cloth)
-    return library.Options(**options)
+    return Options(**options)
 
 
 def library_cloth(cloth: ClothChoice) -> Cloth:
@@ -182,10 +180,10 @@ def _grain_index(arrays: MeshArrays) -> int:
     return ids.index(arrays.grain_wire) if arrays.grain_wire in ids else -1
 
 
-def _library_wire(library: ModuleType, wire: NamedWire) -> Wire:
+def _library_wire(wire: NamedWire) -> Wire:
     try:
-        return library.Wire(wire.chain.vertices, tolerance=wire.chain.tolerance, name=wire.name, ease=wire.chain.ease)
-    except library.FlattenError as error:  # the library's error names neither the wire nor the place
+        return Wire(wire.chain.vertices, tolerance=wire.chain.tolerance, name=wire.name, ease=wire.chain.ease)
+    except FlattenError as error:  # the library's error names neither the wire nor the place
         edges = list(pairwise(wire.chain.vertices))
         is_ease = str(error.code) == "invalid_ease"
         remedy = EASE_AGAIN if is_ease else "Click it in the list of wires and choose Rigid, Elastic or Free."
@@ -193,11 +191,11 @@ def _library_wire(library: ModuleType, wire: NamedWire) -> Wire:
         raise ObjectError(Issue(str(error.code), sentence, edges=edges)) from error
 
 
-def _library_eases(library: ModuleType, arrays: MeshArrays) -> list[Ease]:
+def _library_eases(arrays: MeshArrays) -> list[Ease]:
     """Return one ease for each ratio."""
     half_edges, eases = eased_half_edges(arrays)
     ratios, number = np.unique(eases, return_inverse=True)
-    return [_library_ease(library, half_edges[number == k], shortest_double(ratio)) for k, ratio in enumerate(ratios)]
+    return [_library_ease(half_edges[number == k], shortest_double(ratio)) for k, ratio in enumerate(ratios)]
 
 
 def eased_half_edges(arrays: MeshArrays) -> tuple[np.ndarray, np.ndarray]:
@@ -208,10 +206,10 @@ def eased_half_edges(arrays: MeshArrays) -> tuple[np.ndarray, np.ndarray]:
     return np.column_stack([ends, starts] if arrays.mirrored else [starts, ends]), arrays.side_eases[corners]
 
 
-def _library_ease(library: ModuleType, half_edges: np.ndarray, ratio: float) -> Ease:
+def _library_ease(half_edges: np.ndarray, ratio: float) -> Ease:
     try:
-        return library.Ease(half_edges, ratio)
-    except library.FlattenError as error:  # the library's error does not name the place
+        return Ease(half_edges, ratio)
+    except FlattenError as error:  # the library's error does not name the place
         edges = [tuple(pair) for pair in half_edges.tolist()]
         sentence = f"The ease of one side is invalid along {counted(len(edges), 'edge')}. {EASE_AGAIN}"
         raise ObjectError(Issue(str(error.code), sentence, edges=edges)) from error

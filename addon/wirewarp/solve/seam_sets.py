@@ -9,11 +9,10 @@ from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import replace
 from functools import partial
-from types import ModuleType
 
 import numpy as np
 
-from ..core import Cache, make_report, pattern, percent_text
+from ..core import Cache, FlattenError, cut_mesh, make_report, pattern, percent_text, start, start_simplify
 from ..issues import ObjectError, object_error
 from .arrays import MeshArrays
 from .chains import edge_keys, next_corners
@@ -38,9 +37,7 @@ def limits_up_to(stretches: Sequence[float]) -> list[float]:
     return sorted({*(limit for limit in LIMITS if not stretches or limit < max(stretches)), *stretches})
 
 
-def fewer_seams(
-    library: ModuleType, arrays: MeshArrays, choices: FlattenChoices, limits: Sequence[float], remedy: str
-) -> Steps[list[Cut]]:
+def fewer_seams(arrays: MeshArrays, choices: FlattenChoices, limits: Sequence[float], remedy: str) -> Steps[list[Cut]]:
     """Return sets of seams to clear: one for each limit that allows fewer seams than the limit below.
 
     limits: accepted stretches in ascending order; the sets are in the opposite order. If canceled, the sets found so
@@ -51,10 +48,10 @@ def fewer_seams(
     seams, cleared, length, before = arrays.seams, arrays.seams[:0], 0.0, math.inf
     found: list[Cut] = []
     try:
-        arguments = library_arguments(library, arrays, choices)
+        arguments = library_arguments(arrays, choices)
         for index, limit in enumerate(limits):
             arguments |= {"seams": seams, "strain": limit}
-            job = library.start_simplify(arrays.vertices, arrays.triangles, **arguments)
+            job = start_simplify(arrays.vertices, arrays.triangles, **arguments)
             try:
                 fewer = yield from reported_as(result_of(job), partial(of_all, index, len(limits)))
             except CanceledError:
@@ -70,7 +67,7 @@ def fewer_seams(
             seams, cleared = fewer.edges, np.concatenate([cleared, fewer.opened])
             length += fewer.length_before - fewer.length
             found.append(_row(arrays, cleared, length, fewer.strain, before, fewer.num_pieces))
-    except library.FlattenError as error:
+    except FlattenError as error:
         raise ObjectError(issue_of_error(error, arrays)) from error
     if not found:
         needed = f"Every seam is needed for a stretch of {percent_text(limits[-1])} or less."
@@ -108,7 +105,7 @@ def within_fabric(search: Steps[list[Cut]], limits: Sequence[float], remedy: str
 
 
 def first_sets(
-    library: ModuleType, arrays: MeshArrays, choices: FlattenChoices, options: SearchOptions, no_seam: NoSeam
+    arrays: MeshArrays, choices: FlattenChoices, options: SearchOptions, no_seam: NoSeam
 ) -> Steps[list[Cut]]:
     """Return cut sets for a fabric with a known maximum stretch; other cuts if no piece needs a set.
 
@@ -118,21 +115,17 @@ def first_sets(
     """
     cloth = choices.cloth
     if cloth is not None and not (cloth.worn_across or cloth.worn_along):
-        cuts = yield from suggest_cuts(library, arrays, replace(choices, cloth=None), options, no_seam)
+        cuts = yield from suggest_cuts(arrays, replace(choices, cloth=None), options, no_seam)
         if cuts[0].is_set:
             return cuts
-    return (yield from suggest_cuts(library, arrays, choices, options, no_seam))
+    return (yield from suggest_cuts(arrays, choices, options, no_seam))
 
 
 SEARCH = 0.8  # progress at which the search ends; the rest is for measuring the sets
 
 
 def with_measures(
-    search: Steps[list[Cut]],
-    library: ModuleType,
-    arrays: MeshArrays,
-    choices: FlattenChoices,
-    limits: Sequence[float],
+    search: Steps[list[Cut]], arrays: MeshArrays, choices: FlattenChoices, limits: Sequence[float]
 ) -> Steps[list[Cut]]:
     """Search, and return cut sets with their widths and threads, without those that have failed pieces. Sets that were
     not measured when the user canceled have none.
@@ -144,7 +137,7 @@ def with_measures(
         return cuts
     measured: list[Cut] = []
     with suppress(CanceledError):  # the other sets keep the figures of the search
-        yield from reported_as(_measure(cuts, measured, library, arrays, choices), _after_search)
+        yield from reported_as(_measure(cuts, measured, arrays, choices), _after_search)
     sets = [cut for cut in [*measured, *cuts[len(measured) :]] if math.isfinite(cut.strain)]
     if not sets:
         sentence = "Each set of seams that was found has a piece that fails with this fabric. Choose another fabric."
@@ -156,35 +149,31 @@ def _after_search(share: float) -> float:
     return SEARCH + (1 - SEARCH) * share
 
 
-def _measure(
-    cuts: Sequence[Cut], measured: list[Cut], library: ModuleType, arrays: MeshArrays, choices: FlattenChoices
-) -> Steps[None]:
+def _measure(cuts: Sequence[Cut], measured: list[Cut], arrays: MeshArrays, choices: FlattenChoices) -> Steps[None]:
     """Add the measured sets to a list."""
-    solved = library.Cache()
+    solved = Cache()
     for index, cut in enumerate(cuts):
-        steps = _measured_set(library, arrays, choices, cut, solved)
+        steps = _measured_set(arrays, choices, cut, solved)
         measured.append((yield from reported_as(steps, partial(of_all, index, len(cuts)))))
 
 
-def _measured_set(
-    library: ModuleType, arrays: MeshArrays, choices: FlattenChoices, cut: Cut, solved: Cache
-) -> Steps[Cut]:
+def _measured_set(arrays: MeshArrays, choices: FlattenChoices, cut: Cut, solved: Cache) -> Steps[Cut]:
     """Return the set with the narrowest width of the pieces that it changes, and whether one has no room.
 
     If there are pieces without room for their allowances, the width is theirs. It is in Blender units; None if no piece
     is flat. If the maximum stretch of the fabric is known, the set gets the strain of the fabric and the threads of its
     worst piece. If a piece fails, the strain is infinite.
     """
-    arguments, count = library_arguments(library, arrays, choices), len(arrays.vertices)
+    arguments, count = library_arguments(arrays, choices), len(arrays.vertices)
     sides, allowances = _own_allowances(arrays)
     if cut.cleared:
         vertices, faces, changed = arrays.vertices, arrays.triangles, np.array(cut.cleared)
         arguments["seams"] = arrays.seams[~np.isin(edge_keys(arrays.seams, count), edge_keys(changed, count))]
     else:
         # The lines of a set do not divide edges of seams and wires, and vertices keep their numbers.
-        vertices, faces, changed, _ = library.cut_mesh(arrays.vertices, arrays.triangles, cut.paths)
+        vertices, faces, changed, _ = cut_mesh(arrays.vertices, arrays.triangles, cut.paths)
         arguments["seams"] = np.concatenate([arrays.seams, changed])
-    result = yield from result_of(library.start(vertices, faces, **arguments, cache=solved))
+    result = yield from result_of(start(vertices, faces, **arguments, cache=solved))
     pieces = result.pieces
     own = pattern.pieces_along(pieces, changed)
     widths, without_room = [], []
@@ -196,7 +185,7 @@ def _measured_set(
     cut = replace(cut, width=min(without_room or widths, default=None), is_narrow=bool(without_room))
     if not known_stretch(choices.cloth):
         return cut
-    report = make_report(result, vertices, faces, **library_marks(library, arrays), **limits_of(choices.cloth))
+    report = make_report(result, vertices, faces, **library_marks(arrays), **limits_of(choices.cloth))
     reports = zip(pieces, report.pieces, strict=True)
     own_reports = [each for piece, each in reports if any(piece is other for other in own)]
     threads = [each.threads for each in own_reports if each.ok and each.threads]

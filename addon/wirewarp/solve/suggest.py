@@ -4,12 +4,25 @@
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
-from types import ModuleType
 from typing import Any
 
 import numpy as np
 
-from ..core import DartProposal, Job, LengthText, SurfacePath, Threads, counted, percent_text, quoted
+from ..core import (
+    DartProposal,
+    ErrorCode,
+    FlattenError,
+    Job,
+    LengthText,
+    SurfacePath,
+    Threads,
+    counted,
+    percent_text,
+    quoted,
+    start_darts,
+    start_plan,
+    start_seams,
+)
 from ..issues import ObjectError
 from ..names import NO_SEAM
 from .arrays import MeshArrays
@@ -104,7 +117,7 @@ class SearchOptions:
 
 
 def suggest_cuts(
-    library: ModuleType, arrays: MeshArrays, choices: FlattenChoices, options: SearchOptions, no_seam: NoSeam
+    arrays: MeshArrays, choices: FlattenChoices, options: SearchOptions, no_seam: NoSeam
 ) -> Steps[list[Cut]]:
     """Return cuts, or the steps to a target. The best dart or seam is first, but darts with corners come after all
     others. Cut sets are not sorted.
@@ -112,47 +125,43 @@ def suggest_cuts(
     If canceled, the cut sets found so far are returned. Raises ObjectError, for example if there is nothing to gain.
     """
     try:
-        shared = library_arguments(library, arrays, choices)
+        shared = library_arguments(arrays, choices)
         across = diagonals(arrays)
         forbidden = np.concatenate([_forbidden_edges(arrays, no_seam), _forbidden_diagonals(across, arrays, no_seam)])
         arguments = {"vertices": arrays.vertices, "faces": arrays.triangles, **shared, "piece": options.piece}
         around = arrays.edges[painted_at_edges(arrays, no_seam) > 0]
-        job = _start(library, options, arguments | {"no_seam": forbidden}, around, arrays.default_allowance)
+        job = _start(options, arguments | {"no_seam": forbidden}, around, arrays.default_allowance)
         try:
             proposals = yield from result_of(job)
         except CanceledError:
-            proposals = yield from _found_by_then(library, job)
+            proposals = yield from _found_by_then(job)
         if options.target is not None:
             return _steps_of(proposals, arrays, options.piece)
         cuts = _with_mirror_images(proposals, arrays)
         if options.is_smooth and options.kind == "DARTS":
             cuts.sort(key=lambda cut: cut.is_bent)
         return cuts
-    except library.FlattenError as error:
+    except FlattenError as error:
         issue = issue_of_error(error, arrays, piece=options.piece_text(arrays, np.asarray(error.faces, dtype=int)))
         if issue.code == "no_proposal" and (no_seam.faces.any() or no_seam.vertices.any()):
             issue = replace(issue, sentence=issue.sentence + PAINTED)
         raise ObjectError(issue) from error
 
 
-def _found_by_then(library: ModuleType, job: "Job[list[DartProposal]]") -> Steps[list[DartProposal]]:
+def _found_by_then(job: "Job[list[DartProposal]]") -> Steps[list[DartProposal]]:
     """Return the cut sets that a canceled job has found. Raises CanceledError if it has found none."""
     while not job.is_done():
         yield job.progress()[1]
     try:
         return job.result()
-    except library.FlattenError as error:
-        if error.code != library.ErrorCode.cancelled:
+    except FlattenError as error:
+        if error.code != ErrorCode.cancelled:
             raise
         raise CanceledError from error
 
 
 def _start(
-    library: ModuleType,
-    options: SearchOptions,
-    arguments: dict[str, Any],
-    around_painted: np.ndarray,
-    allowance: float,
+    options: SearchOptions, arguments: dict[str, Any], around_painted: np.ndarray, allowance: float
 ) -> "Job[list[DartProposal]]":
     """Start the search.
 
@@ -161,12 +170,12 @@ def _start(
     """
     target, is_dart = options.target, options.kind == "DARTS"
     if target is not None:
-        limits = {"strain": target.strain, "most": target.most, "total_length": target.length}
-        return library.start_plan(**arguments, **limits, kind="dart" if is_dart else "seam", twins=True)
-    lines = {"smooth": options.is_smooth, "no_crossing": around_painted}
+        arguments |= {"strain": target.strain, "most": target.most, "total_length": target.length}
+        return start_plan(**arguments, kind="dart" if is_dart else "seam", twins=True)
+    arguments |= {"smooth": options.is_smooth, "no_crossing": around_painted}
     if not is_dart:
-        return library.start_seams(**arguments, **lines, strain=options.strain, narrowest=ROOM * allowance)
-    return library.start_darts(**arguments, **lines)
+        return start_seams(**arguments, strain=options.strain, narrowest=ROOM * allowance)
+    return start_darts(**arguments)
 
 
 def diagonals(arrays: MeshArrays) -> np.ndarray:

@@ -6,12 +6,11 @@ from dataclasses import dataclass, replace
 import bpy
 from bpy.props import EnumProperty, IntProperty
 
-from .. import core
 from ..blender.mesh import evaluated_mesh
 from ..blender.objects import check_local, length_text, meters_per_blender_unit
 from ..blender.selection import WORKING_MODES, in_object_mode
 from ..blender.views import redraw_views
-from ..core import paragraph, quoted
+from ..core import ANY_LIMIT, paragraph, quoted
 from ..flatten.models import Model
 from ..flatten.read import active_target, check_sources, find_source, is_current, read_models
 from ..issues import ObjectError, changed_error, object_error
@@ -107,14 +106,14 @@ def begin_search(context: bpy.types.Context, source: bpy.types.Object, kind: str
     options = SearchOptions(kind, piece, target, strain, is_smooth, names)
     if kind == "FEWER":
         accepted, remedy = ([target.strain], SET_TARGET) if target else (limits_up_to(limits), CHOOSE_FABRIC)
-        steps = fewer_seams(core.library(), model.arrays, choices, accepted, remedy)
+        steps = fewer_seams(model.arrays, choices, accepted, remedy)
         options = replace(options, target=None)  # the sets are alternatives, not steps
     elif kind == "SEAMS" and is_for_sets and limits and target is None:
-        steps = first_sets(core.library(), model.arrays, choices, options, no_seam)
+        steps = first_sets(model.arrays, choices, options, no_seam)
     else:
-        steps = suggest_cuts(core.library(), model.arrays, choices, options, no_seam)
+        steps = suggest_cuts(model.arrays, choices, options, no_seam)
     if options.target is None:
-        steps = with_measures(steps, core.library(), model.arrays, choices, limits or SOFT)
+        steps = with_measures(steps, model.arrays, choices, limits or SOFT)
     if kind == "FEWER" and limits and not target:
         steps = within_fabric(steps, limits, CHOOSE_FABRIC)
     return Search(options, model, used, own, is_shaped or is_split, steps, {each.index: each.name for each in pieces})
@@ -123,7 +122,7 @@ def begin_search(context: bpy.types.Context, source: bpy.types.Object, kind: str
 def _lacks_seams(report: ObjectReport, piece: int | None) -> bool:
     """Return whether the search is for cut sets. A piece that is flat gets cuts even if its fabric suffices."""
     pieces = report.pieces if piece is None else report.pieces[piece : piece + 1]
-    return not pieces or any(not each.ok or each.needed > core.ANY_LIMIT for each in pieces)
+    return not pieces or any(not each.ok or each.needed > ANY_LIMIT for each in pieces)
 
 
 def _names_of(search: Search, cuts: list[Cut]) -> list[str]:

@@ -15,11 +15,10 @@ import numpy as np
 from mathutils import Vector
 from numpy.typing import ArrayLike
 
-from .. import core
 from ..blender.mesh import edge_vertices, faces_at_edges, read_seams, read_selected_edges
 from ..blender.objects import check_local
 from ..blender.selection import in_object_mode, select_edges_in_edit_mode
-from ..core import Issue, SurfacePath, counted
+from ..core import FlattenError, Issue, SurfacePath, Wire, counted, straighten_path
 from ..issues import ObjectError, object_error
 from ..marks.ease import clear_seams, edges_with_marks, mark_seams
 from ..names import MARKS
@@ -62,8 +61,8 @@ def take_away(source: bpy.types.Object, seams: Pairs, with_modifiers: bool) -> i
 def _divided(arrays: MeshArrays, paths: Sequence[SurfacePath]) -> Division:
     """Return the division of the faces by the lines. Raises ObjectError if the lines cannot be cut."""
     try:
-        return divide(core.library(), arrays, paths)
-    except core.FlattenError as error:
+        return divide(arrays, paths)
+    except FlattenError as error:
         raise ObjectError(issue_of_error(error, arrays)) from error
 
 
@@ -231,14 +230,13 @@ def _smooth_line(arrays: MeshArrays, path: list[int], kept: Pairs, no_seam: NoSe
     It crosses kept edges at the same places, and enters only painted faces that the path enters. Edges of the path must
     not be seams. Raises ObjectError.
     """
-    library = core.library()
     painted = (painted_at_edges(arrays, no_seam) > 0) | no_seam.vertices[arrays.edges].all(axis=1)
     painted &= ~np.isin(_keys(arrays.edges, arrays), _keys(list(pairwise(path)), arrays))
     seams = np.concatenate([arrays.seams, np.array(kept, dtype=np.int32).reshape(-1, 2), arrays.edges[painted]])
     try:
-        wires = [library.Wire(wire.chain.vertices, wire.chain.tolerance) for wire in arrays.wires]
-        ends, t = library.straighten_path(arrays.vertices, arrays.triangles, path, seams=seams, wires=wires)
-    except library.FlattenError as error:
+        wires = [Wire(wire.chain.vertices, wire.chain.tolerance) for wire in arrays.wires]
+        ends, t = straighten_path(arrays.vertices, arrays.triangles, path, seams=seams, wires=wires)
+    except FlattenError as error:
         raise ObjectError(issue_of_error(error, arrays)) from error
     return _on_triangles(ends, t, arrays)
 
@@ -252,7 +250,7 @@ def _on_triangles(ends: np.ndarray, t: np.ndarray, arrays: MeshArrays) -> Surfac
         row = np.flatnonzero((triangles == first).any(axis=1) & (triangles == second).any(axis=1))[0]
         faces.append(int(near[row]))
         coordinates.append((1 - share) * (triangles[row] == first) + share * (triangles[row] == second))
-    return core.library().SurfacePath(faces, coordinates)
+    return SurfacePath(faces, coordinates)
 
 
 def _keys(pairs: ArrayLike, arrays: MeshArrays) -> np.ndarray:
