@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Flat pieces as arrays, and their outlines: edges with one face, and the loops of such edges."""
+"""Flat pieces as arrays, and their outlines: the edges with one face."""
 
 from dataclasses import dataclass
 
 import numpy as np
 
-from .chains import EdgeMarks, edge_keys, next_corners
+from .chains import EdgeMarks, next_corners
 
 
 @dataclass(frozen=True)
@@ -51,9 +51,9 @@ def outline_edges(
 ) -> OutlineEdges:
     """Return the outline edges of vertices (n,2). For each corner (l,), face by face, the vertex and the edge to the
     next corner are given; for each face, its size and its piece."""
-    a, b = _face_sides(loop_vertices, face_sizes)
     lonely = np.flatnonzero(np.bincount(loop_edges)[loop_edges] == 1)
-    edges, piece = np.column_stack([a[lonely], b[lonely]]).astype(np.int64), np.repeat(face_piece, face_sizes)[lonely]
+    corners = np.column_stack([lonely, next_corners(face_sizes)[lonely]])
+    edges, piece = loop_vertices[corners].astype(np.int64), np.repeat(face_piece, face_sizes)[lonely]
     return OutlineEdges(edges, piece, _inward(vertices, edges, piece))
 
 
@@ -61,20 +61,9 @@ def outline_of(flat: FlatPieces) -> OutlineEdges:
     return outline_edges(flat.vertices, flat.loop_vertices, flat.loop_edges, flat.face_sizes, flat.face_piece)
 
 
-def number_edges(loop_vertices: np.ndarray, face_sizes: np.ndarray) -> np.ndarray:
-    """Return a number for the edge from each corner to the next (l,), for meshes whose edges have no numbers."""
-    sides = np.column_stack(_face_sides(loop_vertices, face_sizes))
-    return np.unique(edge_keys(sides, int(loop_vertices.max(initial=0)) + 1), return_inverse=True)[1]
-
-
 def signed_areas(vertices: np.ndarray, outline: OutlineEdges) -> np.ndarray:
     """Return the areas (p,) of the pieces 0, 1, ...; below 0 if the outline runs clockwise."""
     return _areas(vertices, outline.edges[:, 0], outline.edges[:, 1], outline.piece)
-
-
-def _face_sides(loop_vertices: np.ndarray, face_sizes: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the vertices (l,) at the start and those (l,) at the end of each side of each face."""
-    return loop_vertices, loop_vertices[next_corners(face_sizes)]
 
 
 def _areas(vertices: np.ndarray, a: np.ndarray, b: np.ndarray, piece: np.ndarray) -> np.ndarray:
@@ -98,22 +87,3 @@ def _inward(vertices: np.ndarray, edges: np.ndarray, piece: np.ndarray) -> np.nd
     side = np.sign(_areas(vertices, edges[:, 0], edges[:, 1], row))[row]
     left = np.column_stack([-along[:, 1], along[:, 0]])
     return left * (side / np.maximum(np.linalg.norm(along, axis=1), np.finfo(float).tiny))[:, None]
-
-
-def outline_loops(outline: OutlineEdges, piece: int) -> list[np.ndarray]:
-    """Return a list with the vertices (k,) of each closed loop of a piece's outline, in order."""
-    following: dict[int, list[int]] = {}
-    for a, b in outline.edges[outline.piece == piece].tolist():
-        following.setdefault(a, []).append(b)
-    loops = []
-    while following:
-        loop = [next(iter(following))]
-        while loop[-1] in following:
-            ends = following[loop[-1]]
-            loop.append(ends.pop())
-            if not ends:
-                del following[loop[-2]]
-            if loop[-1] == loop[0]:
-                break
-        loops.append(np.array(loop[:-1]))
-    return loops

@@ -9,7 +9,7 @@ import numpy as np
 
 from ..core import pattern
 from .flat_mesh import FlatMesh
-from .outlines import FlatPieces, OutlineEdges, number_edges, outline_edges, outline_loops, piece_of_vertices
+from .outlines import FlatPieces, OutlineEdges, outline_edges, piece_of_vertices
 
 SAMPLE = 100  # number of points by which the place of a piece is stored
 # Points of pieces that have a place but no shape at present. Rows (k,4): piece id, source vertex, place (2).
@@ -94,7 +94,8 @@ class _Pieces:
         return np.array([points.min(axis=0), points.max(axis=0)])
 
     def outlines(self, piece_id: int, motion: Motion = STAY) -> list[np.ndarray]:
-        return [motion(self._pieces.vertices[loop]) for loop in outline_loops(self._outlines, piece_id)]
+        own = self._outlines.edges[self._outlines.piece == piece_id]
+        return [motion(line) for line in pattern.closed_lines(self._pieces.vertices, own)]
 
     def area(self, piece_id: int) -> float:
         return abs(sum(map(pattern.geometry.signed_area, self.outlines(piece_id))))
@@ -102,8 +103,9 @@ class _Pieces:
     @cached_property
     def _outlines(self) -> OutlineEdges:
         pieces = self._pieces
-        loops, sizes = pieces.loop_vertices, pieces.face_sizes
-        return outline_edges(pieces.vertices, loops, number_edges(loops, sizes), sizes, pieces.piece_id)
+        return outline_edges(
+            pieces.vertices, pieces.loop_vertices, pieces.loop_edges, pieces.face_sizes, pieces.piece_id
+        )
 
 
 def points_of(earlier: FlatPieces, away: np.ndarray, piece_ids: Sequence[int]) -> np.ndarray:

@@ -13,7 +13,7 @@ from .make.outline import Chain, FlatPiece, FlatWire
 from .make.seams import longer_text
 from .marker import Marker, Placement
 from .model import Line, PatternPiece, Point, Text
-from .narrow import has_room, narrowest_width, piece_width, pieces_along
+from .narrow import closed_lines, has_room, narrowest_width, piece_width, pieces_along
 from .options import PatternOptions
 from .pattern import Pattern
 from .pattern_data import PatternData, SewingStep, Written
@@ -45,6 +45,7 @@ __all__ = [
     "UnitSystem",
     "Written",
     "add_font_folder",
+    "closed_lines",
     "has_room",
     "longer_text",
     "narrowest_width",

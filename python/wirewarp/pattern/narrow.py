@@ -82,7 +82,7 @@ def outline_has_room(
     given = dict(zip((np.reshape(sides, (-1, 2)) @ [count, 1]).tolist(), np.ravel(widths).tolist(), strict=True))
     keys = source_vertex[outline].astype(np.int64) @ [count, 1]
     strips = np.array([given.get(key, allowance) for key in keys.tolist()])
-    loops = _loops(vertices, outline)
+    loops = closed_lines(vertices, outline)
     narrowest = narrowest_width(loops, 2 * float(strips.max()))
     if narrowest >= 2 * strips.max():
         return True
@@ -145,7 +145,7 @@ def _area(paths: Sequence[Polygon]) -> float:
 
 def piece_width(piece: "Piece") -> float:
     """Return the narrowest width of a piece with a flat shape, in scene units: see narrowest_width()."""
-    return narrowest_width(_loops(piece.vertices, outline_sides(piece)))
+    return narrowest_width(closed_lines(piece.vertices, outline_sides(piece)))
 
 
 def pieces_along(pieces: Iterable["Piece"], edges: ArrayLike) -> list["Piece"]:
@@ -171,8 +171,8 @@ def outline_sides(piece: "Piece") -> np.ndarray:
     return sides[~np.isin(sides @ [count, 1], sides @ [1, count])]
 
 
-def _loops(vertices: np.ndarray, outline: np.ndarray) -> list[np.ndarray]:
-    """Return the closed outlines (k,2) of the sides (b,2). Outlines may meet at a vertex."""
+def closed_lines(vertices: np.ndarray, outline: np.ndarray) -> list[np.ndarray]:
+    """Return the closed outlines (k,2) of the sides (b,2), which may meet at a vertex. vertices (p,2)."""
     following: dict[int, list[int]] = {}
     for first, second in outline.tolist():
         following.setdefault(first, []).append(second)
