@@ -124,7 +124,7 @@ def test_overlapping_pieces_are_named_at_the_export(source, tmp_path, capfd):
         flat.vertices[vertex].co += by
     bpy.ops.object.wirewarp_export_svg(filepath=path)
     names = [entry.name for entry in source.wirewarp_pieces]
-    over = ", ".join(names[index] for index in sorted(pieces))
+    over = " and ".join(names[index] for index in sorted(pieces))
     assert f"These pieces overlap: {over}. Move them apart before you cut." in capfd.readouterr().out
 
 

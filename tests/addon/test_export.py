@@ -158,7 +158,7 @@ def test_the_first_of_many_overlapping_pieces_are_named(addon):
         return addon.export.steps.crossing_sentence(module.Pattern("Pile", pieces, "none", module.UnitSystem()))
 
     assert overlap_of(1) == ""
-    assert "overlap: P0, P1, P2, P3. Move" in overlap_of(4)
+    assert "overlap: P0, P1, P2 and P3. Move" in overlap_of(4)
     assert "overlap: P0, P1, P2, P3 and 2 more. Move" in overlap_of(6)
 
 

@@ -7,7 +7,7 @@ from typing import Any
 import bpy
 from bpy.props import BoolProperty, EnumProperty, IntProperty, StringProperty
 
-from ..core import counted, pattern
+from ..core import counted, listed, pattern
 from ..properties import PatternSettings, take_settings
 from .export import GRAINS, Cloth, ExportChoices, library_paper
 from .steps import PatternExport, largest_sentence, size_sentences
@@ -154,7 +154,7 @@ class OBJECT_OT_wirewarp_export(PatternExport, PatternSettings, bpy.types.Operat
         if self.proof_sheet:
             total = len(made.page_sizes(**self._write_options() | {"proof": True}))
             what.append(counted(total - len(pages), "proof sheet"))
-        sheets = f"{total} sheets of {pattern.PAPERS[str(paper)].label}: {', '.join(what[:-1])} and {what[-1]}"
+        sheets = f"{total} sheets of {pattern.PAPERS[str(paper)].label}: {listed(what)}"
         return [f"{count} on {sheets}.", largest_sentence(made)]
 
 

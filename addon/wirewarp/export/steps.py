@@ -23,7 +23,7 @@ from ..blender.files import (
     unwritten,
 )
 from ..blender.selection import WORKING_MODES, in_object_mode
-from ..core import SHOWN_NAMES, FlattenError, counted, pattern
+from ..core import FlattenError, counted, listed, pattern
 from ..issues import ObjectError, object_error
 from ..solve.steps import CanceledError
 from ..state.owners import earlier_sentence, has_flat_object, is_earlier, model_or_self
@@ -43,11 +43,7 @@ INCH = 25.4
 def crossing_sentence(made: pattern.Pattern) -> str:
     """Return a sentence; empty if no pieces overlap."""
     names = pieces_over_others(made.pieces)
-    if not names:
-        return ""
-    hidden = len(names) - SHOWN_NAMES
-    shown = ", ".join(names[:SHOWN_NAMES]) + (f" and {hidden} more" if hidden > 0 else "")
-    return f"These pieces overlap: {shown}. Move them apart before you cut."
+    return f"These pieces overlap: {listed(names)}. Move them apart before you cut." if names else ""
 
 
 def copies_sentences(made: pattern.Pattern) -> list[str]:
@@ -55,9 +51,7 @@ def copies_sentences(made: pattern.Pattern) -> list[str]:
     drawn: dict[str, list[str]] = {}
     for piece in made.pieces:
         if piece.copied_names:
-            hidden = len(piece.copied_names) - SHOWN_NAMES
-            *others, last = piece.copied_names[:SHOWN_NAMES] + ((f"{hidden} more",) if hidden > 0 else ())
-            drawn.setdefault(piece.quantity_text, []).append(f"{', '.join([piece.name, *others])} and {last}")
+            drawn.setdefault(piece.quantity_text, []).append(listed([piece.name, *piece.copied_names]))
     folds = [piece.name for piece in made.pieces if piece.on_fold]
     sentences = [f"{what}: {'; '.join(names)}" for what, names in drawn.items()]
     return [*sentences, f"On the fold: {', '.join(folds)}"] if folds else sentences
@@ -72,8 +66,7 @@ def copies_of_piece(made: pattern.Pattern, name: str) -> str:
             continue
         others = names.copy()
         others.remove(name)  # removes one entry only, because pieces may have the same name
-        hidden = [f"{len(others) - SHOWN_NAMES} more"] if len(others) > SHOWN_NAMES else []
-        equal = [f"{piece.quantity_text}, with {', '.join(others[:SHOWN_NAMES] + hidden)}"] if others else []
+        equal = [f"{piece.quantity_text}, with {listed(others)}"] if others else []
         return ". ".join(equal + ["Can be cut on the fold"] * piece.on_fold)
     return ""
 

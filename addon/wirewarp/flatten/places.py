@@ -10,6 +10,7 @@ from mathutils import Vector
 
 from ..blender.attributes import has_attributes
 from ..blender.objects import linear_part, world_box
+from ..core import listed
 from ..issues import ObjectError
 from ..names import PIECE, SOURCE_VERTEX
 from ..solve.flat_mesh import FlatMesh
@@ -125,4 +126,4 @@ def is_turned(up: np.ndarray, then: np.ndarray, report: ObjectReport) -> bool:
 def crowded_text(names: list[str]) -> str:
     if len(names) == 1:
         return f"{names[0]} no longer fits in its place and was moved aside."
-    return f"{', '.join(names[:-1])} and {names[-1]} no longer fit in their places and were moved aside."
+    return f"{listed(names)} no longer fit in their places and were moved aside."

@@ -17,7 +17,6 @@ from .strain import percent_text
 from .verdict import (
     ANY_LIMIT,
     CLOSED_CODE,
-    SHOWN_NAMES,
     Kind,
     Level,
     Line,
@@ -77,7 +76,6 @@ __all__ = [
     "merged",
     "tables_of",
     "percent_text",
-    "SHOWN_NAMES",
     "Kind",
     "Level",
     "Line",
