@@ -56,10 +56,7 @@ def _model_lengths(result: FlattenResult, arrays: MeshArrays, choices: FlattenCh
     lengths = edge_lengths(arrays.vertices, arrays.edges)
     if choices.thickness == 0 or choices.surface == "middle":
         return lengths
-    weft, warp, shear = (
-        _of_triangles(result, f"face_{name}", len(arrays.triangles))[:, None]
-        for name in ("weft_strain", "warp_strain", "shear_angle")
-    )
+    weft, warp, shear = (each[:, None] for each in _threads_of_triangles(result))
     towards = -1 if choices.mirror else 1  # shear is measured from outside
     dx, dy = (np.roll(result.corner_uv, -1, axis=1) - result.corner_uv).transpose(2, 0, 1)  # (m,3), the sides
     with np.errstate(invalid="ignore"):  # triangles without a layout or without area
@@ -71,9 +68,14 @@ def _model_lengths(result: FlattenResult, arrays: MeshArrays, choices: FlattenCh
     return lengths
 
 
-def _of_triangles(result: FlattenResult, name: str, count: int) -> np.ndarray:
+def _threads_of_triangles(result: FlattenResult) -> list[np.ndarray]:
+    """Return weft strain, warp strain and shear angle (m,) of the triangles of all pieces."""
+    return [_of_triangles(result, name) for name in ("face_weft_strain", "face_warp_strain", "face_shear_angle")]
+
+
+def _of_triangles(result: FlattenResult, name: str) -> np.ndarray:
     """Return a measure (m,) of the triangles of all pieces."""
-    values = np.full(count, np.nan)
+    values = np.full(len(result.corner_uv), np.nan)
     for piece in result.pieces:
         values[piece.source_face] = getattr(piece.metrics, name)
     return values
@@ -130,10 +132,7 @@ def flat_mesh(
     result: FlattenResult, arrays: MeshArrays, identities: Sequence[PieceIdentity], choices: FlattenChoices
 ) -> FlatMesh:
     """Return the pieces of a FlattenResult side by side, as packed."""
-    vertices, source_vertex, vertex_piece, flat_triangles, piece_of_triangle, energy, ratio = _join_pieces(
-        result, arrays
-    )
-    areas = _model_areas(result, arrays)
+    vertices, source_vertex, vertex_piece, flat_triangles, piece_of_triangle = _join_pieces(result)
     placed = has_layout(result.corner_uv)
     polygon_count = len(arrays.polygon_starts)
     kept = np.zeros(polygon_count, dtype=bool)
@@ -149,9 +148,10 @@ def flat_mesh(
     source_corner = _loops_of(arrays, kept)
     loop_vertices = vertex_of_loop[source_corner]
     edges, loop_edges, source_edge = _edges(loop_vertices, source_corner, sizes, arrays)
+    energy, ratio = (_of_triangles(result, name) for name in ("face_arap", "face_aspect_ratio"))
     face_energy = np.add.reduceat(energy, first_triangle)[kept]
-    face_area = np.add.reduceat(areas, first_triangle)[kept]
     signed_areas = _signed_areas(vertices, flat_triangles)
+    face_area = np.add.reduceat(_model_areas(result, arrays, signed_areas), first_triangle)[kept]
     flat_area = np.add.reduceat(np.abs(signed_areas), first_triangle)[kept]
     return FlatMesh(
         vertices=vertices,
@@ -187,25 +187,21 @@ def flat_mesh(
 
 def _threads(result: FlattenResult, first_triangle: np.ndarray, kept: np.ndarray) -> Threads:
     """Return the measures. first_triangle (f,), kept (f,): one entry per polygon of the model."""
-    count = sum(len(piece.source_face) for piece in result.pieces)
     measures = []
-    for name in ("face_weft_strain", "face_warp_strain", "face_shear_angle"):
-        values = np.zeros(count)
-        for piece in result.pieces:
-            own = getattr(piece.metrics, name)
-            values[piece.source_face] = np.where(np.isfinite(own), own, 0)
+    for measure in _threads_of_triangles(result):
+        values = np.where(np.isfinite(measure), measure, 0)
         most, least = (each.reduceat(values, first_triangle)[kept] for each in (np.maximum, np.minimum))
         measures.append(np.where(most >= -least, most, least).astype(np.float32))
     weft, warp, shear = measures
     return Threads(weft, warp, np.abs(shear))
 
 
-def _join_pieces(result: FlattenResult, arrays: MeshArrays) -> tuple[np.ndarray, ...]:
-    """Return the vertices of all pieces, and of each input triangle its corners, piece, energy and aspect ratio."""
-    count = len(arrays.triangles)
+def _join_pieces(result: FlattenResult) -> tuple[np.ndarray, ...]:
+    """Return the vertices of all pieces, their vertices of the model and their pieces, and of each triangle its corners
+    and piece."""
+    count = len(result.corner_uv)
     flat_triangles = np.full((count, 3), -1, dtype=np.int32)
     piece_of_triangle = np.zeros(count, dtype=np.int32)
-    energy, ratio = np.zeros(count), np.ones(count)
     vertices, source_vertex, offset = [np.empty((0, 2))], [np.empty(0, dtype=np.int32)], 0
     vertex_piece = [np.empty(0, dtype=np.int32)]
     for index, piece in enumerate(result.pieces):
@@ -213,8 +209,6 @@ def _join_pieces(result: FlattenResult, arrays: MeshArrays) -> tuple[np.ndarray,
         if len(piece.vertices) == 0 or not np.isfinite(piece.vertices).all():
             continue
         flat_triangles[piece.source_face] = piece.faces + offset
-        energy[piece.source_face] = piece.metrics.face_arap
-        ratio[piece.source_face] = piece.metrics.face_aspect_ratio
         vertices.append(piece.vertices)
         source_vertex.append(piece.source_vertex)
         vertex_piece.append(np.full(len(piece.vertices), index, dtype=np.int32))
@@ -225,22 +219,17 @@ def _join_pieces(result: FlattenResult, arrays: MeshArrays) -> tuple[np.ndarray,
         np.concatenate(vertex_piece),
         flat_triangles,
         piece_of_triangle,
-        energy,
-        ratio,
     )
 
 
-def _model_areas(result: FlattenResult, arrays: MeshArrays) -> np.ndarray:
+def _model_areas(result: FlattenResult, arrays: MeshArrays, flat: np.ndarray) -> np.ndarray:
     """Return the areas (m,) of the flattened triangles on the model; for thick materials, in their middle. The map from
-    flat to model multiplies areas by p q cos γ. Flat triangles without area have the model's area."""
-    areas = triangle_areas(arrays.vertices, arrays.triangles)
-    for piece in result.pieces:
-        metrics = piece.metrics
-        with np.errstate(invalid="ignore"):
-            p, q = 1 + metrics.face_weft_strain, 1 + metrics.face_warp_strain
-            measured = np.abs(_signed_areas(piece.vertices, piece.faces)) * p * q * np.cos(metrics.face_shear_angle)
-        areas[piece.source_face] = np.where(np.isfinite(measured), measured, areas[piece.source_face])
-    return areas
+    flat to model multiplies areas by p q cos γ. Flat triangles without area have the model's area. flat (m,): flat
+    areas."""
+    weft, warp, shear = _threads_of_triangles(result)
+    with np.errstate(invalid="ignore"):
+        measured = np.abs(flat) * (1 + weft) * (1 + warp) * np.cos(shear)
+    return np.where(np.isfinite(measured), measured, triangle_areas(arrays.vertices, arrays.triangles))
 
 
 def _loops_of(arrays: MeshArrays, kept: np.ndarray) -> np.ndarray:
