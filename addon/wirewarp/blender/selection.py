@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from ..core import Elements
 from ..issues import changed_error, object_error
-from ..solve.chains import edge_keys
+from ..solve.chains import are_among
 from .mesh import corner_edges, current_mesh, edge_vertices, faces_of_corners, read
 from .objects import check_local
 from .views import show_place, work_area
@@ -149,9 +149,8 @@ def _show(context: bpy.types.Context, target: bpy.types.Object) -> None:
 
 def _find_edges(mesh: bpy.types.Mesh, pairs: ArrayLike) -> tuple[np.ndarray, list[int]]:
     """Return a mask of the mesh's edges, and the vertices of the pairs without an edge."""
-    count, ends = len(mesh.vertices), np.asarray(pairs, dtype=np.int64).reshape(-1, 2)
-    keys, wanted = edge_keys(edge_vertices(mesh), count), edge_keys(ends, count)
-    return np.isin(keys, wanted), ends[~np.isin(wanted, keys)].ravel().tolist()
+    edges, ends = edge_vertices(mesh), np.asarray(pairs, dtype=np.int64).reshape(-1, 2)
+    return are_among(edges, ends), ends[~are_among(ends, edges)].ravel().tolist()
 
 
 def _mask(target: bpy.types.Object, elements: bpy.types.bpy_prop_collection, indices: ArrayLike) -> np.ndarray:

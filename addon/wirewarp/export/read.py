@@ -14,7 +14,7 @@ from ..blender.objects import linear_part, meters_per_blender_unit
 from ..core import pattern
 from ..issues import ObjectError, object_error
 from ..names import MARKER, PIECE_INDEX, SOURCE_VERTEX
-from ..solve.chains import chains_of_marks, edge_keys
+from ..solve.chains import are_among, chains_of_marks
 from ..solve.outlines import FlatPieces, OutlineEdges, outline_of, piece_of_vertices
 from ..solve.report import ObjectReport
 from ..state.allowances import read_allowances
@@ -127,7 +127,7 @@ def _inner_wires(
     """Return the wires inside each piece."""
     count, marks = len(flat.vertices), flat.marks.take(flat.marks.rows)
     edges = flat.edges[flat.marks.rows]
-    on_outline = np.isin(edge_keys(edges, count), edge_keys(outline.edges, count))
+    on_outline = are_among(edges, outline.edges)
     piece_of_vertex = piece_of_vertices(count, flat.loop_vertices, flat.face_sizes, flat.face_piece)
     wires: dict[int, list[pattern.FlatWire]] = {}
     for chain in chains_of_marks(edges, marks.without(on_outline), flat.vertices):

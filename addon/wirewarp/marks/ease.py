@@ -29,7 +29,7 @@ from ..core import LooserWire
 from ..issues import object_error
 from ..names import EASE, MARKS
 from ..solve.arrays import edge_lengths
-from ..solve.chains import EdgeMarks, edge_keys, split_into_chains
+from ..solve.chains import EdgeMarks, are_among, split_into_chains
 from ..solve.identity import new_id
 from ..state.allowances import SIDE_EASES, is_set
 from ..state.identities import WireSummary, find_name, find_wires, list_places, repair_names
@@ -116,8 +116,7 @@ def loosen_wires(mesh: bpy.types.Mesh, wires: list[LooserWire]) -> int:
 
 
 def _mask(mesh: bpy.types.Mesh, pairs: list) -> np.ndarray:
-    count = len(mesh.vertices)
-    return np.isin(edge_keys(edge_vertices(mesh), count), edge_keys(pairs, count))
+    return are_among(edge_vertices(mesh), pairs)
 
 
 SAME_AREA = 1e-3  # relative difference of areas: mirrored pieces differ by rounding, a sleeve and a body by much more

@@ -29,7 +29,7 @@ from ..core import Issue, counted
 from ..issues import ObjectError, object_error
 from ..names import SOURCE_FACE, SOURCE_VERTEX
 from ..solve.arrays import island_borders
-from ..solve.chains import edge_keys, split_into_chains
+from ..solve.chains import find_edges, split_into_chains
 from ..solve.identity import new_id
 from ..state.flat_pieces import current_pieces
 from ..state.identities import list_places
@@ -179,7 +179,5 @@ def selected_sides(flat: bpy.types.Object) -> SelectedSides:
     face_of_edge = np.zeros(len(mesh.edges), dtype=np.int64)
     face_of_edge[corner_edges(mesh)] = np.repeat(find_values(mesh, SOURCE_FACE), face_sizes(mesh))
     ends = find_values(mesh, SOURCE_VERTEX)[edge_vertices(mesh)[rows]]
-    keys = edge_keys(edge_vertices(model), len(model.vertices))
-    order = np.argsort(keys)
-    edges = order[np.searchsorted(keys[order], edge_keys(ends, len(model.vertices)))]
+    edges = find_edges(ends, edge_vertices(model))
     return SelectedSides(source, edges, face_of_edge[rows].astype(np.int64), int(selected.sum()) - len(rows))

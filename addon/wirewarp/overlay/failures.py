@@ -18,7 +18,7 @@ from ..blender.mesh import (
 )
 from ..core import Issue, Kind
 from ..names import SOURCE_FACE, SOURCE_VERTEX
-from ..solve.chains import edge_keys
+from ..solve.chains import are_among
 from ..solve.cut_faces import Segments, places_on
 from ..solve.report import ObjectReport
 from ..state.changes import has_changed
@@ -93,7 +93,7 @@ def _elements(target: bpy.types.Object, mesh: bpy.types.Mesh, report: ObjectRepo
     pairs = np.sort(source[edge_vertices(mesh)], axis=1)
     masks = {
         "failed": _failed_edges(mesh, pairs, issues, faces),
-        "proposed": _named(pairs, [] if current_suggestions(model_or_self(target)) else report.offered_seams),
+        "proposed": are_among(pairs, [] if current_suggestions(model_or_self(target)) else report.offered_seams),
     }
     return _Elements({kind: mask for kind, mask in masks.items() if mask.any()}, faces)
 
@@ -107,18 +107,11 @@ def _failed_faces(mesh: bpy.types.Mesh, issues: list[Issue]) -> np.ndarray:
 def _failed_edges(mesh: bpy.types.Mesh, pairs: np.ndarray, issues: list[Issue], faces: np.ndarray) -> np.ndarray:
     """Return a mask of the listed edges, the edges at listed vertices, and the edges around listed faces. Edges between
     listed faces are left out, so that wires and proposed seams stay visible on the tinted faces."""
-    failed = _named(pairs, [edge for issue in issues for edge in issue.edges])
+    failed = are_among(pairs, [edge for issue in issues for edge in issue.edges])
     failed |= np.isin(pairs, [vertex for issue in issues for vertex in issue.vertices]).any(axis=1)
     face_of_corner = faces_of_corners(mesh)
     of_faces = corner_edges(mesh)[np.isin(face_of_corner, faces)]
     return failed | (np.bincount(of_faces, minlength=len(pairs)) == 1)
-
-
-def _named(pairs: np.ndarray, edges: list) -> np.ndarray:
-    """Return a mask of the pairs of the model's vertices (e,2) that are in the list of edges."""
-    wanted = np.array(edges, dtype=np.int64).reshape(-1, 2)
-    count = max(int(pairs.max(initial=0)), int(wanted.max(initial=0))) + 1
-    return np.isin(edge_keys(pairs, count), edge_keys(wanted, count))
 
 
 NO_LINES = np.zeros((0, 3), dtype=np.float32)

@@ -11,9 +11,27 @@ from numpy.typing import ArrayLike
 STRAIGHT_COSINE = np.cos(np.radians(45.0))
 
 
-def edge_keys(pairs: ArrayLike, count: int) -> np.ndarray:
-    """Return one number for each pair of vertices, in either order. count: number of all vertices."""
-    return np.sort(np.asarray(pairs, dtype=np.int64).reshape(-1, 2), axis=1) @ np.array([count, 1])
+def are_among(pairs: ArrayLike, edges: ArrayLike) -> np.ndarray:
+    """Return a mask (k,) of the pairs of vertices (k,2) that are among the edges (e,2). Either end may be first."""
+    keys, wanted = _edge_keys(edges, pairs)
+    return np.isin(wanted, keys)
+
+
+def find_edges(pairs: ArrayLike, edges: ArrayLike) -> np.ndarray:
+    """Return the first of the edges (e,2) between each pair of vertices (k,2); -1 if there is none."""
+    keys, wanted = _edge_keys(edges, pairs)
+    if not len(keys):
+        return np.full(len(wanted), -1)
+    order = np.argsort(keys, kind="stable")
+    found = order[np.searchsorted(keys, wanted, sorter=order).clip(max=len(keys) - 1)]
+    return np.where(keys[found] == wanted, found, -1)
+
+
+def _edge_keys(*lists: ArrayLike) -> list[np.ndarray]:
+    """Return one number for each pair of vertices, in either order."""
+    pairs = [np.asarray(each, dtype=np.int64).reshape(-1, 2) for each in lists]
+    count = 1 + max(int(each.max(initial=0)) for each in pairs)
+    return [np.sort(each, axis=1) @ np.array([count, 1]) for each in pairs]
 
 
 def next_corners(sizes: np.ndarray) -> np.ndarray:

@@ -10,7 +10,7 @@ import numpy as np
 
 from ..core import CutSources, SurfacePath, cut_mesh
 from .arrays import MeshArrays
-from .chains import edge_keys
+from .chains import are_among
 from .flatten import polygons_across
 
 Pairs = list[tuple[int, int]]  # vertices
@@ -70,9 +70,8 @@ def segments_of(paths: Iterable[SurfacePath], arrays: MeshArrays) -> Segments:
 
 def segments_along(edges: np.ndarray, arrays: MeshArrays) -> Segments:
     """Return the segments to draw for edges (k,2) of the mesh, one in each face beside an edge."""
-    count = len(arrays.vertices)
-    sides = edge_keys(arrays.triangles[:, [0, 1, 1, 2, 2, 0]], count)
-    rows, corners = np.divmod(np.flatnonzero(np.isin(sides, edge_keys(edges, count))), 3)
+    sides = arrays.triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2)
+    rows, corners = np.divmod(np.flatnonzero(are_among(sides, edges)), 3)
     weights = np.eye(3)[np.column_stack([corners, (corners + 1) % 3])]
     return Segments(arrays.triangle_polygons[rows], arrays.triangles[rows], weights)
 
@@ -137,7 +136,7 @@ def _followed_diagonals(edges: np.ndarray, arrays: MeshArrays) -> np.ndarray:
     """Return the edges (k,2) of lines that are diagonals of faces of the mesh."""
     count = len(arrays.vertices)
     whole = np.unique(np.sort(edges[(edges < count).all(axis=1)], axis=1), axis=0)
-    return whole[~np.isin(edge_keys(whole, count), edge_keys(arrays.edges, count))]
+    return whole[~are_among(whole, arrays.edges)]
 
 
 def _along(line: list[int], sources: CutSources) -> list[tuple[int, float]]:

@@ -9,11 +9,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from ..core import FlattenResult
 from .arrays import MeshArrays, edge_lengths, triangle_areas
-from .chains import EdgeMarks, edge_keys, next_corners
+from .chains import EdgeMarks, find_edges, next_corners
 from .flatten import FlattenChoices, has_cloth, has_layout
 from .identity import PieceIdentity
 
@@ -40,7 +39,7 @@ def _on_lines(result: FlattenResult, arrays: MeshArrays) -> tuple[np.ndarray, np
     """Return ascending keys of piece and model edge on wires and outlines, and their E_L (the worse of two sides)."""
     pieces = np.repeat(np.arange(len(result.pieces)), [len(piece.metrics.wire_edges) for piece in result.pieces])
     pairs = [np.reshape(piece.metrics.wire_edges, (-1, 2)) for piece in result.pieces]
-    keys = pieces * len(arrays.edges) + _edges_at(np.concatenate(pairs), arrays)
+    keys = pieces * len(arrays.edges) + find_edges(np.concatenate(pairs), arrays.edges)
     found, number = np.unique(keys, return_inverse=True)
     worst = np.zeros(len(found))
     np.maximum.at(worst, number, np.concatenate([piece.metrics.edge_length_variation for piece in result.pieces]))
@@ -62,7 +61,7 @@ def _model_lengths(result: FlattenResult, arrays: MeshArrays, choices: FlattenCh
     with np.errstate(invalid="ignore"):  # triangles without a layout or without area
         across, along = (1 + weft) * dx, (1 + warp) * dy
         worn = np.sqrt(across**2 + along**2 + 2 * towards * np.sin(shear) * across * along).ravel()
-    rows = _edges_at(np.stack([arrays.triangles, np.roll(arrays.triangles, -1, axis=1)], axis=-1), arrays)
+    rows = find_edges(np.stack([arrays.triangles, np.roll(arrays.triangles, -1, axis=1)], axis=-1), arrays.edges)
     known = (rows >= 0) & np.isfinite(worn)
     lengths[rows[known]] = worn[known]
     return lengths
@@ -79,15 +78,6 @@ def _of_triangles(result: FlattenResult, name: str) -> np.ndarray:
     for piece in result.pieces:
         values[piece.source_face] = getattr(piece.metrics, name)
     return values
-
-
-def _edges_at(pairs: ArrayLike, arrays: MeshArrays) -> np.ndarray:
-    """Return the edges (k,) between these vertices (...,2); -1 for the diagonal of a face."""
-    count = len(arrays.vertices)
-    keys, wanted = edge_keys(arrays.edges, count), edge_keys(pairs, count)
-    order = np.argsort(keys)
-    found = order[np.searchsorted(keys, wanted, sorter=order).clip(max=len(keys) - 1)]
-    return np.where(keys[found] == wanted, found, -1)
 
 
 @dataclass(frozen=True)

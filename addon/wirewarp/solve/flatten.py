@@ -26,7 +26,7 @@ from ..core import (
 )
 from ..issues import ObjectError
 from .arrays import MeshArrays, NamedWire, triangle_areas
-from .chains import edge_keys, shortest_double
+from .chains import are_among, find_edges, shortest_double
 from .error_sentences import ErrorFacts, error_sentence
 from .steps import Steps
 
@@ -259,8 +259,7 @@ def seams_on_edges(proposed: Iterable[tuple[int, int]], arrays: MeshArrays) -> l
     """Return the proposed vertex pairs as edges of the mesh, each once. The library sees triangles, so a pair may be
     the diagonal of a face. The shorter way around the face replaces it."""
     pairs = np.asarray(list(proposed), dtype=np.int64).reshape(-1, 2)
-    count = len(arrays.vertices)
-    is_edge = np.isin(edge_keys(pairs, count), edge_keys(arrays.edges, count))
+    is_edge = are_among(pairs, arrays.edges)
     edges = pairs[is_edge].tolist()
     for diagonal, polygon in zip(pairs[~is_edge], polygons_across(pairs[~is_edge], arrays), strict=True):
         edges += pairwise(_way_round(diagonal, polygon, arrays))
@@ -269,11 +268,7 @@ def seams_on_edges(proposed: Iterable[tuple[int, int]], arrays: MeshArrays) -> l
 
 def polygons_across(diagonals: np.ndarray, arrays: MeshArrays) -> np.ndarray:
     """Return the polygon (k,) that contains each diagonal. The diagonals (k, 2) are pairs of vertices."""
-    count = len(arrays.vertices)
-    sides = edge_keys(arrays.triangles[:, [0, 1, 1, 2, 2, 0]], count)
-    order = np.argsort(sides)
-    found = order[np.searchsorted(sides[order], edge_keys(diagonals, count))]
-    return arrays.triangle_polygons[found // 3]
+    return arrays.triangle_polygons[find_edges(diagonals, arrays.triangles[:, [0, 1, 1, 2, 2, 0]]) // 3]
 
 
 def _way_round(diagonal: np.ndarray, polygon: int, arrays: MeshArrays) -> list[int]:

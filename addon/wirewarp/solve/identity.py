@@ -15,7 +15,7 @@ import numpy as np
 
 from ..core import FlattenResult, SeamReport
 from .arrays import FaceRegions, MeshArrays, Region, area_vectors, edge_lengths, faces_inward
-from .chains import edge_keys
+from .chains import find_edges
 from .limbs import limb_names
 
 # Names of the negative and positive side of each axis, as seen by the person modeled, who looks toward Blender's front
@@ -341,17 +341,11 @@ def ids_by_edge(result: FlattenResult, arrays: MeshArrays, identities: Sequence[
 
 def _seam_of_edge(seams: Sequence[SeamReport], arrays: MeshArrays) -> np.ndarray:
     """Return the index of the seam that contains each seam edge of the model (k,), -1 for none."""
-    count = len(arrays.vertices)
-    keys = [edge_keys(seam.edges, count) for seam in seams]
-    own = edge_keys(arrays.seams, count)
-    found = np.full(len(own), -1, dtype=np.int64)
-    if not keys or not len(own):
-        return found
-    listed, index = np.concatenate(keys), np.repeat(np.arange(len(keys)), [len(each) for each in keys])
-    order = np.argsort(own)
-    place = np.searchsorted(own[order], listed).clip(max=len(own) - 1)
-    is_own = own[order[place]] == listed
-    found[order[place[is_own]]] = index[is_own]
+    found = np.full(len(arrays.seams), -1, dtype=np.int64)
+    if seams:
+        place = find_edges(np.concatenate([seam.edges for seam in seams]), arrays.seams)
+        index = np.repeat(np.arange(len(seams)), [len(seam.edges) for seam in seams])
+        found[place[place >= 0]] = index[place >= 0]
     return found
 
 

@@ -31,7 +31,7 @@ from ..core import (
     with_narrow,
 )
 from .arrays import MeshArrays, triangle_areas
-from .chains import edge_keys
+from .chains import are_among
 from .flatten import ClothChoice, issue_of_piece, known_stretch, library_marks, limits_of
 from .identity import PieceIdentity, SeamIdentity
 
@@ -258,7 +258,7 @@ def _mirrored(issue: Issue, piece: Piece, other: Piece, arrays: MeshArrays) -> I
         image_of = dict(zip(own.tolist(), others[image].tolist(), strict=True))
         seams = _mirrored_edges(issue.proposed_seams, image_of)
         wires = [_mirrored_wire(wire, image_of, arrays) for wire in issue.proposed_tolerances]
-        if seams is not None and _are_edges(seams, arrays) and None not in wires:
+        if seams is not None and are_among(seams, arrays.edges).all() and None not in wires:
             return replace(issue, proposed_seams=seams, proposed_tolerances=wires)
     return None
 
@@ -283,11 +283,6 @@ def _images(points: np.ndarray, own: np.ndarray, others: np.ndarray, axis: int) 
 def _mirrored_edges(edges: Iterable[tuple[int, int]], image_of: dict[int, int]) -> Pairs | None:
     pairs = [(image_of.get(a, -1), image_of.get(b, -1)) for a, b in edges]
     return None if any(-1 in pair for pair in pairs) else [(min(pair), max(pair)) for pair in pairs]
-
-
-def _are_edges(pairs: Pairs, arrays: MeshArrays) -> bool:
-    count = len(arrays.vertices)
-    return bool(np.isin(edge_keys(pairs, count), edge_keys(arrays.edges, count)).all())
 
 
 def _mirrored_wire(wire: LooserWire, image_of: dict[int, int], arrays: MeshArrays) -> LooserWire | None:

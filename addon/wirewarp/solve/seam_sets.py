@@ -15,7 +15,7 @@ import numpy as np
 from ..core import Cache, FlattenError, cut_mesh, make_report, pattern, percent_text, start, start_simplify
 from ..issues import ObjectError, object_error
 from .arrays import MeshArrays
-from .chains import edge_keys, next_corners
+from .chains import are_among, next_corners
 from .cut_faces import segments_along
 from .flatten import (
     FlattenChoices,
@@ -164,11 +164,11 @@ def _measured_set(arrays: MeshArrays, choices: FlattenChoices, cut: Cut, solved:
     is flat. If the maximum stretch of the fabric is known, the set gets the strain of the fabric and the threads of its
     worst piece. If a piece fails, the strain is infinite.
     """
-    arguments, count = library_arguments(arrays, choices), len(arrays.vertices)
+    arguments = library_arguments(arrays, choices)
     sides, allowances = _own_allowances(arrays)
     if cut.cleared:
         vertices, faces, changed = arrays.vertices, arrays.triangles, np.array(cut.cleared)
-        arguments["seams"] = arrays.seams[~np.isin(edge_keys(arrays.seams, count), edge_keys(changed, count))]
+        arguments["seams"] = arrays.seams[~are_among(arrays.seams, changed)]
     else:
         # The lines of a set do not divide edges of seams and wires, and vertices keep their numbers.
         vertices, faces, changed, _ = cut_mesh(arrays.vertices, arrays.triangles, cut.paths)

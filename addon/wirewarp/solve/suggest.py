@@ -26,7 +26,7 @@ from ..core import (
 from ..issues import ObjectError
 from ..names import NO_SEAM
 from .arrays import MeshArrays
-from .chains import edge_keys
+from .chains import are_among
 from .cut_faces import Pairs, Segments, segments_of
 from .flatten import FlattenChoices, issue_of_error, library_arguments, polygons_across, result_of
 from .steps import CanceledError, Steps
@@ -180,9 +180,8 @@ def _start(
 
 def diagonals(arrays: MeshArrays) -> np.ndarray:
     """Return the sides (k,2) of triangles that are not edges of the mesh, the lower vertex first."""
-    count = len(arrays.vertices)
     sides = np.sort(arrays.triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1)
-    return np.unique(sides[~np.isin(edge_keys(sides, count), edge_keys(arrays.edges, count))], axis=0)
+    return np.unique(sides[~are_among(sides, arrays.edges)], axis=0)
 
 
 def _forbidden_edges(arrays: MeshArrays, no_seam: NoSeam) -> np.ndarray:
@@ -263,8 +262,7 @@ def _cut(proposals: list[DartProposal], strain: float, before: float, arrays: Me
     paths = [path for proposal in proposals for path in proposal.paths]
     pairs = [proposal.edges for proposal in proposals]
     edges = np.sort(np.concatenate(pairs), axis=1) if all(len(each) for each in pairs) else np.empty((0, 2), np.int32)
-    count = len(arrays.vertices)
-    new = edges[~np.isin(edge_keys(edges, count), edge_keys(arrays.edges, count))]
+    new = edges[~are_among(edges, arrays.edges)]
     return Cut(
         edges=[(a, b) for a, b in edges.tolist()],
         diagonals=[(a, b) for a, b in new.tolist()],

@@ -10,7 +10,7 @@ from ..core import Elements
 from ..issues import changed_error, object_error
 from ..names import FLAT_LENGTH, PIECE, PIECE_INDEX, SOURCE_CORNER, SOURCE_FACE, SOURCE_VERTEX
 from ..solve.arrays import edge_lengths
-from ..solve.chains import edge_keys
+from ..solve.chains import are_among
 from ..solve.outlines import FlatPieces, outline_of, signed_areas
 from ..solve.report import ObjectReport
 from .changes import has_changed, shows_modified
@@ -29,8 +29,7 @@ def on_flat(elements: Elements, flat: FlatPieces) -> Elements:
     sources = flat.source_vertex
     reached = np.zeros(len(sources), dtype=bool)
     reached[flat.loop_vertices[np.repeat(in_piece, flat.face_sizes)]] = True
-    count = int(max(sources.max(initial=0), np.max(elements.edges, initial=0))) + 1
-    wanted = np.isin(edge_keys(sources[flat.edges], count), edge_keys(elements.edges, count))
+    wanted = are_among(sources[flat.edges], elements.edges)
     return Elements(
         vertices=np.flatnonzero(np.isin(sources, elements.vertices) & reached),
         edges=flat.edges[wanted & reached[flat.edges].all(axis=1)],

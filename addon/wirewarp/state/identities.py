@@ -12,7 +12,7 @@ from ..blender.mesh import current_mesh, edge_vertices
 from ..core import FlattenResult, Report
 from ..names import PIECE, SEAM, SOURCE_FACE, SOURCE_VERTEX
 from ..solve.arrays import MeshArrays
-from ..solve.chains import chains_of_marks, edge_keys
+from ..solve.chains import chains_of_marks, find_edges
 from ..solve.identity import GIVEN, KnownPieces, KnownSeams, PieceIdentity, SeamIdentity, ids_by_face
 from .marked_mesh import has_marks, marked_mesh, own_ids, read_ids, wires_on
 from .memory import Take, kept, read_anew
@@ -241,11 +241,8 @@ def _seam_ids_of_flat_pieces(mesh: bpy.types.Mesh, arrays: MeshArrays) -> np.nda
     count = len(arrays.vertices)
     sources = find_values(mesh, SOURCE_VERTEX)[edge_vertices(mesh)[marked]]
     inside = ((sources >= 0) & (sources < count)).all(axis=1)  # edges that the user has made may have any id
-    keys, own = edge_keys(sources[inside], count), edge_keys(arrays.seams, count)
-    keys, first = np.unique(keys, return_index=True)
-    if len(keys):
-        place = np.searchsorted(keys, own).clip(max=len(keys) - 1)
-        ids = np.where(keys[place] == own, found[marked[inside]][first[place]], 0).astype(np.int32)
+    place = find_edges(arrays.seams, sources[inside])
+    ids[place >= 0] = found[marked[inside][place[place >= 0]]]
     return ids
 
 

@@ -13,7 +13,6 @@ import bmesh
 import bpy
 import numpy as np
 from mathutils import Vector
-from numpy.typing import ArrayLike
 
 from ..blender.mesh import edge_vertices, faces_at_edges, read_seams, read_selected_edges
 from ..blender.objects import check_local
@@ -23,7 +22,7 @@ from ..issues import ObjectError, object_error
 from ..marks.ease import clear_seams, edges_with_marks, mark_seams
 from ..names import MARKS
 from ..solve.arrays import MeshArrays
-from ..solve.chains import edge_keys, split_into_chains
+from ..solve.chains import are_among, split_into_chains
 from ..solve.cut_faces import DividedTriangle, Division, Pairs, divide
 from ..solve.flatten import issue_of_error
 from ..solve.suggest import NoSeam, painted_at_edges
@@ -231,7 +230,7 @@ def _smooth_line(arrays: MeshArrays, path: list[int], kept: Pairs, no_seam: NoSe
     not be seams. Raises ObjectError.
     """
     painted = (painted_at_edges(arrays, no_seam) > 0) | no_seam.vertices[arrays.edges].all(axis=1)
-    painted &= ~np.isin(_keys(arrays.edges, arrays), _keys(list(pairwise(path)), arrays))
+    painted &= ~are_among(arrays.edges, list(pairwise(path)))
     seams = np.concatenate([arrays.seams, np.array(kept, dtype=np.int32).reshape(-1, 2), arrays.edges[painted]])
     try:
         wires = [Wire(wire.chain.vertices, wire.chain.tolerance) for wire in arrays.wires]
@@ -251,10 +250,6 @@ def _on_triangles(ends: np.ndarray, t: np.ndarray, arrays: MeshArrays) -> Surfac
         faces.append(int(near[row]))
         coordinates.append((1 - share) * (triangles[row] == first) + share * (triangles[row] == second))
     return SurfacePath(faces, coordinates)
-
-
-def _keys(pairs: ArrayLike, arrays: MeshArrays) -> np.ndarray:
-    return edge_keys(pairs, len(arrays.vertices))
 
 
 class MESH_OT_wirewarp_smooth_seam(OnModel, bpy.types.Operator):
