@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Faults of an object and notes about it, in the form of the library's report."""
 
-from .core import Issue, Note
+from .core import Issue
 
 
 class ObjectError(Exception):
@@ -19,11 +19,3 @@ def object_error(code: str, sentence: str) -> ObjectError:
 def changed_error(name: str) -> ObjectError:
     """Return the error for the object of this name, whose report describes another shape."""
     return object_error("changed", f'"{name}" has changed since it was flattened. Flatten it again.')
-
-
-def note(text: str) -> Note:
-    return Note(text)
-
-
-def warning(text: str) -> Note:
-    return Note(text, is_warning=True)

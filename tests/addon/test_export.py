@@ -143,7 +143,7 @@ def test_a_report_file_that_fails_at_the_end_keeps_the_pattern(source, tmp_path,
     def full(path):
         raise OSError(28, "No space left on device")
 
-    monkeypatch.setattr(addon.export.steps, "replaced_file", full)
+    monkeypatch.setattr(addon.core.pattern.files, "replaced_file", full)
     export(tmp_path, report_path=str(tmp_path / "warnings.json"))  # the export finishes
     said = capfd.readouterr().out
     assert 'warnings.json": No space left on device.' in said and "2 pieces on" in said

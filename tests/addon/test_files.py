@@ -51,7 +51,7 @@ def test_a_full_disk_keeps_the_old_file(addon, tmp_path):
     path = tmp_path / "pattern.svg"
     path.write_text("of yesterday")
     full = OSError(errno.ENOSPC, "No space left on device")
-    with pytest.raises(OSError, match="No space"), addon.blender.files.replaced_file(path) as unfinished:
+    with pytest.raises(OSError, match="No space"), addon.core.pattern.files.replaced_file(path) as unfinished:
         unfinished.write_text("ha")
         raise full
     assert [(each, each.read_text()) for each in tmp_path.iterdir()] == [(path, "of yesterday")]
@@ -63,7 +63,7 @@ def test_the_target_of_a_link_is_replaced(addon, tmp_path):
     link.symlink_to(path)
     if not link.is_symlink():
         pytest.skip("Wine makes no links")
-    with addon.blender.files.replaced_file(link) as unfinished:
+    with addon.core.pattern.files.replaced_file(link) as unfinished:
         unfinished.write_text("of today")
     assert link.is_symlink()
     assert path.read_text() == "of today"

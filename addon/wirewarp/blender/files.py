@@ -3,12 +3,9 @@
 
 import os
 import re
-from contextlib import AbstractContextManager
 from pathlib import Path
 
 import bpy
-
-from ..core import pattern
 
 # Options of a path property that may be relative; Blender before 4.5 has no such option.
 OPTIONS = {"SKIP_SAVE", "PATH_SUPPORTS_BLEND_RELATIVE"} if bpy.app.version >= (4, 5, 0) else {"SKIP_SAVE"}
@@ -62,9 +59,3 @@ def check_room(path: Path) -> None:
     with trial.open("xb"):
         pass
     trial.unlink()
-
-
-def replaced_file(path: Path) -> AbstractContextManager[Path]:
-    """Return the library's replaced_file. Raises OSError like check_file."""
-    check_file(path)
-    return pattern.files.replaced_file(path)

@@ -8,7 +8,6 @@ import numpy as np
 
 from ..blender.mesh import edge_vertices, evaluated_mesh, vertex_places
 from ..blender.objects import name_with, remove_object
-from ..blender.selection import in_object_mode
 from ..issues import object_error
 from ..names import FLAT_LENGTH, MARKS, SEAM
 from ..solve.outlines import FlatPieces, outline_of
@@ -110,8 +109,7 @@ class OBJECT_OT_wirewarp_sewing(OnMesh, bpy.types.Operator):
 
     @reporting_refusals
     def execute(self, context: bpy.types.Context) -> set[str]:
-        with in_object_mode(context):
-            target = add_sewing_object(model_or_self(context.active_object))
+        target = add_sewing_object(model_or_self(context.active_object))
         context.view_layer.update()  # so that the view layer knows the new object
         if target.name not in context.view_layer.objects:  # not there if the view layer excludes the collection
             context.scene.collection.objects.link(target)

@@ -19,7 +19,6 @@ from ..blender.files import (
     check_room,
     file_name,
     given_file,
-    replaced_file,
     unwritten,
 )
 from ..blender.selection import WORKING_MODES, in_object_mode
@@ -229,7 +228,7 @@ class PatternExport(OnMesh, WindowSteps, ExportHelper):
         warnings = [sentence for sentence in [crossing_sentence(made), *written.warnings] if sentence]
         if self.report_path:
             try:
-                with replaced_file(given_file(self.report_path)) as unfinished:
+                with pattern.files.replaced_file(given_file(self.report_path)) as unfinished:
                     unfinished.write_text(json.dumps({"warnings": warnings}), encoding="utf-8")
             except OSError as error:  # the pattern is written anyway
                 warnings.append(unwritten(self.report_path, error))

@@ -14,7 +14,7 @@ from ..blender.mesh import write_uv as write_layer
 from ..blender.objects import remove_object
 from ..blender.selection import deselect_all
 from ..core import Note
-from ..issues import note, object_error, warning
+from ..issues import object_error
 from ..names import (
     COLLECTION,
     FAILED_MATERIAL,
@@ -157,10 +157,10 @@ def show_flat_object(view_layer: bpy.types.ViewLayer, target: bpy.types.Object) 
         target.hide_set(False)
     if not target.visible_get(view_layer=view_layer):
         why = "it is disabled in viewports, or its collection is hidden"
-        notes.append(note(f'"{target.name}" is hidden: {why}. Show it in the Outliner.'))
+        notes.append(Note(f'"{target.name}" is hidden: {why}. Show it in the Outliner.'))
     if not is_true_size(target):
         text = f'"{target.name}" is not shown in actual size: its parent or a constraint scales it. Its mesh is right.'
-        notes.append(warning(text))
+        notes.append(Note(text, is_warning=True))
     return notes
 
 

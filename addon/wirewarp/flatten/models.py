@@ -1,13 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Flattens models that were read earlier, without using Blender."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import asdict, dataclass, replace
+from functools import partial
 
 import numpy as np
 
 from ..core import ANY_LIMIT, Cache, FlattenResult, Issue, Note, torn_hints
-from ..issues import ObjectError, note, warning
+from ..issues import ObjectError
 from ..solve.arrays import INWARD, MeshArrays, faces_inward, new_seams
 from ..solve.flat_mesh import FlatMesh, flat_mesh
 from ..solve.flatten import FlattenChoices, flatten_arrays, has_layout, used_choices
@@ -21,7 +23,7 @@ from ..solve.identity import (
     ids_by_edge,
 )
 from ..solve.report import Facts, ObjectReport, UvSeams, failure_report, object_report, uv_seams
-from ..solve.steps import CanceledError, Steps, reported_as
+from ..solve.steps import CanceledError, Steps, of_all, reported_as
 
 MIDDLE = "Lengths on the model are measured in the middle of the material's thickness."
 NO_ANGLE = "Grain Angle was not used. Choose Grain Wire under Upright, and mark a grain wire."
@@ -66,19 +68,15 @@ def solve_models(
     # Edges created by modifiers cannot be marked.
     readable = [model for model in models if tries_uv_seams and model.arrays and not model.facts.with_modifiers]
     with_map = [model for model in readable if len(new_seams(model.arrays))]
-
-    def after(done: int) -> Callable[[float], float]:
-        return lambda share: (done + share) / (len(models) + len(with_map))
-
+    count = len(models) + len(with_map)
     for number, model in enumerate(models):
-        outcomes.append((yield from reported_as(_solve(model, choices, meters), after(number))))
-    try:
+        solving = _solve(model, choices, meters)
+        outcomes.append((yield from reported_as(solving, partial(of_all, number, count))))
+    with suppress(CanceledError):
         for number, model in enumerate(with_map, start=len(models)):
             report = outcomes[models.index(model)].report
             trying = _try_uv_seams(model, choices, meters, report)
-            report.uv_seams = yield from reported_as(trying, after(number))
-    except CanceledError:
-        return outcomes
+            report.uv_seams = yield from reported_as(trying, partial(of_all, number, count))
     return outcomes
 
 
@@ -100,14 +98,14 @@ def _solve(model: Model, choices: FlattenChoices, meters: float) -> Steps[Outcom
     if model.arrays:  # the grain wire of a model that could not be read is unknown
         used = used_choices(choices, model.arrays)
         if choices.thickness > 0 and choices.surface != "middle":
-            outcome.report.notes.append(note(MIDDLE))
+            outcome.report.notes.append(Note(MIDDLE))
         if choices.grain_angle and used.orientation != "grain":
-            outcome.report.notes.append(note(NO_ANGLE))
+            outcome.report.notes.append(Note(NO_ANGLE))
         outcome.report.options = asdict(used) | {"grain_wire": model.arrays.grain_wire}
     outcome.report.notes += model.notes
     # mirroring makes the pieces show the outside
     if model.arrays and not choices.mirror and faces_inward(model.arrays):
-        outcome.report.notes.append(warning(INWARD))
+        outcome.report.notes.append(Note(INWARD, is_warning=True))
     if model.arrays:
         outcome.report.hints += torn_hints(model.arrays.vertices, model.arrays.outline)
     return outcome

@@ -7,11 +7,11 @@ from pathlib import Path
 import bpy
 from bpy.props import BoolProperty, StringProperty
 
-from ..blender.files import OPTIONS, check_room, given_file, replaced_file, unwritten
+from ..blender.files import OPTIONS, check_room, given_file, unwritten
 from ..blender.objects import meters_per_blender_unit
 from ..blender.selection import WORKING_MODES, hold_whole_file
 from ..blender.views import is_over_sidebar, redraw_views, show_objects, work_area
-from ..core import Issue, library, run_to_dict
+from ..core import Issue, library, pattern, run_to_dict
 from ..export.read import read_outlines
 from ..issues import ObjectError, object_error
 from ..properties import preferences, take_settings
@@ -140,7 +140,7 @@ class FlattenSteps(WindowSteps, FlattenSettings):
         }
         try:
             report = run_to_dict(library().__version__, units, reports)
-            with replaced_file(self.report_file) as unfinished:
+            with pattern.files.replaced_file(self.report_file) as unfinished:
                 unfinished.write_text(json.dumps(report, indent=1, allow_nan=False) + "\n", encoding="utf-8")
         except OSError as error:
             self.report({"ERROR"}, unwritten(self.report_file, error))

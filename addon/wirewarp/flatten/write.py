@@ -6,7 +6,7 @@ import numpy as np
 
 from ..blender.mesh import current_mesh
 from ..blender.objects import show_where_shown
-from ..issues import note, warning
+from ..core import Note
 from ..names import UV_LAYER
 from ..solve.flat_mesh import FlatMesh
 from ..solve.flatten import gap_between
@@ -42,7 +42,7 @@ def write_results(context: bpy.types.Context, outcomes: list[Outcome], settings:
             continue
         if find_flat_object(source):
             text = "Nothing changed: these are still the earlier pieces."
-            outcome.report.notes.append(warning(text))
+            outcome.report.notes.append(Note(text, is_warning=True))
         remember(source, outcome.report)
 
 
@@ -80,7 +80,7 @@ def _write_pieces(
     outcome.report.flat_object = flat.name
     outcome.report.notes += show_flat_object(context.view_layer, flat)
     others = [each for each in bpy.data.objects if model_of(each) == source and is_earlier(each)]
-    outcome.report.notes += [warning(earlier_sentence(each)) for each in others]
+    outcome.report.notes += [Note(earlier_sentence(each), is_warning=True) for each in others]
     show_where_shown(source, flat)
     store(source, outcome.report)
 
@@ -94,9 +94,9 @@ def _place(source: bpy.types.Object, outcome: Outcome, earlier: Earlier | None) 
     outcome.is_elsewhere = bool(crowded) or has_grown
     if crowded:
         name_of = {identity.piece_id: identity.name for identity in outcome.identities}
-        outcome.report.notes.append(note(crowded_text([name_of[piece_id] for piece_id in crowded])))
+        outcome.report.notes.append(Note(crowded_text([name_of[piece_id] for piece_id in crowded])))
     up = present_up(source)
     then = earlier.up if earlier else up
     if is_turned(up, then, outcome.report):
-        outcome.report.notes.append(note(TURNED_TEXT))
+        outcome.report.notes.append(Note(TURNED_TEXT))
     return pieces, then

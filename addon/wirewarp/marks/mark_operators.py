@@ -8,12 +8,14 @@ import bmesh
 import bpy
 from bpy.props import BoolProperty, EnumProperty
 
+from ..blender.attributes import check_attribute
 from ..blender.mesh import selected_edges
 from ..blender.objects import height_of, meters_per_blender_unit
 from ..blender.selection import hold_whole_file, in_object_mode
 from ..core import counted, quoted
 from ..issues import object_error
-from ..state.allowances import NONE, check_allowances, mark_edges, mark_sides, scale_lengths
+from ..names import ALLOWANCE
+from ..state.allowances import NONE, SIDE_ALLOWANCES, mark_edges, mark_sides, scale_lengths
 from ..state.owners import check_not_edited, model_of, model_or_self
 from ..state.settings import in_percent, number
 from ..ui.editing import OnMesh, OnModel, change_edited, reporting_refusals
@@ -176,7 +178,8 @@ def _plan_allowance(target: bpy.types.Object, width: float) -> Callable[[], tupl
     and ignored edges."""
     sides = selected_sides(target) if model_of(target) else None
     mesh = sides.model.data if sides else target.data
-    check_allowances(mesh)
+    check_attribute(mesh, ALLOWANCE)
+    SIDE_ALLOWANCES.check_attributes(mesh)
 
     def write() -> tuple[int, int]:
         if sides:

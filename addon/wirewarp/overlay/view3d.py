@@ -160,7 +160,7 @@ def _may_hide_itself(context: bpy.types.Context, target: bpy.types.Object) -> bo
     """Return whether the model can hide parts of itself."""
     shading = context.space_data.shading
     is_solid = shading.type != "WIREFRAME" and not shading.show_xray
-    return is_solid and target.mode in {"OBJECT", "EDIT"} and model_of(target) is None
+    return is_solid and model_of(target) is None
 
 
 def _are_behind(

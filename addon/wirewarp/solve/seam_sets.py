@@ -137,16 +137,12 @@ def with_measures(
         return cuts
     measured: list[Cut] = []
     with suppress(CanceledError):  # the other sets keep the figures of the search
-        yield from reported_as(_measure(cuts, measured, arrays, choices), _after_search)
+        yield from reported_as(_measure(cuts, measured, arrays, choices), lambda share: SEARCH + (1 - SEARCH) * share)
     sets = [cut for cut in [*measured, *cuts[len(measured) :]] if math.isfinite(cut.strain)]
     if not sets:
         sentence = "Each set of seams that was found has a piece that fails with this fabric. Choose another fabric."
         raise object_error("no_proposal", sentence)
     return from_few_pieces(sets, limits) if cuts[0].is_first else sets
-
-
-def _after_search(share: float) -> float:
-    return SEARCH + (1 - SEARCH) * share
 
 
 def _measure(cuts: Sequence[Cut], measured: list[Cut], arrays: MeshArrays, choices: FlattenChoices) -> Steps[None]:

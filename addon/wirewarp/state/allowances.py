@@ -170,12 +170,6 @@ class MarkedAllowances:
     side_widths: np.ndarray  # (s,)
 
 
-def check_allowances(mesh: bpy.types.Mesh) -> None:
-    """Raises ObjectError if an attribute with one of our names has another type or domain."""
-    check_attribute(mesh, ALLOWANCE)
-    SIDE_ALLOWANCES.check_attributes(mesh)
-
-
 def mark_edges(mesh: bpy.types.Mesh, rows: np.ndarray, width: float) -> int:
     """Set this width on the edges that are on seams and outlines: NONE for no allowance, 0 for the default. Return the
     number of changed edges."""

@@ -20,7 +20,7 @@ SOON = 0.01  # seconds until the redraw after a slow drawing
 REST = 0.2  # seconds without a change before a build in Edit Mode, where the user may be dragging
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Same:
     """Equal only to an instance with the same object."""
 
@@ -28,8 +28,6 @@ class Same:
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Same) and self.value is other.value
-
-    __hash__ = None
 
 
 @dataclass(frozen=True)

@@ -19,7 +19,7 @@ from ..blender.mesh import (
 )
 from ..blender.objects import linear_part
 from ..core import Note, counted
-from ..issues import note, object_error, warning
+from ..issues import object_error
 from ..names import NO_SEAM, PIECE, SEAM, UV_LAYER
 from ..solve.arrays import FaceRegions, MeshArrays, NamedWire, Region, with_split_quads
 from ..solve.chains import WireChain, chains_of_marks
@@ -36,15 +36,15 @@ def left_out(source: bpy.types.Object, arrays: MeshArrays | None, use_modifiers:
     notes = []
     if use_modifiers and UV_LAYER in source.data.uv_layers:
         text = f'The UV map "{UV_LAYER}" is from an earlier run without Modifiers. It does not show these pieces.'
-        notes.append(note(text))
+        notes.append(Note(text))
     if arrays and arrays.loose_marks:
         ignored = counted(arrays.loose_marks, "marked edge ignored: it has", "marked edges ignored: they have")
-        notes.append(warning(f"{ignored} no face."))
+        notes.append(Note(f"{ignored} no face.", is_warning=True))
     if arrays and arrays.loose_eases:
         edges = counted(
             arrays.loose_eases, "edge has an ease but is not a wire", "edges have an ease but are not wires"
         )
-        notes.append(warning(f"{edges}: it was not used. Mark them with Ease."))
+        notes.append(Note(f"{edges}: it was not used. Mark them with Ease.", is_warning=True))
     return notes
 
 
