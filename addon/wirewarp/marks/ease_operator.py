@@ -79,26 +79,22 @@ class MESH_OT_wirewarp_ease(EaseAmount, bpy.types.Operator):
 
     def _plan(self, target: bpy.types.Object, amount: Amount) -> Planned:
         """Plan the ease; on flat pieces, for the selected side only."""
+        found = selected_sides(target) if model_of(target) else None
+        model = found.model if found else target
+        check_ease_attributes(model.data)
+        rows = found.edges if found else selected_edges(model.data)
         planned: Callable[[], Eased]
-        if model_of(target):
-            found = selected_sides(target)
-            check_ease_attributes(found.model.data)
-            if self.sides == "NONE":
-                planned = partial(clear_eases, found.model, found.edges)
-            elif self.sides != "ONE":
-                raise object_error("sides_apart", SIDES_APART)
-            else:
-                planned = plan_corners(found.model, found.corners, amount)
-            return partial(_write, planned, found.model.data, found.left_out)
-        check_ease_attributes(target.data)
-        rows = selected_edges(target.data)
         if self.sides == "NONE":
-            planned = partial(clear_eases, target, rows)
+            planned = partial(clear_eases, model, rows)
+        elif found and self.sides != "ONE":
+            raise object_error("sides_apart", SIDES_APART)
+        elif found:
+            planned = plan_corners(model, found.corners, amount)
         elif self.sides == "ALL":
-            planned = plan_lines(target, rows, amount)
+            planned = plan_lines(model, rows, amount)
         else:
-            planned = plan_sides(target, rows, amount, ("ONE", "OTHER").index(self.sides))
-        return partial(_write, planned, target.data, 0)
+            planned = plan_sides(model, rows, amount, ("ONE", "OTHER").index(self.sides))
+        return partial(_write, planned, model.data, found.left_out if found else 0)
 
     def _reported(self, found: list[Eased], units: LengthText) -> set[str]:
         left_out = sum(each.left_out for each in found)
