@@ -31,7 +31,7 @@ from ..names import EASE, MARKS
 from ..solve.arrays import edge_lengths
 from ..solve.chains import EdgeMarks, are_among, split_into_chains
 from ..solve.identity import new_id
-from ..state.allowances import SIDE_EASES, is_set
+from ..state.allowances import SIDE_EASES, is_set, on_outlines
 from ..state.identities import WireSummary, find_name, find_wires, list_places, repair_names
 from ..state.marked_mesh import check_attributes, read_marks, write_marks
 
@@ -79,11 +79,15 @@ def repair_marks(target: bpy.types.Object) -> EdgeMarks:
 
 def mark_seams(mesh: bpy.types.Mesh, edges: list) -> int:
     """Mark edges, given as vertex pairs, as seams. Return the number of new seams."""
+    return make_seams(mesh, _mask(mesh, edges))
+
+
+def make_seams(mesh: bpy.types.Mesh, edges: np.ndarray) -> int:
+    """Make the edges of this mask (e,) seams. Return the number of new seams."""
     before = read_seams(mesh)
-    wanted = _mask(mesh, edges)
-    add_seams(mesh, np.flatnonzero(wanted))
+    add_seams(mesh, np.flatnonzero(edges))
     mesh.update()
-    return int(np.count_nonzero(wanted & ~before))
+    return int(np.count_nonzero(edges & ~before))
 
 
 def clear_seams(mesh: bpy.types.Mesh, edges: list) -> None:
@@ -184,7 +188,7 @@ def plan_sides(target: bpy.types.Object, rows: np.ndarray, amount: Amount, side:
     Raises ObjectError if a line would have no length left.
     """
     mesh = target.data
-    lines = _sides_of_lines(mesh, _outline_rows(mesh, rows), _places(target))
+    lines = _sides_of_lines(mesh, rows[on_outlines(mesh)[rows]], _places(target))
     areas = _piece_areas(mesh)
     sides = [line[::-1] if _is_larger(areas, *line) else line for line in lines]
     return _plan(target, [line[side] or line[1 - side] for line in sides], amount, len(rows))
@@ -199,7 +203,7 @@ def plan_corners(target: bpy.types.Object, corners: Collection[int], amount: Amo
         raise object_error(
             "both_sides", "Both sides of a seam are selected. Select one, or mark an ease of both sides on the model."
         )
-    lines = _sides_of_lines(mesh, _outline_rows(mesh, rows), _places(target))
+    lines = _sides_of_lines(mesh, rows[on_outlines(mesh)[rows]], _places(target))
     return _plan(
         target, [[each for side in line for each in side if each in chosen] for line in lines], amount, len(rows)
     )
@@ -281,12 +285,6 @@ def _piece_areas(mesh: bpy.types.Mesh) -> np.ndarray:
         piece = lower
     areas = np.bincount(piece, weights=read(mesh.polygons, "area", np.float32), minlength=len(piece))
     return np.asarray(areas[piece][faces])
-
-
-def _outline_rows(mesh: bpy.types.Mesh, rows: np.ndarray) -> np.ndarray:
-    """Return the edges on seams and outlines; only these have sides."""
-    counts = faces_at_edges(mesh)[rows]
-    return rows[(counts == 1) | (read_seams(mesh)[rows] & (counts > 0))]
 
 
 def _change(length: float, amount: Amount) -> Change:

@@ -10,7 +10,6 @@ import numpy as np
 
 from ..blender.attributes import find_values, has_attributes
 from ..blender.mesh import (
-    add_seams,
     corner_edges,
     corner_vertices,
     edge_vertices,
@@ -18,7 +17,6 @@ from ..blender.mesh import (
     faces_at_edges,
     faces_of_corners,
     next_loops,
-    read,
     read_seams,
     read_uv,
     selected_edges,
@@ -36,7 +34,7 @@ from ..state.identities import list_places
 from ..state.marked_mesh import check_attributes, read_marks, write_marks
 from ..state.owners import earlier_sentence, is_earlier, model_of
 from ..state.read_model import own_uv_map
-from .ease import repair_marks
+from .ease import make_seams, repair_marks
 
 
 class Marked(NamedTuple):
@@ -108,7 +106,7 @@ def seams_from_uv(targets: Sequence[bpy.types.Object]) -> tuple[int, list[str]]:
     """Mark the island borders of each object's map as seams; keep existing seams. Return the number of new seams, and
     the names of the maps. Raises ObjectError, with nothing marked, if an object has no UV map."""
     maps = [_find_map(target) for target in targets]
-    count = sum(_mark_borders(target.data, layer) for target, layer in zip(targets, maps, strict=True))
+    count = sum(make_seams(each.data, _borders(each.data, layer)) for each, layer in zip(targets, maps, strict=True))
     return count, list(dict.fromkeys(layer.name for layer in maps))
 
 
@@ -124,13 +122,6 @@ def _find_map(target: bpy.types.Object) -> bpy.types.MeshUVLoopLayer:
     if found is None:
         raise object_error("no_uv_map", f'"{target.name}" has no UV map: unwrap it first (UV > Unwrap).')
     return found
-
-
-def _mark_borders(mesh: bpy.types.Mesh, layer: bpy.types.MeshUVLoopLayer) -> int:
-    before, borders = read_seams(mesh), _borders(mesh, layer)
-    add_seams(mesh, np.flatnonzero(borders))
-    mesh.update()
-    return int(np.count_nonzero(borders & ~before))
 
 
 def _borders(mesh: bpy.types.Mesh, layer: bpy.types.MeshUVLoopLayer) -> np.ndarray:
@@ -174,10 +165,10 @@ def selected_sides(flat: bpy.types.Object) -> SelectedSides:
         raise object_error("edited_pieces", f'"{flat.name}" was edited by hand. Flatten "{source.name}" again.')
     check_local(source, source.data)
     mesh, model = flat.data, source.data
-    selected = read(mesh.edges, "select", bool) & ~read(mesh.edges, "hide", bool)
-    rows = np.flatnonzero(selected & (faces_at_edges(mesh) == 1))
+    selected = selected_edges(mesh)
+    rows = selected[faces_at_edges(mesh)[selected] == 1]
     face_of_edge = np.zeros(len(mesh.edges), dtype=np.int64)
     face_of_edge[corner_edges(mesh)] = np.repeat(find_values(mesh, SOURCE_FACE), face_sizes(mesh))
     ends = find_values(mesh, SOURCE_VERTEX)[edge_vertices(mesh)[rows]]
     edges = find_edges(ends, edge_vertices(model))
-    return SelectedSides(source, edges, face_of_edge[rows].astype(np.int64), int(selected.sum()) - len(rows))
+    return SelectedSides(source, edges, face_of_edge[rows].astype(np.int64), len(selected) - len(rows))

@@ -173,7 +173,7 @@ class MarkedAllowances:
 def mark_edges(mesh: bpy.types.Mesh, rows: np.ndarray, width: float) -> int:
     """Set this width on the edges that are on seams and outlines: NONE for no allowance, 0 for the default. Return the
     number of changed edges."""
-    marked = rows[_on_outlines(mesh)[rows]]
+    marked = rows[on_outlines(mesh)[rows]]
     widths = read_values(mesh, ALLOWANCE)
     widths[marked] = width
     write_marked(mesh, ALLOWANCE, widths)
@@ -230,15 +230,15 @@ def corner_widths(mesh: bpy.types.Mesh) -> np.ndarray:
 
 def widest_allowance(mesh: bpy.types.Mesh) -> float:
     """Returns the largest width that is marked on seams and outlines, in Blender units; 0 for none."""
-    on_outlines = _on_outlines(mesh)
-    both, sides = read_values(mesh, ALLOWANCE)[on_outlines], SIDE_ALLOWANCES.read(mesh)[on_outlines[corner_edges(mesh)]]
+    edges = on_outlines(mesh)
+    both, sides = read_values(mesh, ALLOWANCE)[edges], SIDE_ALLOWANCES.read(mesh)[edges[corner_edges(mesh)]]
     return float(max(_where_set(both).max(initial=0.0), _where_set(sides).max(initial=0.0)))
 
 
-def _on_outlines(mesh: bpy.types.Mesh) -> np.ndarray:
-    """Return a mask (e,) of the edges on seams and outlines."""
+def on_outlines(mesh: bpy.types.Mesh) -> np.ndarray:
+    """Return a mask (e,) of the edges on seams and outlines; only these have sides."""
     faces = faces_at_edges(mesh)
-    return (faces > 0) & (read_seams(mesh) | (faces != 2))
+    return (faces == 1) | (read_seams(mesh) & (faces > 0))
 
 
 def _where_set(widths: np.ndarray) -> np.ndarray:
