@@ -13,6 +13,7 @@ import numpy as np
 from mathutils.bvhtree import BVHTree
 
 from ..core import Elements, counted
+from .mesh import as_bmesh
 
 CLOSE = 1e-5  # share of the model's size; files store coordinates with five or six digits
 ROUNDED = 5e-7  # share of the largest coordinate: two rounding errors of single precision for each of two vertices
@@ -36,22 +37,16 @@ class Fault:
 
 def find_faults(mesh: bpy.types.Mesh) -> dict[str, Elements]:
     """Return the elements of each kind of fault in a mesh in Object Mode."""
-    edit = bmesh.new()
-    try:
-        edit.from_mesh(mesh)
+    with as_bmesh(mesh) as edit:
         close = _close_distance(edit)
         found = {fault.kind: _found(fault, edit, close) for fault in FAULTS}
         return {kind: _elements(own) for kind, own in found.items() if own}
-    finally:
-        edit.free()
 
 
 def repair_faults(mesh: bpy.types.Mesh, kinds: Sequence[str]) -> dict[str, int]:
     """Repairs these kinds in order; returns how many elements of each were repaired."""
     repaired = {}
-    edit = bmesh.new()
-    try:
-        edit.from_mesh(mesh)
+    with as_bmesh(mesh) as edit:
         close = _close_distance(edit)
         for fault in FAULTS:
             found = _found(fault, edit, close) if fault.kind in kinds else []
@@ -65,9 +60,7 @@ def repair_faults(mesh: bpy.types.Mesh, kinds: Sequence[str]) -> dict[str, int]:
         if repaired:
             edit.to_mesh(mesh)
             mesh.update()
-        return repaired
-    finally:
-        edit.free()
+    return repaired
 
 
 def _found(fault: Fault, edit: bmesh.types.BMesh, close: float) -> Found:

@@ -248,6 +248,17 @@ def current_mesh(target: bpy.types.Object) -> Iterator[bpy.types.Mesh]:
 
 
 @contextmanager
+def as_bmesh(mesh: bpy.types.Mesh) -> Iterator[bmesh.types.BMesh]:
+    """Yield a copy of a mesh that is not in Edit Mode."""
+    copied = bmesh.new()
+    try:
+        copied.from_mesh(mesh)
+        yield copied
+    finally:
+        copied.free()
+
+
+@contextmanager
 def evaluated_mesh(source: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> Iterator[bpy.types.Mesh]:
     """Yield the mesh with its modifiers applied. Do not nest this for one object, because the inner end frees the mesh
     of both."""

@@ -40,14 +40,22 @@ def in_object_mode(context: bpy.types.Context) -> Iterator[None]:
     try:
         yield
     finally:
-        _select_only(context, edited)
+        _select(context, edited)
         bpy.ops.object.mode_set(mode="EDIT")
-        _select_only(context, selected)
+        _select(context, selected)
 
 
-def _select_only(context: bpy.types.Context, objects: list[bpy.types.Object]) -> None:
+def _select(context: bpy.types.Context, objects: list[bpy.types.Object]) -> None:
     for other in context.view_layer.objects:
         other.select_set(other in objects)
+
+
+def select_only(context: bpy.types.Context, target: bpy.types.Object) -> None:
+    """Make the object active and the only selected one."""
+    for other in context.selected_objects:
+        other.select_set(False)
+    context.view_layer.objects.active = target
+    target.select_set(True)
 
 
 def hold_whole_file() -> None:
@@ -80,10 +88,7 @@ def select_elements(context: bpy.types.Context, target: bpy.types.Object, elemen
     if context.mode == "EDIT_MESH":
         bpy.ops.object.mode_set(mode="OBJECT")
     deselect_all(mesh)
-    context.view_layer.objects.active = target
-    for other in context.selected_objects:
-        other.select_set(other == target)
-    target.select_set(True)
+    select_only(context, target)
 
     level = 0 if vertex_mask.any() else 1 if edge_mask.any() else 2
     context.tool_settings.mesh_select_mode = tuple(level == each for each in range(3))

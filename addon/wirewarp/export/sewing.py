@@ -8,6 +8,7 @@ import numpy as np
 
 from ..blender.mesh import edge_vertices, evaluated_mesh, vertex_places
 from ..blender.objects import name_with, remove_object
+from ..blender.selection import select_only
 from ..issues import object_error
 from ..names import FLAT_LENGTH, MARKS, SEAM
 from ..solve.outlines import FlatPieces, outline_of
@@ -113,10 +114,7 @@ class OBJECT_OT_wirewarp_sewing(OnMesh, bpy.types.Operator):
         context.view_layer.update()  # so that the view layer knows the new object
         if target.name not in context.view_layer.objects:  # not there if the view layer excludes the collection
             context.scene.collection.objects.link(target)
-        for each in context.selected_objects:
-            each.select_set(False)
-        target.select_set(True)
-        context.view_layer.objects.active = target
+        select_only(context, target)
         text = f'"{target.name}" is ready for Physics > Cloth with Shape > Sewing; its shape key "{WORN}" closes it.'
         self.report({"INFO"}, text)
         return {"FINISHED"}

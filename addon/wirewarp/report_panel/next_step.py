@@ -10,6 +10,7 @@ import bpy
 from bpy.props import EnumProperty
 
 from ..blender.objects import meters_per_blender_unit, world_box
+from ..blender.selection import select_only
 from ..blender.views import show_objects, work_area
 from ..core import BEYOND_FABRIC, STRAINED, Issue, counted, issue_text, percent_text
 from ..solve.report import ObjectReport, UvSeams
@@ -69,10 +70,7 @@ class OBJECT_OT_wirewarp_open_sample(bpy.types.Operator):
             model.location.x = _free_place(scene, model)
         context.collection.objects.link(model)
         bpy.data.scenes.remove(sample_scene)
-        for other in context.selected_objects:
-            other.select_set(False)
-        context.view_layer.objects.active = model
-        model.select_set(True)
+        select_only(context, model)
         area = work_area(context)
         if area:
             context.view_layer.update()

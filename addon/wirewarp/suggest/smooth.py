@@ -14,7 +14,7 @@ import bpy
 import numpy as np
 from mathutils import Vector
 
-from ..blender.mesh import edge_vertices, faces_at_edges, read_seams, read_selected_edges
+from ..blender.mesh import as_bmesh, edge_vertices, faces_at_edges, read_seams, read_selected_edges
 from ..blender.objects import check_local
 from ..blender.selection import in_object_mode, select_edges_in_edit_mode
 from ..core import FlattenError, Issue, SurfacePath, Wire, counted, straighten_path
@@ -90,28 +90,21 @@ def cut_lines(mesh: bpy.types.Mesh, division: Division) -> Pairs:
 @contextmanager
 def unchanged_on_error(mesh: bpy.types.Mesh) -> Iterator[None]:
     """Restore the mesh if an error occurs, so that either all lines are cut or none."""
-    before = bmesh.new()
-    try:
-        before.from_mesh(mesh)
-        yield
-    except Exception:
-        before.to_mesh(mesh)
-        mesh.update()
-        raise
-    finally:
-        before.free()
+    with as_bmesh(mesh) as before:
+        try:
+            yield
+        except Exception:
+            before.to_mesh(mesh)
+            mesh.update()
+            raise
 
 
 @contextmanager
 def _edited(mesh: bpy.types.Mesh) -> Iterator[bmesh.types.BMesh]:
     """Yield a bmesh of the mesh, and write it back at the end unless an error occurs."""
-    edited = bmesh.new()
-    try:
-        edited.from_mesh(mesh)
+    with as_bmesh(mesh) as edited:
         yield edited
         edited.to_mesh(mesh)
-    finally:
-        edited.free()
     mesh.update()
 
 
