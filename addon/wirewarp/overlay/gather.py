@@ -21,6 +21,7 @@ from ..blender.mesh import (
     read_hidden_edges,
     read_seams,
     read_selected_edges,
+    read_uv,
     triangle_corners,
     triangle_faces,
     triangle_vertices,
@@ -74,43 +75,38 @@ def screen_colors(linear: np.ndarray) -> np.ndarray:
 
 def gather_lines(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> LineEdges:
     """Return the marked lines. Raises ObjectError if another add-on or a user made an attribute of the same name."""
+    is_edited = target.data.is_editmode  # Edit Mode shows the selection, and hides hidden elements
     with shown_mesh(target, depsgraph) as mesh:
-        return _lines(mesh, target.data.is_editmode)
+        marks, seams = read_marks(mesh), read_seams(mesh)
+        outlines = faces_at_edges(mesh) == 1
+        is_shown = ~read_hidden_edges(mesh) if is_edited else True
+        rows = np.flatnonzero((seams | outlines | marks.are_wires) & is_shown)
+        vertices = edge_vertices(mesh)[rows]
+        source, pieces = vertices, np.zeros(len(mesh.edges), dtype=np.int32)
+        allowances = np.zeros(len(mesh.edges), dtype=bool)
+        if has_attributes(mesh, SOURCE_VERTEX, PIECE_INDEX):
+            source = find_values(mesh, SOURCE_VERTEX)[vertices]
+            pieces[corner_edges(mesh)] = find_values(mesh, PIECE_INDEX)[faces_of_corners(mesh)]
+        else:  # on flat pieces, the cutting lines show allowances
+            allowances[corner_edges(mesh)[corner_widths(mesh) != 0]] = True
+        return LineEdges(
+            ends=vertex_places(mesh)[vertices],
+            normals=read(mesh.vertices, "normal", np.float32, 3)[vertices[:, 0]],
+            vertices=source,
+            pieces=pieces[rows],
+            seams=seams[rows],
+            seam_ids=read_ids(mesh, SEAM)[rows],
+            outlines=outlines[rows],
+            allowances=(allowances & (seams | outlines))[rows],
+            marks=marks.take(rows),
+            selected=read_selected_edges(mesh)[rows] if is_edited else np.zeros(len(rows), dtype=bool),
+        )
 
 
 def shown_mesh(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> AbstractContextManager[bpy.types.Mesh]:
     """Return the mesh with modifiers and shape keys, or as edited, even if it is edited through another object."""
     is_modified = not target.data.is_editmode and (target.modifiers or target.data.shape_keys)
     return evaluated_mesh(target, depsgraph) if is_modified else current_mesh(target)
-
-
-def _lines(mesh: bpy.types.Mesh, is_edited: bool) -> LineEdges:
-    """Return the lines. is_edited: whether the object is in Edit Mode, which shows the selection and hides hidden
-    elements."""
-    marks, seams = read_marks(mesh), read_seams(mesh)
-    outlines = faces_at_edges(mesh) == 1
-    is_shown = ~read_hidden_edges(mesh) if is_edited else True
-    rows = np.flatnonzero((seams | outlines | marks.are_wires) & is_shown)
-    vertices = edge_vertices(mesh)[rows]
-    source, pieces = vertices, np.zeros(len(mesh.edges), dtype=np.int32)
-    allowances = np.zeros(len(mesh.edges), dtype=bool)
-    if has_attributes(mesh, SOURCE_VERTEX, PIECE_INDEX):
-        source = find_values(mesh, SOURCE_VERTEX)[vertices]
-        pieces[corner_edges(mesh)] = find_values(mesh, PIECE_INDEX)[faces_of_corners(mesh)]
-    else:  # on flat pieces, the cutting lines show allowances
-        allowances[corner_edges(mesh)[corner_widths(mesh) != 0]] = True
-    return LineEdges(
-        ends=vertex_places(mesh)[vertices],
-        normals=read(mesh.vertices, "normal", np.float32, 3)[vertices[:, 0]],
-        vertices=source,
-        pieces=pieces[rows],
-        seams=seams[rows],
-        seam_ids=read_ids(mesh, SEAM)[rows],
-        outlines=outlines[rows],
-        allowances=(allowances & (seams | outlines))[rows],
-        marks=marks.take(rows),
-        selected=read_selected_edges(mesh)[rows] if is_edited else np.zeros(len(rows), dtype=bool),
-    )
 
 
 def gather_side_eases(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> SideEases | None:
@@ -155,33 +151,29 @@ def shows_our_map(mesh: bpy.types.Mesh) -> bool:
 def gather_uv_lines(target: bpy.types.Object) -> LineEdges:
     """Return the marked edges on the map, once at each of their faces. Raises ObjectError for foreign attributes."""
     with current_mesh(target) as mesh:
-        return _uv_lines(mesh, target.data.is_editmode)
+        marks, seams, outlines = read_marks(mesh), read_seams(mesh), faces_at_edges(mesh) == 1
+        edge_of_loop, following, places = corner_edges(mesh), next_loops(mesh), uv_places(mesh)
+        faces = faces_of_corners(mesh)
+        is_shown = ~read(mesh.polygons, "hide", bool)[faces] if target.data.is_editmode else True
+        loops = np.flatnonzero((seams | outlines | marks.are_wires)[edge_of_loop] & is_shown)
+        rows = edge_of_loop[loops]
+        corners = np.column_stack([loops, following[loops]])
+        return LineEdges(
+            ends=places[corners],
+            normals=np.tile(np.array([0, 0, 1], dtype=np.float32), (len(loops), 1)),
+            vertices=corner_vertices(mesh)[corners],
+            pieces=read_ids(mesh, PIECE)[faces[loops]],
+            seams=seams[rows],
+            seam_ids=read_ids(mesh, SEAM)[rows],
+            outlines=outlines[rows],
+            allowances=np.zeros(len(rows), dtype=bool),
+            marks=marks.take(rows),
+            selected=np.zeros(len(rows), dtype=bool),  # not drawn: the map has its own selection
+        )
 
 
 def uv_places(mesh: bpy.types.Mesh) -> np.ndarray:
     """Return the place (l,3) float32 of each corner in the map, for a mesh in Object Mode."""
     places = np.zeros((len(mesh.loops), 3), dtype=np.float32)
-    places[:, :2] = read(mesh.uv_layers[UV_LAYER].data, "uv", np.float32, 2)
+    places[:, :2] = read_uv(mesh.uv_layers[UV_LAYER])
     return places
-
-
-def _uv_lines(mesh: bpy.types.Mesh, is_edited: bool) -> LineEdges:
-    marks, seams, outlines = read_marks(mesh), read_seams(mesh), faces_at_edges(mesh) == 1
-    edge_of_loop, following, places = corner_edges(mesh), next_loops(mesh), uv_places(mesh)
-    faces = faces_of_corners(mesh)
-    is_shown = ~read(mesh.polygons, "hide", bool)[faces] if is_edited else True
-    loops = np.flatnonzero((seams | outlines | marks.are_wires)[edge_of_loop] & is_shown)
-    rows = edge_of_loop[loops]
-    corners = np.column_stack([loops, following[loops]])
-    return LineEdges(
-        ends=places[corners],
-        normals=np.tile(np.array([0, 0, 1], dtype=np.float32), (len(loops), 1)),
-        vertices=corner_vertices(mesh)[corners],
-        pieces=read_ids(mesh, PIECE)[faces[loops]],
-        seams=seams[rows],
-        seam_ids=read_ids(mesh, SEAM)[rows],
-        outlines=outlines[rows],
-        allowances=np.zeros(len(rows), dtype=bool),
-        marks=marks.take(rows),
-        selected=np.zeros(len(rows), dtype=bool),  # not drawn: the map has its own selection
-    )

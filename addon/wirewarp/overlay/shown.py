@@ -134,16 +134,14 @@ def _drawing(context: bpy.types.Context, target: bpy.types.Object, color_map: Co
     made_of = stamp(target), stamp(target.data), target.data.is_editmode, report, source.name_full, names, scale
     depsgraph = context.view_layer.depsgraph
     if context.scene.wirewarp.show_lines:
-        if target == source or target.data.is_editmode:
-            lines = kept_drawing(target, "lines", made_of, lambda: _or_none(marked_lines, target, depsgraph))
-        else:
-            cut = _cut_lines(context, source, target)
-            lines = kept_drawing(
-                target,
-                "lines",
-                (*made_of, Same(cut)),
-                lambda: _with_cut(_or_none(marked_lines, target, depsgraph), cut, context.scene),
-            )
+        has_cut = target != source and not target.data.is_editmode
+        cut = _cut_lines(context, source, target) if has_cut else None
+        lines = kept_drawing(
+            target,
+            "lines",
+            (*made_of, Same(cut)),
+            lambda: _with_cut(_or_none(marked_lines, target, depsgraph), cut, context.scene),
+        )
         of_model = stamp(source.data), source.data.is_editmode, Same(suggestions_of(source))
         failed = kept_drawing(
             target,
@@ -261,7 +259,9 @@ def _with_pages(lines: Lines | None, pages: PagePreview) -> Lines:
     return replace(lines, places=places, names=lines.names + pages.names)
 
 
-def _with_cut(lines: Lines, cut: CutLines, scene: bpy.types.Scene) -> Lines:
+def _with_cut(lines: Lines | None, cut: CutLines | None, scene: bpy.types.Scene) -> Lines | None:
+    if lines is None or cut is None:
+        return lines
     places = cut_places(cut, 1000 * meters_per_blender_unit(scene))
     return replace(lines, places=lines.places | {"cut": places}) if len(places) else lines
 
