@@ -36,10 +36,8 @@ HANDLERS: dict[str, tuple[Callable, ...]] = {  # keys: names of Blender's lists
     "load_pre": (window_run.stop, drop_jobs),
     "load_post": (drawings.forget, memory.forget),
 }
-FORGET = (
-    *HANDLERS["load_pre"],
-    *HANDLERS["load_post"],
-)  # these clear the memory when the add-on is disabled or another file is opened
+# these clear the memory when the add-on is disabled or another file is opened
+FORGET = (*HANDLERS["load_pre"], *HANDLERS["load_post"])
 
 
 def register() -> Callable[[], None]:

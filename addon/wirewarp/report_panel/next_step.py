@@ -134,11 +134,8 @@ REMEDIES = {
 }
 APPLY_FIRST = "This fix needs edges that modifiers make. Mark edges of the model itself, or:"
 CHECK = "object.wirewarp_check"
-FAULTY_CODES = {
-    "non_manifold_edge",
-    "repeated_face",
-    "repeated_vertex_in_face",
-}  # for faults that Check and Repair finds and fixes
+# for faults that Check and Repair finds and fixes
+FAULTY_CODES = {"non_manifold_edge", "repeated_face", "repeated_vertex_in_face"}
 OF_CODES = {"zero_area_face": "DISSOLVE", "loose_faces": "MERGE", "inconsistent_orientation": "NORMALS"}
 
 
@@ -262,9 +259,8 @@ def failure_text(report: ObjectReport, step: NextStep | None) -> str:
 
 def _reason(issues: Sequence[Issue], what: str) -> str:
     if what == "SEAMS":
-        edges = {
-            (min(edge), max(edge)) for issue in issues for edge in issue.proposed_seams
-        }  # mirrored pieces share their places
+        # mirrored pieces share their places
+        edges = {(min(edge), max(edge)) for issue in issues for edge in issue.proposed_seams}
         return f"Suggested seam: {counted(len(edges), 'edge')}."
     if what == "TOLERANCES":
         wires = {wire.name for issue in issues for wire in issue.proposed_tolerances}

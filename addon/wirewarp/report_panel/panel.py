@@ -149,9 +149,8 @@ def draw_issues(context: bpy.types.Context, layout: bpy.types.UILayout, report: 
     issues = report.issues
     for index, issue in enumerate(issues[:SHOWN_ROWS]):
         _draw_entry(context, layout, issue_text(report, issue), "ISSUE", index, is_shown(report, issue))
-        if not report.with_modifiers and (
-            len(issues) > 1 or issue.code == CLOSED_CODE
-        ):  # drawn here only if the panel Flatten has no such button
+        # drawn here only if the panel Flatten has no such button
+        if not report.with_modifiers and (len(issues) > 1 or issue.code == CLOSED_CODE):
             _draw_proposals(context, layout, index, issue)
     if len(issues) > SHOWN_ROWS:
         layout.label(text=f"and {len(issues) - SHOWN_ROWS} more")

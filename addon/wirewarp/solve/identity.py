@@ -22,9 +22,8 @@ from .limbs import limb_names
 # (-Y): the left hand is at +X.
 SIDES = (("Right", "Left"), ("Front", "Back"), ("Bottom", "Top"))
 HALVES = (("Right", "Left"), ("Front", "Back"), ("Lower", "Upper"))  # distinguish pieces on the same side
-FACES_ONE_WAY = (
-    0.3  # shortest mean normal of a piece that faces one side; others, such as sleeves, are named after their place
-)
+# shortest mean normal of a piece that faces one side; others, such as sleeves, are named after their place
+FACES_ONE_WAY = 0.3
 WORD_ORDER = (2, 1, 0)  # axes of the words in a name: "Upper Front Left"
 IN_THE_MIDDLE = 0.13  # share of the distance between the outermost pieces; one closer to their middle gets no word
 BESIDE = 0.05  # share of the model's size; a piece closer to the middle, such as a ball, has no side

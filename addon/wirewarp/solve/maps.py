@@ -54,9 +54,8 @@ LENGTH_VARIATION = ColorMap("length_variation_color", "Change of length", 0.0, 0
 ARAP_ENERGY = ColorMap("arap_energy_color", "Distortion", 0.0, 0.1)
 WEFT = ColorMap("weft_strain_color", "Across the grain", -0.1, 0.1, is_percent=True, stops=_TWO_SIDED)
 WARP = ColorMap("warp_strain_color", "Along the grain", -0.1, 0.1, is_percent=True, stops=_TWO_SIDED)
-SHEAR = ColorMap(
-    "shear_angle_color", "Shear", 0.0, math.radians(45), is_angle=True
-)  # the threads of woven fabric lock at a larger shear
+# the threads of woven fabric lock at a larger shear
+SHEAR = ColorMap("shear_angle_color", "Shear", 0.0, math.radians(45), is_angle=True)
 CLOTH_MAPS = (WEFT, WARP, SHEAR)
 COLOR_MAPS = (ASPECT_RATIO, STRETCH, LENGTH_VARIATION, ARAP_ENERGY, *CLOTH_MAPS)
 NO_LAYOUT = np.array([0.16, 0.18, 0.22, 1.0], dtype=np.float32)  # differs from all colors of the scales

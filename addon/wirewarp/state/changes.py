@@ -165,9 +165,8 @@ def place_sums(points: np.ndarray) -> list[float]:
     numbers = np.arange(len(points))
     blocks = numbers * BLOCKS // max(len(points), 1)
     wave = np.cos(2.4 * numbers)
-    weights = (
-        wave + np.sign(wave)
-    ) / 2  # no weight is near 0, and their sum is near 0, so that a common rounding error cancels
+    # no weight is near 0, and their sum is near 0, so that a common rounding error cancels
+    weights = (wave + np.sign(wave)) / 2
     sums = [np.bincount(blocks, weights * column, minlength=BLOCKS) for column in _finite(points).T]
     return np.concatenate(sums).tolist()
 

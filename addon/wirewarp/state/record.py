@@ -66,9 +66,8 @@ class FlatRecord:
     layout: dict[str, Any]  # options that change the layout
     up: list[float]  # (3,) upward direction of that run, in the model's own space
     away: list[list[float]]  # places of pieces without a shape, see solve.places.NONE_AWAY
-    grain: list[
-        list[float]
-    ]  # for each piece: its index, two vertices, and the grain relative to the line between them; see grains
+    # for each piece: its index, two vertices, and the grain relative to the line between them; see grains
+    grain: list[list[float]]
     counts: list[int]  # numbers of vertices, edges and faces
     areas: list[float]  # signed area of each piece
     source_faces: int  # faces of the flattened mesh

@@ -43,9 +43,8 @@ def listed_files(report: Path) -> list[str]:
     """Return the files that our report lists, including itself; none if it is not our report."""
     try:
         names = json.loads(report.read_text(encoding="utf-8"))["line"]["files"]
-        return [
-            name for name in names if Path(name).name == name
-        ]  # accepts only names of files beside the report, because others may have written it
+        # accepts only names of files beside the report, because others may have written it
+        return [name for name in names if Path(name).name == name]
     except (FileNotFoundError, ValueError, KeyError, TypeError):
         return []
 

@@ -97,9 +97,8 @@ class _Writer:
         fields |= {"Size": "1"} if self._is_aama else {}
         middle = piece.bounds[0] + piece.size / 2
         self._add_fields(tags, fields, middle)
-        for line in (
-            line for line in piece.lines if line.role not in LEADERS.values()
-        ):  # DXF has no entity for leaders
+        # DXF has no entity for leaders
+        for line in (line for line in piece.lines if line.role not in LEADERS.values()):
             self._add_line(tags, line.role, line.points, line.closed)
         for point in piece.points:
             if point.role == "drill":
