@@ -49,20 +49,32 @@ def shown_map(context: bpy.types.Context) -> ColorMap | None:
     return next((each for each in COLOR_MAPS if each.attribute.upper() == wanted), None)
 
 
+# why a map is missing, the first reasons first
+REASONS = NOT_FLATTENED, NO_FABRIC, CHANGED, EDITED = (
+    "Not flattened: no map",
+    "No fabric was chosen: no map",
+    "Changed since: flatten again",
+    "In Edit Mode: no map",
+)
+
+
 def missing_maps(shown: Sequence[Drawing], color_map: ColorMap) -> list[str]:
     """Return sentences about why the chosen map is missing on some objects."""
     missing = [each.target for each in shown if each.surface is None]
-    without = [target for target in missing if not _is_edited(target)]
-    reports = [last_report(model_or_self(target)) for target in without]
-    whys = {"Not flattened: no map": any(report is None or report.flat_object is None for report in reports)}
-    has_no_cloth = [report is not None and color_map in CLOTH_MAPS and not _has_cloth(report) for report in reports]
-    whys["No fabric was chosen: no map"] = any(has_no_cloth)
-    flattened = [report is not None and report.flat_object is not None for report in reports]
-    whys["Changed since: flatten again"] = any(
-        is_flat and not no_cloth for is_flat, no_cloth in zip(flattened, has_no_cloth, strict=True)
-    )
-    whys["In Edit Mode: no map"] = len(missing) == len(shown) > len(without)
-    return [why for why, is_so in whys.items() if is_so]
+    found = {_why_missing(target, color_map) for target in missing}
+    if len(missing) < len(shown):  # maps of other objects are in view
+        found.discard(EDITED)
+    return [reason for reason in REASONS if reason in found]
+
+
+def _why_missing(target: bpy.types.Object, color_map: ColorMap) -> str:
+    if _is_edited(target):
+        return EDITED
+    report = last_report(model_or_self(target))
+    if report is None or report.flat_object is None:
+        return NOT_FLATTENED
+    has_cloth = bool((report.options or {}).get("cloth"))
+    return NO_FABRIC if color_map in CLOTH_MAPS and not has_cloth else CHANGED
 
 
 def _is_edited(target: bpy.types.Object) -> bool:
@@ -91,10 +103,6 @@ def _figure(reports: Sequence[ObjectReport], color_map: ColorMap) -> str:
     if color_map in CLOTH_MAPS and threads:
         return percent_text(max(each.across if color_map is WEFT else each.along for each in threads))
     return ""
-
-
-def _has_cloth(report: ObjectReport) -> bool:
-    return bool((report.options or {}).get("cloth"))
 
 
 def highest_value(shown: Sequence[Drawing], color_map: ColorMap) -> float | None:
