@@ -8,7 +8,7 @@ from ..state.owners import find_flat_object
 from ..ui.layout import SidebarPanel, draw_progress, draw_sentence
 from ..ui.settings import shown_source
 from ..ui.window_run import EXPORT
-from .piece_list import shown_pieces
+from .piece_list import report_of_pieces
 
 
 class VIEW3D_PT_wirewarp_export(SidebarPanel, bpy.types.Panel):
@@ -16,7 +16,7 @@ class VIEW3D_PT_wirewarp_export(SidebarPanel, bpy.types.Panel):
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        report = shown_pieces(context)
+        report = report_of_pieces(context)
         return report is not None and report.flat_object is not None
 
     def draw(self, context: bpy.types.Context) -> None:

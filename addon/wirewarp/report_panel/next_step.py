@@ -166,11 +166,11 @@ def next_step(report: ObjectReport, left_out: list[str]) -> NextStep | None:
     if {issue.code for issue in report.issues} & FAULTY_CODES and not report.with_modifiers:
         return NextStep("", "Check and Repair", "TOOL_SETTINGS", CHECK, {})
     if report.issues:
-        return _show("ISSUE", "Show Failed Place", _shown(report, report.issues))
+        return _step_to_show("ISSUE", "Show Failed Place", _placed(report, report.issues))
     if left_out:
         return NextStep("", "Flatten with Modifiers", "MODIFIER", MEND, {"what": "MODIFIERS"})
     is_strained = any(piece.is_strained for piece in report.pieces)
-    return _show("HINT", "Show Worst Place", _strained_places(report)) if is_strained else None
+    return _step_to_show("HINT", "Show Worst Place", _strained_places(report)) if is_strained else None
 
 
 def uv_step(found: UvSeams | None) -> NextStep:
@@ -208,14 +208,14 @@ def piece_to_cut(report: ObjectReport, step: NextStep | None) -> int | None:
     return max(strained, key=lambda piece: piece.excess).index if strained else None
 
 
-def _show(what: str, text: str, places: list[int]) -> NextStep | None:
+def _step_to_show(what: str, text: str, places: list[int]) -> NextStep | None:
     """Return the step that shows the first of these report lines."""
     return NextStep("", text, "RESTRICT_SELECT_OFF", SHOW, {"what": what, "index": places[0]}) if places else None
 
 
-def _shown(report: ObjectReport, entries: Sequence[Issue]) -> list[int]:
+def _placed(report: ObjectReport, entries: Sequence[Issue]) -> list[int]:
     """Return the lines that have a place, the worst first."""
-    return [index for index, entry in enumerate(entries) if is_shown(report, entry)]
+    return [index for index, entry in enumerate(entries) if has_shown_place(report, entry)]
 
 
 def _strained_places(report: ObjectReport) -> list[int]:
@@ -224,7 +224,7 @@ def _strained_places(report: ObjectReport) -> list[int]:
     The largest is first, because the most strained may be a single face.
     """
     hints = report.hints
-    places = [index for index in _shown(report, hints) if hints[index].code in {STRAINED, BEYOND_FABRIC}]
+    places = [index for index in _placed(report, hints) if hints[index].code in {STRAINED, BEYOND_FABRIC}]
     own = [index for index in places if hints[index].piece == hints[places[0]].piece]
     return sorted(own, key=lambda index: -len(hints[index].faces))
 
@@ -236,7 +236,7 @@ def remedy_of(issue: Issue) -> str | None:
     return "TOLERANCES" if issue.proposed_tolerances else OF_CODES.get(issue.code)
 
 
-def is_shown(report: ObjectReport, entry: Issue) -> bool:
+def has_shown_place(report: ObjectReport, entry: Issue) -> bool:
     """Return whether an issue or hint has a place to select. With modifiers, only a flat piece can have one."""
     if not entry.has_place:
         return False

@@ -32,7 +32,7 @@ from ..solve.report import ObjectReport
 from ..state.reports import pieces_report
 from ..ui.layout import SidebarPanel, broken, draw_cells, draw_sentence, is_wide, mark_of
 from ..ui.settings import has_changed_since, shown_report, shown_source
-from .next_step import is_shown
+from .next_step import has_shown_place
 
 SHOWN_ROWS = 8
 MOST_ROWS = 100  # more rows slow down drawing
@@ -148,7 +148,7 @@ ADVICE = {
 def draw_issues(context: bpy.types.Context, layout: bpy.types.UILayout, report: ObjectReport) -> None:
     issues = report.issues
     for index, issue in enumerate(issues[:SHOWN_ROWS]):
-        _draw_entry(context, layout, issue_text(report, issue), "ISSUE", index, is_shown(report, issue))
+        _draw_entry(context, layout, issue_text(report, issue), "ISSUE", index, has_shown_place(report, issue))
         # drawn here only if the panel Flatten has no such button
         if not report.with_modifiers and (len(issues) > 1 or issue.code == CLOSED_CODE):
             _draw_proposals(context, layout, index, issue)

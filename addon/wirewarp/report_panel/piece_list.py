@@ -42,11 +42,11 @@ class WIREWARP_UL_pieces(bpy.types.UIList):
         if row is None:
             line.prop(entry, "name", text="", emboss=False, icon="BLANK1")
             return
-        is_long = any(each.has_layout and each.shown >= 1 for each in shown_pieces(context).tables.pieces)
+        is_long = any(each.has_layout and each.shown >= 1 for each in report_of_pieces(context).tables.pieces)
         columns = line.split(factor=SHORT_NAMES if is_long else NAMES)
         mark = {"icon": "BLANK1"}
         if _is_current(context):
-            narrow = narrow_names(context, shown_source(context), shown_pieces(context))
+            narrow = narrow_names(context, shown_source(context), report_of_pieces(context))
             mark = mark_of(row.ok, row.is_strained or row.name in narrow)
         columns.prop(entry, "name", text="", emboss=False, **mark)
         if row.has_layout:
@@ -67,7 +67,7 @@ class WIREWARP_UL_pieces(bpy.types.UIList):
             shown = helper.filter_items_by_name(self.filter_name, self.bitflag_filter_item, entries, "name")
         if self.use_filter_sort_alpha:
             return shown, helper.sort_items_by_name(entries, "name")
-        places = {row.index: place for place, row in enumerate(shown_pieces(context).tables.pieces)}
+        places = {row.index: place for place, row in enumerate(report_of_pieces(context).tables.pieces)}
         if places.keys() != set(range(len(entries))):
             return shown, []
         return shown, [places[index] for index in range(len(entries))]
@@ -80,7 +80,7 @@ def _have_buttons(context: bpy.types.Context, source: bpy.types.Object) -> bool:
     return len(pieces) <= MOST_ROWS and (is_wide(context) or longest <= MOST_LETTERS)
 
 
-def shown_pieces(context: bpy.types.Context) -> ObjectReport | None:
+def report_of_pieces(context: bpy.types.Context) -> ObjectReport | None:
     """Return the report of the existing pieces, even if a later run failed."""
     source = shown_source(context)
     return pieces_report(source) if source else None
@@ -88,12 +88,12 @@ def shown_pieces(context: bpy.types.Context) -> ObjectReport | None:
 
 def _row_of(context: bpy.types.Context, index: int) -> core.report.Piece | None:
     """Return the piece; None if the report and the list have different pieces."""
-    return next((row for row in shown_pieces(context).tables.pieces if row.index == index), None)
+    return next((row for row in report_of_pieces(context).tables.pieces if row.index == index), None)
 
 
 def _is_current(context: bpy.types.Context) -> bool:
     """Return whether the panel above shows the verdict on these pieces, and nothing has changed since the run."""
-    source, report = shown_source(context), shown_pieces(context)
+    source, report = shown_source(context), report_of_pieces(context)
     if report is not shown_report(context) or untrue_sentence(context.active_object, source, report):
         return False
     return not settings_sentence(source, report, context.scene.wirewarp)
@@ -104,7 +104,7 @@ class VIEW3D_PT_wirewarp_pieces(SidebarPanel, bpy.types.Panel):
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        report = shown_pieces(context)
+        report = report_of_pieces(context)
         return report is not None and report.flat_object is not None and len(shown_source(context).wirewarp_pieces) > 0
 
     def draw(self, context: bpy.types.Context) -> None:
