@@ -53,9 +53,8 @@ LIBRARY_METHODS = {"REFINED": "refined", "WIREWARP_PLUS_PLUS": "wirewarp++", "WI
 LIBRARY_ORIENTATIONS = {"WIRE": "grain", "BEST": "best", "BOUNDARY": "boundary", "UP": "up"}
 
 
-MEASURE = (
-    "The percentage is the maximum stretch. To measure yours, mark 10 cm on it and pull until it resists: 12 cm is 20%"
-)
+MARK_AND_PULL = "mark 10 cm on it and pull until it resists: 12 cm is 20%"
+MEASURE = f"The percentage is the maximum stretch. To measure yours, {MARK_AND_PULL}"
 CUSTOM = 1000  # Files store this number, or the index of a preset in the library's table, so new presets come last.
 
 
@@ -106,7 +105,7 @@ class FlattenSettings:
     cloth: EnumProperty(
         name="Fabric",
         description="Material that the pieces are cut from, with its maximum stretch across and along the grain. "
-        "Lengths are exact with every fabric. To measure yours, mark 10 cm and pull until it resists: 12 cm is 20%",
+        f"Lengths are exact with every fabric. To measure yours, {MARK_AND_PULL}",
         items=[
             ("NONE", "Fabric Not Chosen", "WireWarp says how far the fabric must stretch, in the worst direction", 0),
             *(
@@ -133,8 +132,8 @@ class FlattenSettings:
     )
     gives_across: number(
         "Max Stretch Across",
-        "How far the fabric can be stretched across the grain. To measure it, mark 10 cm and pull until "
-        "it resists: 12 cm is 20%. 0: the usual value for this fabric",
+        f"How far the fabric can be stretched across the grain. To measure yours, {MARK_AND_PULL}. "
+        "0: the usual value for this fabric",
         (0.0, 0.0, 50.0, 300.0),
         subtype="PERCENTAGE",
         step=100,

@@ -7,11 +7,10 @@ import subprocess
 from pathlib import Path
 from typing import Any
 
-from ..report import Report, ReportError, from_dict, place_name, verdict
+from ..report import Report, ReportError, from_dict, place_name
 from ..report.names import note_text
-from .figures import figures_of
 from .request import InputError, Request
-from .verdicts import Line, word_of
+from .verdicts import Line, finished
 
 SCRIPT = Path(__file__).with_name("flatten_in_blender.py")
 ANSWER = ".answer.json"
@@ -60,17 +59,9 @@ def _outcome(request: Request, answered: dict[str, Any]) -> tuple[Line, dict[str
         ) from error
     for each in written:
         del each["seconds"]  # without durations, the same model gives the same report again
-    found = verdict(*reports)
     issues = [(report, issue) for report in reports for issue in report.issues]
+    problems = [(f"{place_name(report, issue.piece)}: {issue.sentence}", issue.code) for report, issue in issues]
     notes = [note_text(report, note) for report in reports for note in report.notes if note.is_warning]
-    line: Line = {
-        "verdict": word_of(found),
-        "says": [each.text for each in found.lines],
-        "pieces": sum(len(report.pieces) for report in reports),
-        "figures": figures_of(reports),
-        "problems": [f"{place_name(report, issue.piece)}: {issue.sentence}" for report, issue in issues],
-        "codes": [issue.code for _, issue in issues],
-        "warnings": [*notes, *answered["warnings"]],  # warnings of the export come last
-        "files": [request.report_path.name, *answered["files"]],
-    }
+    warnings = [*notes, *answered["warnings"]]  # warnings of the export come last
+    line = finished(reports, problems, warnings, files=[request.report_path.name, *answered["files"]])
     return line, answered["report"]

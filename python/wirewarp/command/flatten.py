@@ -12,16 +12,15 @@ import numpy as np
 from .. import Cloth, Ease, FlattenResult, Options, Wire, __version__, flatten
 from ..pattern import Pattern, Written
 from ..pattern.files import today
-from ..report import make_report, verdict
+from ..report import make_report
 from .blend import BlenderError, flatten_blend
-from .figures import figures_of
 from .lines import Lines, lines_of, seams_of
 from .model import Model, read_model
 from .proposals import with_proposals
 from .repair import Repaired, repaired
 from .request import BLEND, FROM_MODEL, MILLIMETERS, InputError, MaterialRequest, Request
 from .staged import staged_folder, take_places
-from .verdicts import REFUSED, STOPPED, Line, unfinished, with_faults_answered, word_of
+from .verdicts import REFUSED, STOPPED, Line, finished, unfinished, with_faults_answered
 
 # Only the names and contents of these files matter.
 WHEREABOUTS = ("blender", "folder", "model", "refusal", "resume", "seams", "wires")
@@ -118,18 +117,9 @@ def _flattened(request: Request, model: Model, folder: Path) -> tuple[Line, dict
         meters=MILLIMETERS[request.unit] / 1000,
         name=request.model.stem,
     )
-    judged = verdict(measured)
     failed = [(n, piece.error) for n, piece in enumerate(result.pieces, start=1) if piece.error]
-    line: Line = {
-        "verdict": word_of(judged),
-        "says": [each.text for each in judged.lines],
-        "pieces": len(result.pieces),
-        "figures": figures_of([measured]),
-        "problems": [f"Piece {n}: {error.message}" for n, error in failed],
-        "codes": [error.code.value for _, error in failed],
-        "warnings": [],
-        "files": [request.report_path.name],
-    }
+    problems = [(f"Piece {n}: {error.message}", error.code.value) for n, error in failed]
+    line = finished([measured], problems, warnings=[], files=[request.report_path.name])
     if request.repair or request.take_proposals:
         line["repairs"] = repairs
     report: dict[str, Any] = {"unit": request.unit}

@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The possible results of a model, and the line that reports each."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import wraps
 from typing import Any, TypeVar
 
 from .. import ErrorCode, FlattenError
-from ..report import Kind, Verdict
+from ..report import Kind, Report, Verdict, verdict
+from .figures import figures_of
 from .request import AnyRequest, InputError
 
 READY, NEEDS_STRETCH = "ready to cut", "needs stretch fabric"
@@ -19,16 +20,33 @@ Line = dict[str, Any]
 R = TypeVar("R", bound=AnyRequest)
 
 
-def word_of(verdict: Verdict) -> str:
+def finished(
+    reports: Sequence[Report], problems: Sequence[tuple[str, str]], warnings: list[str], files: list[str]
+) -> Line:
+    """Return the line of a model for which files were written. problems: sentences with their codes."""
+    found = verdict(*reports)
+    return {
+        "verdict": _word_of(found),
+        "says": [line.text for line in found.lines],
+        "pieces": sum(len(report.pieces) for report in reports),
+        "figures": figures_of(reports),
+        "problems": [sentence for sentence, _ in problems],
+        "codes": [code for _, code in problems],
+        "warnings": warnings,
+        "files": files,
+    }
+
+
+def _word_of(found: Verdict) -> str:
     """Return the word for the report's verdict in the printed line."""
-    if verdict.is_ready:
+    if found.is_ready:
         return READY
-    return NEEDS_STRETCH if verdict.kind is Kind.NEEDS_STRETCH else FAILED
+    return NEEDS_STRETCH if found.kind is Kind.NEEDS_STRETCH else FAILED
 
 
-def unfinished(verdict: str, code: str, problem: str) -> Line:
+def unfinished(word: str, code: str, problem: str) -> Line:
     """Return the line of a model for which no files were written."""
-    return {"verdict": verdict, "problems": [problem], "codes": [code]}
+    return {"verdict": word, "problems": [problem], "codes": [code]}
 
 
 def with_faults_answered(work: Callable[[R], Line]) -> Callable[[R], Line]:
@@ -41,8 +59,8 @@ def with_faults_answered(work: Callable[[R], Line]) -> Callable[[R], Line]:
         except InputError as error:
             return unfinished(REFUSED, "input", str(error))
         except FlattenError as error:
-            verdict = NOTHING if error.code == ErrorCode.no_proposal else REFUSED
-            return unfinished(verdict, error.code.value, str(error))
+            word = NOTHING if error.code == ErrorCode.no_proposal else REFUSED
+            return unfinished(word, error.code.value, str(error))
         except OSError as error:
             place = error.filename or getattr(request, "folder", request.model)
             return unfinished(REFUSED, "file", f"{place}: {error.strerror or error}")

@@ -4,13 +4,13 @@
 The Blender add-on and the command line share this code.
 """
 
-from .coarse import COARSE, COARSE_ADVICE, coarse_hints
+from .coarse import COARSE, COARSE_ADVICE
 from .csv_table import report_csv
 from .elements import Elements, elements_of
 from .hints import BEYOND_FABRIC, STRAINED, TORN, TORN_ADVICE, WIRE_AT_LIMIT, torn_hints
 from .json_form import ReportError, from_dict, run_to_dict, to_dict
 from .make import failure_report, make_report
-from .model import METHOD_NAMES, Chain, Hint, Issue, LooserWire, Note, Piece, Report, Seam, Threads, Wire, WirePart
+from .model import METHOD_NAMES, Chain, Hint, Issue, LooserWire, Note, Piece, Report, Seam, Threads, Wire
 from .names import hint_text, issue_text, joined_pieces, note_text, open_edges, rename_wires
 from .rows import ReportRow, ReportTables, Side, largest_difference, merged, tables_of
 from .strain import percent_text
@@ -35,7 +35,6 @@ __all__ = [
     "CLOSED_CODE",
     "COARSE",
     "COARSE_ADVICE",
-    "coarse_hints",
     "report_csv",
     "Elements",
     "elements_of",
@@ -62,7 +61,6 @@ __all__ = [
     "Seam",
     "Threads",
     "Wire",
-    "WirePart",
     "hint_text",
     "issue_text",
     "joined_pieces",
