@@ -33,10 +33,6 @@ std::vector<VertexPair> edges_of(const Chart& chart, const std::vector<ProposedT
   return edges;
 }
 
-int source_of_loop(const Chart& chart, const HalfEdgeChain& loop) {
-  return chart.source_vertex[chart.mesh.from_vertex_handle(loop.front()).idx()];
-}
-
 /// Returns the input faces with heights below a millionth of the greatest height, the smallest first.
 std::vector<int> small_faces(const Chart& chart) {
   constexpr double kSmall = 1e-6;
@@ -68,15 +64,15 @@ FlattenError with_proposed_seams(FlattenError error, std::vector<VertexPair> pro
 }
 
 FlattenError outline_too_short(const Chart& chart, std::vector<VertexPair> proposed_seams) {
-  std::vector<HalfEdgeChain> loops = chart.boundary_loops;
-  std::stable_sort(loops.begin(), loops.end(), [&](const HalfEdgeChain& a, const HalfEdgeChain& b) {
-    return longest_length(chart, a) > longest_length(chart, b);
-  });
+  std::vector<double> lengths = longest_lengths(chart);
+  std::vector<std::pair<double, int>> loops;  // length of each loop, and an input vertex on it
+  for (std::size_t i = 0; i < lengths.size(); ++i)
+    loops.emplace_back(lengths[i], source_ends(chart, chart.boundary_loops[i].front())[0]);
+  std::stable_sort(loops.begin(), loops.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
   ErrorElements elements;
-  std::vector<double> lengths;
-  for (const HalfEdgeChain& loop : loops) {
-    elements.vertices.push_back(source_of_loop(chart, loop));
-    lengths.push_back(longest_length(chart, loop));
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    lengths[i] = loops[i].first;
+    elements.vertices.push_back(loops[i].second);
   }
   for (const HalfEdgeChain& loop : chart.boundary_loops) add_edges(chart, loop, elements.edges);
   elements.faces = chart.source_face;

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 #include "base/planar.h"
 #include "surface/mesh/geometry.h"
@@ -23,22 +22,25 @@ constexpr double kRequiredOfTube = 0.45;
 
 }  // namespace
 
-double longest_length(const Chart& chart, const HalfEdgeChain& loop) {
+std::vector<double> longest_lengths(const Chart& chart) {
   std::vector<double> stretch(chart.mesh.n_edges(), 1);
   for (const WirePart& part : chart.wire_parts) {
     if (!is_elastic_boundary(part)) continue;
     for (const HalfedgeHandle h : part.half_edges) stretch[chart.mesh.edge_handle(h).idx()] += solver_tolerance(part);
   }
-  double length = 0;
-  for (const HalfedgeHandle h : loop) {
-    length += stretch[chart.mesh.edge_handle(h).idx()] * length_ratio(chart, h) * edge_length(chart.mesh, h);
+  std::vector<double> lengths;
+  for (const HalfEdgeChain& loop : chart.boundary_loops) {
+    double& length = lengths.emplace_back(0);
+    for (const HalfedgeHandle h : loop) {
+      length += stretch[chart.mesh.edge_handle(h).idx()] * length_ratio(chart, h) * edge_length(chart.mesh, h);
+    }
   }
-  return length;
+  return lengths;
 }
 
 double isoperimetric_ratio(const Chart& chart) {
   double longest = 0;
-  for (const HalfEdgeChain& loop : chart.boundary_loops) longest = std::max(longest, longest_length(chart, loop));
+  for (const double length : longest_lengths(chart)) longest = std::max(longest, length);
   return longest * longest / (4 * kPi * surface_area(chart.mesh));
 }
 

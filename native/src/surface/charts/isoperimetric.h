@@ -3,12 +3,14 @@
 // most L²/4π. If the surface has more area, the piece is distorted, with any wires.
 #pragma once
 
+#include <vector>
+
 #include "surface/charts/chart.h"
 
 namespace wirewarp {
 
-/// Returns the largest length that eases and tolerances allow for a boundary loop, scene units.
-double longest_length(const Chart& chart, const HalfEdgeChain& loop);
+/// Returns the largest length that eases and tolerances allow for each boundary loop, scene units.
+std::vector<double> longest_lengths(const Chart& chart);
 
 /// Returns p, the largest possible flat area over the 3D area, with the longest outer loop that eases and tolerances
 /// allow. A value above 1 means that there is no bound; 0 means a closed chart.
