@@ -46,15 +46,17 @@ struct Proxy {
   double distortion = 0;  // E of Eq. (4), scene units squared
 };
 
-Proxy evaluate_proxy(const Chart& chart) {
+Proxy evaluate_proxy(const Chart& chart, const StopToken& stop) {
   const double area = surface_area(chart.mesh);
   const Proxy nothing{area, area};
   if (chart.error || is_outline_too_short(chart)) return nothing;
-  const auto free = attempt([&] { return std::optional(free_boundary_arap(chart, kFreeSteps)); });
-  if (!free) return nothing;
-  Proxy proxy{0, free->energy};
-  for (const int f : find_folded_faces(chart.mesh, free->uv)) proxy.covered += face_area(chart.mesh, FaceHandle(f));
-  return proxy;
+  const std::optional<Proxy> proxy = attempt([&] {
+    const FreeBoundaryArap free = free_boundary_arap(chart, kFreeSteps, {}, stop);
+    Proxy found{0, free.energy};
+    for (const int f : find_folded_faces(chart.mesh, free.uv, stop)) found.covered += face_area(chart.mesh, FaceHandle(f));
+    return std::optional(found);
+  });
+  return proxy.value_or(nothing);
 }
 
 /// A cut and its parts.
@@ -123,7 +125,7 @@ Division OpeningSearch::divide(const Chart& piece, CutMask cut) const {
   Division division{std::move(cut), {}, {}, 0, 0};
   bool opens_more = false;
   const auto take = [&](const Chart& part) {
-    division.proxies.push_back(evaluate_proxy(part));
+    division.proxies.push_back(evaluate_proxy(part, stop_));
     return division.proxies.back().covered > 0;
   };
   division.pieces = pieces_of(piece, division.cut);

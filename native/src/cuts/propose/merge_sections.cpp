@@ -71,7 +71,7 @@ double least_strain(const Chart& chart, const StopToken& stop) {
     areas.push_back(triangle.area);
     area += triangle.area;
   }
-  for (const int f : find_folded_faces(chart.mesh, free->uv)) folded += areas[f];
+  for (const int f : find_folded_faces(chart.mesh, free->uv, stop)) folded += areas[f];
   return folded > kMostFolded * area ? kNoFlatShape : widespread(areas, strains) / kMostFreeStrain;
 }
 

@@ -18,8 +18,8 @@ bool is_flipped(const HalfEdgeMesh& mesh, FaceHandle f, const Positions2& uv) {
   return !(cross(b - a, c - a) > 0);
 }
 
-std::vector<int> overlapping_faces(const HalfEdgeMesh& mesh, const Positions2& uv) {
-  return find_overlapping_faces(triangles_of(mesh), faces_on_boundary(mesh), uv);
+std::vector<int> overlapping_faces(const HalfEdgeMesh& mesh, const Positions2& uv, const StopToken& stop) {
+  return find_overlapping_faces(triangles_of(mesh), faces_on_boundary(mesh), uv, kRelativeOverlapDepth, stop);
 }
 
 }  // namespace
@@ -28,10 +28,10 @@ bool has_flips(const HalfEdgeMesh& mesh, const Positions2& uv) {
   return std::any_of(mesh.faces_begin(), mesh.faces_end(), [&](FaceHandle f) { return is_flipped(mesh, f, uv); });
 }
 
-bool has_overlaps(const HalfEdgeMesh& mesh, const Positions2& uv) { return !overlapping_faces(mesh, uv).empty(); }
+bool has_overlaps(const HalfEdgeMesh& mesh, const Positions2& uv) { return !overlapping_faces(mesh, uv, {}).empty(); }
 
-std::vector<int> find_folded_faces(const HalfEdgeMesh& mesh, const Positions2& uv) {
-  std::vector<int> folded = overlapping_faces(mesh, uv);
+std::vector<int> find_folded_faces(const HalfEdgeMesh& mesh, const Positions2& uv, const StopToken& stop) {
+  std::vector<int> folded = overlapping_faces(mesh, uv, stop);
   for (const FaceHandle f : mesh.faces()) {
     if (is_flipped(mesh, f, uv)) folded.push_back(f.idx());
   }

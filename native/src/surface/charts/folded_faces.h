@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "base/stop_token.h"
 #include "surface/mesh/half_edge_mesh.h"
 #include "wirewarp/types.h"
 
@@ -20,7 +21,7 @@ inline bool has_folds(const HalfEdgeMesh& mesh, const Positions2& uv) {
   return has_flips(mesh, uv) || has_overlaps(mesh, uv);
 }
 
-/// Returns the faces of a flat piece that are flipped or overlap others, in increasing order.
-std::vector<int> find_folded_faces(const HalfEdgeMesh& mesh, const Positions2& uv);
+/// Returns the faces of a flat piece that are flipped or overlap others, in increasing order. Throws Stopped.
+std::vector<int> find_folded_faces(const HalfEdgeMesh& mesh, const Positions2& uv, const StopToken& stop);
 
 }  // namespace wirewarp
