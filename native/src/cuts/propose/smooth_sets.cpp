@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "base/planar.h"
+#include "base/work_meter.h"
 #include "cuts/feasibility/mirrored_cuts.h"
 #include "cuts/propose/canonical_order.h"
 #include "cuts/propose/flat_width.h"
@@ -306,6 +307,14 @@ std::vector<char> SmoothSet::beside(const FlatPiece& part, const CutMesh& cut) c
 /// their edges; returns all lines if no others are left.
 std::vector<char> SmoothSet::most_strained(const FlatPiece& part, const CutMesh& cut,
                                            const std::vector<char>& lines) const {
+  std::vector<std::pair<std::size_t, Eigen::RowVector3d>> middles;  // of the edges of the lines that may be lowered
+  for (std::size_t i = 0; i < cut.edges.size(); ++i) {
+    const auto line = static_cast<std::size_t>(cut.sources.edge_paths[i]);
+    const auto& [a, b] = cut.edges[i];
+    if (lines[line] != 0 && levels_[line] != 0)
+      middles.emplace_back(line, (cut.vertices.row(a) + cut.vertices.row(b)) / 2);
+  }
+  WorkMeter work(exact_.stop());
   std::vector<double> area(levels_.size(), 0);
   const HalfEdgeMesh& mesh = part.chart.mesh;
   for (const FaceHandle f : mesh.faces()) {
@@ -314,11 +323,9 @@ std::vector<char> SmoothSet::most_strained(const FlatPiece& part, const CutMesh&
     const Eigen::RowVector3d center(middle[0], middle[1], middle[2]);
     double least = std::numeric_limits<double>::infinity();
     std::size_t nearest = levels_.size();
-    for (std::size_t i = 0; i < cut.edges.size(); ++i) {
-      const auto line = static_cast<std::size_t>(cut.sources.edge_paths[i]);
-      if (lines[line] == 0 || levels_[line] == 0) continue;
-      const auto& [a, b] = cut.edges[i];
-      const double distance = (center - (cut.vertices.row(a) + cut.vertices.row(b)) / 2).squaredNorm();
+    work.did(middles.size());
+    for (const auto& [line, place] : middles) {
+      const double distance = (center - place).squaredNorm();
       if (distance >= least) continue;
       least = distance;
       nearest = line;
