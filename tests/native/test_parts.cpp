@@ -257,6 +257,17 @@ TEST(PartSets, LeaveTheSeamsOfAnOctahedronOnItsEdges) {
   EXPECT_EQ(smooth_sets(input, one).size(), 1U);
 }
 
+TEST(PartSets, ListTheEdgesOfLinesAlongEdges) {
+  FlattenInput input = test::closed_sphere(12, 8);
+  for (auto p : input.vertices.rowwise()) p[2] /= 2;
+  CutOptions cut_options;
+  cut_options.strain = 0.4;
+  const std::vector<DartProposal> sets = sets_of_parts(input, cut_options);
+  ASSERT_EQ(sets.size(), 1U);
+  EXPECT_EQ(sets[0].edges.size(), 12U) << "the set is not the equator";
+  EXPECT_EQ(test::undirected(sets[0].edges), test::undirected(test::with_paths(input, sets[0].paths).seams));
+}
+
 TEST(PartSets, AreFollowedByOthersIfTheyNeedTooMuchStrain) {
   const FlattenInput input = dumbbell(10, 10);
   CutOptions cut_options;

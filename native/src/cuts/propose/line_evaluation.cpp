@@ -137,15 +137,10 @@ std::vector<SurfacePath> paths_along(const Triangles& faces, const std::vector<V
   return paths;
 }
 
-void set_figures(const CutSurface& surface, const PieceFigures& figures, DartProposal& set) {
-  set.length = surface.length();
-  set.num_pieces = figures.num_pieces;
-  set.energy = figures.energy;
-  set.strain = figures.strain;
-}
-
 CutSurface::CutSurface(const FlatPieces& pieces, std::size_t piece, const ExactEvaluation& exact, const CutMesh& cut)
     : cut_(cut),
+      piece_(piece),
+      has_new_vertices_(cut.vertices.rows() > exact.surface().given().vertices.rows()),
       input_(with_mesh_of(exact.surface().given(), cut)),
       surface_(input_, exact.options()),
       exact_(surface_, exact.options(), exact.stop()),
@@ -154,11 +149,26 @@ CutSurface::CutSurface(const FlatPieces& pieces, std::size_t piece, const ExactE
   after_ = exact_.with_cut(before_, cut.edges);
 }
 
+std::vector<VertexPair> CutSurface::edges() const {
+  return has_new_vertices_ ? std::vector<VertexPair>{} : cut_.edges;
+}
+
 double CutSurface::length() const {
   const Positions3& places = surface_.middle().vertices;
   double length = 0;
   for (const auto& [a, b] : cut_.edges) length += (places.row(a) - places.row(b)).norm();
   return length;
+}
+
+DartProposal with_lines(DartProposal set, std::vector<SurfacePath> paths, const CutSurface& surface,
+                        const PieceFigures& figures) {
+  set.edges = surface.edges();
+  set.paths = std::move(paths);
+  set.length = surface.length();
+  set.num_pieces = figures.num_pieces;
+  set.energy = figures.energy;
+  set.strain = figures.strain;
+  return set;
 }
 
 std::optional<LineFigures> figures_with_lines(const FlatPieces& pieces, std::size_t piece,
@@ -169,9 +179,8 @@ std::optional<LineFigures> figures_with_lines(const FlatPieces& pieces, std::siz
   if (tips.size() != lines.size()) return std::nullopt;
   const CutSurface surface(pieces, piece, exact, cut);
   const FlatPieces &before = surface.before(), &after = surface.after();
-  const Chart& chart = before[piece]->chart;
-  LineFigures result{figures_of(after, chart), 0, {}};
-  if (result.figures.error || spoils_others(before, after, chart)) return std::nullopt;
+  LineFigures result{figures_of(after, surface.chart()), 0, surface.edges()};
+  if (result.figures.error || spoils_others(before, after, surface.chart())) return std::nullopt;
   const double radius = kAroundTip * std::sqrt(result.figures.area);
   for (const int tip : tips) {
     for (const std::shared_ptr<const FlatPiece>& part : after) {
@@ -179,7 +188,6 @@ std::optional<LineFigures> figures_with_lines(const FlatPieces& pieces, std::siz
       if (strain) result.tip_strain = std::max(result.tip_strain, *strain);
     }
   }
-  if (cut.vertices.rows() == given.vertices.rows()) result.edges = cut.edges;
   return result;
 }
 

@@ -36,19 +36,28 @@ class CutSurface {
   const FlatPieces& before() const { return before_; }
   const FlatPieces& after() const { return after_; }
 
+  /// Returns the chart of the piece before the cut.
+  const Chart& chart() const { return before_[piece_]->chart; }
+
+  /// Returns the edges of the cut if they are all edges of the surface, otherwise none.
+  std::vector<VertexPair> edges() const;
+
   /// Returns the length of the cut in the middle of the material, scene units.
   double length() const;
 
  private:
   const CutMesh& cut_;
+  const std::size_t piece_;
+  const bool has_new_vertices_;
   const FlattenInput input_;
   const SurfaceToCut surface_;
   const ExactEvaluation exact_;
   FlatPieces before_, after_;  // without and with the cut
 };
 
-/// Sets the figures of a cut set that belong to its lines. figures: those of the piece that it cuts.
-void set_figures(const CutSurface& surface, const PieceFigures& figures, DartProposal& set);
+/// Returns a cut set with other lines. surface: cut along these lines. figures: those of the piece that they cut.
+DartProposal with_lines(DartProposal set, std::vector<SurfacePath> paths, const CutSurface& surface,
+                        const PieceFigures& figures);
 
 /// Returns the figures of a piece with cuts along lines from outlines to tips inside; nullopt if the lines meet, if a
 /// part has no flat shape, or if the cuts make other pieces worse. Lines must not divide an edge on a wire or outline.

@@ -46,19 +46,15 @@ SmoothMerger::CutSet SmoothMerger::set_along(std::vector<SurfacePath> paths) con
   const FlattenInput& given = exact_.surface().given();
   const CutMesh cut = cut_mesh(given.vertices, given.faces, paths);
   const CutSurface surface(piece_.pieces, piece_.index, unstopped_, cut);
-  CutSet made{set_, parts_of(surface.after(), surface.before()[piece_.index]->chart), cut.sources.faces};
-  made.set.edges.clear();
-  if (cut.vertices.rows() == given.vertices.rows()) made.set.edges = cut.edges;
-  made.set.paths = std::move(paths);
-  set_figures(surface, figures_of(made.pieces), made.set);
-  return made;
+  const FlatPieces parts = parts_of(surface.after(), surface.chart());
+  return {with_lines(set_, std::move(paths), surface, figures_of(parts)), parts, cut.sources.faces};
 }
 
 bool SmoothMerger::merge(double share, double most_strain, const std::function<void(double)>& report) {
   const FlattenInput& given = exact_.surface().given();
   const CutMesh mesh = cut_mesh(given.vertices, given.faces, set_.paths);
   const CutSurface surface(piece_.pieces, piece_.index, exact_, mesh);
-  const Chart& uncut = surface.before()[piece_.index]->chart;
+  const Chart& uncut = surface.chart();
   const Chart chart = in_canonical_order(uncut, exact_.stop());
   const std::vector<VertexHandle> image =
       piece_.image.empty() ? std::vector<VertexHandle>() : mirror_image(chart, normal_);

@@ -354,15 +354,15 @@ PartSearch::CutSet PartSearch::set_along(const SurfaceLines& lines) const {
   const std::vector<char> kept = not_collapsed(given.faces, static_cast<int>(given.vertices.rows()), paths);
   CutSet made;
   made.lines = selected(lines, kept);
-  made.set.paths = selected(paths, kept);
-  const CutMesh cut = cut_mesh(given.vertices, given.faces, made.set.paths);
+  paths = selected(paths, kept);
+  const CutMesh cut = cut_mesh(given.vertices, given.faces, paths);
   made.faces = cut.sources.faces;
   made.is_forbidden = has_forbidden_lines(cut, cut_options_);
   const CutSurface surface(pieces_, piece_, exact_, cut);
-  made.pieces = parts_of(surface.after(), surface.before()[piece_]->chart);
-  set_figures(surface, figures_of(made.pieces), made.set);
-  made.set.energy_before = made.set.strain_before = std::numeric_limits<double>::infinity();
+  made.pieces = parts_of(surface.after(), surface.chart());
   made.num_narrow = count_narrow(made.pieces, cut_options_.narrowest);
+  made.set.energy_before = made.set.strain_before = std::numeric_limits<double>::infinity();
+  made.set = with_lines(made.set, std::move(paths), surface, figures_of(made.pieces));
   return made;
 }
 

@@ -343,7 +343,7 @@ std::vector<char> SmoothSet::most_strained(const FlatPiece& part, const CutMesh&
 std::optional<DartProposal> SmoothSet::evaluate(const std::vector<SurfacePath>& paths, const CutMesh& cut) {
   const CutSurface surface(piece_.pieces, piece_.index, exact_, cut);
   const FlatPieces &before = surface.before(), &after = surface.after();
-  const Chart& chart = before[piece_.index]->chart;
+  const Chart& chart = surface.chart();
   const PieceFigures figures = figures_of(after, chart);
   const std::vector<char> failures = beside_failures(cut, after, chart);
   const bool is_divided_alike = !figures.error && figures.num_pieces == set_.num_pieces;
@@ -351,12 +351,7 @@ std::optional<DartProposal> SmoothSet::evaluate(const std::vector<SurfacePath>& 
     lower(failures);
     return std::nullopt;
   }
-  DartProposal smooth = set_;
-  smooth.paths = paths;
-  smooth.edges.clear();
-  if (cut.vertices.rows() == given_.vertices.rows()) smooth.edges = cut.edges;
-  set_figures(surface, figures, smooth);
-  return smooth;
+  return with_lines(set_, paths, surface, figures);
 }
 
 }  // namespace
