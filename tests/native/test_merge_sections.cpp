@@ -13,7 +13,6 @@
 #include "base/in_threads.h"
 #include "cuts/propose/flat_width.h"
 #include "cuts/propose/merge_sections.h"
-#include "cuts/propose/solidity.h"
 #include "test_meshes.h"
 #include "wirewarp/cloth.h"
 

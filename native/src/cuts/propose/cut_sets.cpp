@@ -15,6 +15,7 @@
 #include "cuts/propose/canonical_order.h"
 #include "cuts/propose/coarse_evaluation.h"
 #include "cuts/propose/cut_chains.h"
+#include "cuts/propose/flat_width.h"
 #include "cuts/propose/merge_sections.h"
 #include "cuts/propose/merge_smooth.h"
 #include "cuts/propose/mirror_image.h"
@@ -212,9 +213,10 @@ std::vector<CutMask> CutSetSearch::bisections_of(const Chart& part) const {
 
 /// Whether a set makes a narrow piece out of a part that is wide enough.
 bool CutSetSearch::makes_narrow(const CutSet& more, const FlatPiece& part) const {
-  return has_room(part) && std::any_of(more.pieces.begin(), more.pieces.end(), [&](const auto& piece) {
-           return is_part_of(piece->chart, part.chart) && !has_room(*piece);
-         });
+  const double narrowest = cut_options_.narrowest;
+  return !is_narrow(part, narrowest) && std::any_of(more.pieces.begin(), more.pieces.end(), [&](const auto& piece) {
+    return is_part_of(piece->chart, part.chart) && is_narrow(*piece, narrowest);
+  });
 }
 
 /// Prefers cuts that leave every piece wide enough.

@@ -9,7 +9,6 @@
 #include "cuts/feasibility/part_map.h"
 #include "cuts/propose/cut_progress.h"
 #include "cuts/propose/flat_pieces.h"
-#include "cuts/propose/flat_width.h"
 #include "surface/charts/chart.h"
 #include "wirewarp/propose.h"
 
@@ -69,9 +68,6 @@ class CutSetSearch {
   CutSet with_figures(CutMask cut, FlatPieces pieces) const;
   CutSet evaluate(const FlatPieces& before, const CutMask& cut) const;
   void report_strain(double first, double now);
-  bool has_room(const FlatPiece& piece) const {
-    return wirewarp::has_room(piece.chart.mesh, piece.uv, cut_options_.narrowest);
-  }
   bool makes_narrow(const CutSet& more, const FlatPiece& part) const;
   std::optional<CutSet> cut_once_more(const CutSet& set) const;
   void add_more_cuts(std::vector<CutSet>& sets);

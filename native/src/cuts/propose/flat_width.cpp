@@ -10,6 +10,8 @@
 
 #include "base/disjoint_sets.h"
 #include "base/planar.h"
+#include "surface/charts/enclosed_area.h"
+#include "surface/orientation/convex_hull.h"
 
 namespace wirewarp {
 namespace {
@@ -246,8 +248,22 @@ double flat_width(const HalfEdgeMesh& mesh, const Positions2& uv, double most) {
   return 2 * whole;
 }
 
-bool has_room(const HalfEdgeMesh& mesh, const Positions2& uv, double narrowest) {
-  return narrowest == 0 || flat_width(mesh, uv, narrowest) >= narrowest;
+bool is_narrow(const FlatPiece& piece, double narrowest) {
+  return narrowest > 0 && !piece.error && flat_width(piece.chart.mesh, piece.uv, narrowest) < narrowest;
+}
+
+int count_narrow(const FlatPieces& pieces, double narrowest) {
+  return static_cast<int>(
+      std::count_if(pieces.begin(), pieces.end(), [&](const auto& piece) { return is_narrow(*piece, narrowest); }));
+}
+
+double solidity(const FlatPiece& piece) {
+  std::vector<Eigen::Vector2d> points;
+  for (const auto& point : piece.uv.rowwise()) points.emplace_back(point);
+  double twice_hull = 0;
+  const std::vector<Eigen::Vector2d> hull = convex_hull(points);
+  for (std::size_t i = 0; i < hull.size(); ++i) twice_hull += cross(hull[i], hull[(i + 1) % hull.size()]);
+  return 2 * enclosed_area(piece.chart, piece.uv) / twice_hull;
 }
 
 }  // namespace wirewarp

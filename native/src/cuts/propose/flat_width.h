@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Whether flat pieces are easy to sew: their width, and how compact they are.
 #pragma once
 
+#include "cuts/propose/flat_pieces.h"
 #include "surface/mesh/half_edge_mesh.h"
 #include "wirewarp/types.h"
 
@@ -16,7 +18,14 @@ constexpr double kWidthError = 0.07;
 /// unless two vertices are equally far from the centroid.
 double flat_width(const HalfEdgeMesh& mesh, const Positions2& uv, double most);
 
-/// Returns whether a flat shape is wide enough. narrowest: 0 for any width.
-bool has_room(const HalfEdgeMesh& mesh, const Positions2& uv, double narrowest);
+/// Returns whether a piece has a flat shape that is narrower than this. narrowest: 0 for any width.
+bool is_narrow(const FlatPiece& piece, double narrowest);
+
+/// Returns the number of such pieces.
+int count_narrow(const FlatPieces& pieces, double narrowest);
+
+/// Returns the share of its convex hull that a flat piece covers, 1 for a convex piece: low for pieces with long arms,
+/// a large hole or a strong bend.
+double solidity(const FlatPiece& piece);
 
 }  // namespace wirewarp

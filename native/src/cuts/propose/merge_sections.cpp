@@ -17,7 +17,6 @@
 #include "cuts/feasibility/ranks.h"
 #include "cuts/propose/cut_chains.h"
 #include "cuts/propose/flat_width.h"
-#include "cuts/propose/solidity.h"
 #include "energy/free_boundary_arap.h"
 #include "energy/shape_error.h"
 #include "surface/charts/folded_faces.h"
@@ -179,7 +178,7 @@ void SectionMerger::run(double most_strain, const std::function<void(double)>& r
 
 void SectionMerger::restart(double first) {
   rules_.first = first;
-  is_narrow_.clear();
+  comes_first_.clear();
   if (earlier_.empty()) return;
   state_ = std::move(earlier_.front());
   earlier_.clear();
@@ -288,7 +287,7 @@ std::vector<CutMask> SectionMerger::list_candidates(bool are_halves) {
   if (rules_.first == 0) return candidates;
   std::stable_partition(candidates.begin(), candidates.end(), [&](const CutMask& mask) {
     const FlatPieces pieces = beside(mask);
-    return std::any_of(pieces.begin(), pieces.end(), [&](const auto& piece) { return is_narrow(piece); });
+    return std::any_of(pieces.begin(), pieces.end(), [&](const auto& piece) { return comes_first(piece); });
   });
   return candidates;
 }
@@ -319,9 +318,10 @@ double SectionMerger::least_strain_without(const CutMask& mask, double allowed) 
   return needed;
 }
 
-bool SectionMerger::is_narrow(const std::shared_ptr<const FlatPiece>& piece) {
-  const auto [found, is_new] = is_narrow_.try_emplace(piece, false);
-  if (is_new) found->second = piece->error || flat_width(piece->chart.mesh, piece->uv, rules_.first) < rules_.first;
+/// Returns whether sections beside a piece come first.
+bool SectionMerger::comes_first(const std::shared_ptr<const FlatPiece>& piece) {
+  const auto [found, is_new] = comes_first_.try_emplace(piece, false);
+  if (is_new) found->second = piece->error || is_narrow(*piece, rules_.first);
   return found->second;
 }
 

@@ -77,7 +77,7 @@ class SectionMerger {
   double allowed_beside(const FlatPieces& pieces) const;
   bool had_error(const Chart& chart) const;
   bool is_unwanted(const Chart& chart) const;
-  bool is_narrow(const std::shared_ptr<const FlatPiece>& piece);
+  bool comes_first(const std::shared_ptr<const FlatPiece>& piece);
   bool is_too_narrow(const FlatPiece& piece, const FlatPieces& old) const;
   bool has_long_arms(const FlatPiece& piece, const FlatPieces& old) const;
   double least_strain_without(const CutMask& mask, double allowed) const;
@@ -98,7 +98,7 @@ class SectionMerger {
   double most_strain_ = 0;
   std::function<void(double)> report_;
   std::map<CutMask, std::vector<Replacement>> known_;           // all trials of each section
-  std::map<std::shared_ptr<const FlatPiece>, bool> is_narrow_;  // pieces that were measured
+  std::map<std::shared_ptr<const FlatPiece>, bool> comes_first_;  // pieces that were measured
 };
 
 }  // namespace wirewarp

@@ -7,6 +7,7 @@
 
 #include "base/attempt.h"
 #include "cuts/propose/canonical_order.h"
+#include "cuts/propose/flat_width.h"
 #include "cuts/propose/line_evaluation.h"
 #include "cuts/propose/merge_sections.h"
 #include "cuts/propose/mirror_image.h"

@@ -295,8 +295,7 @@ double PartSearch::price_of(const FlatPiece& part, const Plane& plane, double li
     const double strain = each->error ? kWorst : std::min(each->strain, kWorst);
     area += part_area;
     strained += part_area * std::max(strain - limit, 0.0);
-    const bool is_narrow = !each->error && !has_room(each->chart.mesh, each->uv, cut_options_.narrowest);
-    price += kPartPrice + (is_narrow ? kNarrowPrice : 0);
+    price += kPartPrice + (is_narrow(*each, cut_options_.narrowest) ? kNarrowPrice : 0);
   }
   return price + strained / area;
 }

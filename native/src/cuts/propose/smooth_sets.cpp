@@ -59,10 +59,6 @@ std::array<int, 2> count_ends(const std::vector<VertexPair>& edges) {
   return {static_cast<int>(count.size()) - static_cast<int>(edges.size()), num_ends};
 }
 
-bool is_narrow(const FlatPiece& piece, double narrowest) {
-  return narrowest > 0 && !piece.error && !has_room(piece.chart.mesh, piece.uv, narrowest);
-}
-
 template <typename Number>
 bool is_any(const std::vector<Number>& numbers) {
   return std::any_of(numbers.begin(), numbers.end(), [](Number each) { return each != 0; });
@@ -105,7 +101,6 @@ class SmoothSet {
 
  private:
   CutMask barriers() const;
-  bool is_narrow(const FlatPiece& part) const { return wirewarp::is_narrow(part, cut_options_.narrowest); }
   int num_bends(const CutMesh& cut) const;
   std::vector<SurfacePath> lines();
   SurfacePath on_input(const RelaxedLine& line) const;
@@ -279,7 +274,8 @@ std::vector<char> SmoothSet::beside_failures(const CutMesh& cut, const FlatPiece
   const bool are_narrow = count_narrow(parts, cut_options_.narrowest) > limits_.num_narrow;
   std::vector<char> failures(levels_.size(), 0);
   for (const std::shared_ptr<const FlatPiece>& part : parts) {
-    const bool has_failed = part->error || part->strain > limits_.most_strain || (are_narrow && is_narrow(*part));
+    const bool has_failed = part->error || part->strain > limits_.most_strain ||
+                            (are_narrow && is_narrow(*part, cut_options_.narrowest));
     if (!has_failed) continue;
     const std::vector<char> around = beside(*part, cut);
     const bool is_near = !part->error && part->strain > limits_.most_strain &&
@@ -355,11 +351,6 @@ std::optional<DartProposal> SmoothSet::evaluate(const std::vector<SurfacePath>& 
 }
 
 }  // namespace
-
-int count_narrow(const FlatPieces& pieces, double narrowest) {
-  return static_cast<int>(
-      std::count_if(pieces.begin(), pieces.end(), [&](const auto& piece) { return is_narrow(*piece, narrowest); }));
-}
 
 std::optional<DartProposal> smooth_lines(const DartProposal& set, const SurfaceLines& lines, const SmoothLimits& limits,
                                          const PieceToCut& piece, const CutOptions& cut_options,

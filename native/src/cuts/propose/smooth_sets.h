@@ -23,14 +23,11 @@ struct PieceToCut {
 struct SmoothLimits {
   double most_strain;
   double most_bends = std::numeric_limits<double>::infinity();  // share of the bends of the set before
-  int num_narrow = std::numeric_limits<int>::max();             // number of pieces that may be too narrow
+  int num_narrow = std::numeric_limits<int>::max();             // see count_narrow()
   // If a part has more strain than allowed by this factor, all lines around it become less smooth at once. This saves
   // evaluations, but leaves more bends.
   double far_too_much = std::numeric_limits<double>::infinity();
 };
-
-/// Returns the number of pieces that are narrower than a width, scene units.
-int count_narrow(const FlatPieces& pieces, double narrowest);
 
 /// Returns a cut set whose lines are as smooth as the limits allow; none if no smoother lines are allowed. set: the set
 /// before, of which only the number of pieces counts. All references are kept for the call. Throws Stopped.
