@@ -22,7 +22,7 @@ namespace {
 CutState merge_sections(const CutState& state, const Chart& chart, const ExactEvaluation& exact, double most_strain,
                         double narrowest = 0, double least_solidity = 0) {
   const MirroredCuts mirrored(chart, {});
-  SectionMerger merger(state, chart, mirrored, exact, {narrowest, least_solidity, narrowest});
+  SectionMerger merger(state, chart, mirrored, exact, {narrowest, least_solidity});
   merger.run(most_strain, [](double) {});
   return merger.state();
 }

@@ -296,7 +296,7 @@ void CutSetSearch::add_more_cuts(std::vector<CutSet>& sets) {
 /// Stopped; sets added by then remain.
 void CutSetSearch::add_merged(std::vector<CutSet>& sets) {
   SectionMerger merger({sets.back().cut, sets.back().pieces}, chart_, mirrored_, exact_,
-                       {cut_options_.narrowest, kLeastSolidity, cut_options_.narrowest});
+                       {cut_options_.narrowest, kLeastSolidity});
   const std::vector<double> allowed = allowed_strains(std::max(target_, sets.back().proposal.strain), target_);
   const auto count = static_cast<double>(allowed.size());
   for (std::size_t i = 0; i < allowed.size(); ++i) {

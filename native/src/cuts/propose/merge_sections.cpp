@@ -168,7 +168,8 @@ SectionMerger::SectionMerger(CutState state, const Chart& chart, const MirroredC
       has_other_measure_(exact.options().cloth.has_value() || has_eases(exact.surface().given())),
       exact_(exact),
       quick_(exact.surface(), without_long_runs(exact.options()), exact.stop()),
-      rules_(rules) {}
+      rules_(rules),
+      first_(rules.narrowest) {}
 
 void SectionMerger::run(double most_strain, const std::function<void(double)>& report) {
   most_strain_ = most_strain;
@@ -177,7 +178,7 @@ void SectionMerger::run(double most_strain, const std::function<void(double)>& r
 }
 
 void SectionMerger::restart(double first) {
-  rules_.first = first;
+  first_ = first;
   comes_first_.clear();
   if (earlier_.empty()) return;
   state_ = std::move(earlier_.front());
@@ -284,7 +285,7 @@ std::vector<CutMask> SectionMerger::list_candidates(bool are_halves) {
     if (std::find(candidates.begin(), candidates.end(), mask) == candidates.end())
       candidates.push_back(std::move(mask));
   }
-  if (rules_.first == 0) return candidates;
+  if (first_ == 0) return candidates;
   std::stable_partition(candidates.begin(), candidates.end(), [&](const CutMask& mask) {
     const FlatPieces pieces = beside(mask);
     return std::any_of(pieces.begin(), pieces.end(), [&](const auto& piece) { return comes_first(piece); });
@@ -321,7 +322,7 @@ double SectionMerger::least_strain_without(const CutMask& mask, double allowed) 
 /// Returns whether sections beside a piece come first.
 bool SectionMerger::comes_first(const std::shared_ptr<const FlatPiece>& piece) {
   const auto [found, is_new] = comes_first_.try_emplace(piece, false);
-  if (is_new) found->second = piece->error || is_narrow(*piece, rules_.first);
+  if (is_new) found->second = piece->error || is_narrow(*piece, first_);
   return found->second;
 }
 

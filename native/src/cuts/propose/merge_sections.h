@@ -24,11 +24,10 @@ struct CutState {
 /// many times: enough for a cow, which needs five.
 inline constexpr int kMostMerges = 6;
 
-/// The pieces that a merger may make, and its order.
+/// The pieces that a merger may make.
 struct MergeRules {
   double narrowest = 0;       // least width of a new piece, scene units, unless an old piece is as narrow
   double least_solidity = 0;  // least solidity of a new piece, unless an old piece has as little
-  double first = 0;           // sections beside pieces that are narrower than this come first
 };
 
 /// Removes sections of seams from a cut, the longest first, until no more can be removed. If no whole section can be
@@ -46,7 +45,8 @@ class SectionMerger {
   /// state is the last accepted one.
   void run(double most_strain, const std::function<void(double)>& report);
 
-  /// Returns to the first state, and sets MergeRules::first. Unwanted pieces stay unwanted.
+  /// Returns to the first state. From then on, sections beside pieces that are narrower than `first` come first.
+  /// Unwanted pieces stay unwanted.
   void restart(double first);
 
   /// Returns to the last state without these pieces of the state, and makes none of them again, nor pieces that contain
@@ -92,7 +92,8 @@ class SectionMerger {
   const bool has_other_measure_;  // strain is measured in threads or beyond eases, so free maps cannot estimate it
   const ExactEvaluation& exact_;
   const ExactEvaluation quick_;  // limited to fewer factorizations
-  MergeRules rules_;
+  const MergeRules rules_;
+  double first_;                   // sections beside pieces that are narrower than this come first
   std::vector<CutState> earlier_;  // all states before
   FlatPieces unwanted_;            // see undo()
   double most_strain_ = 0;

@@ -63,7 +63,7 @@ bool SmoothMerger::merge(double share, double most_strain, const std::function<v
   const CutMask cut = PartMap(chart).mask_of(mesh.edges);
   const double allowed = std::max(most_strain, set_.strain);
   SectionMerger merger({cut, surface.after()}, chart, mirrored, surface.exact(),
-                       {cut_options_.narrowest, least_solidity_, cut_options_.narrowest});
+                       {cut_options_.narrowest, least_solidity_});
   for (int i = 0; i < kMostMerges; ++i) {
     const bool stopped = was_stopped([&] { merger.run(share * most_strain, report); });
     SurfaceLines lines = lines_across(given, piece_.chart, mesh, chart, image, merger.state().cut);

@@ -317,7 +317,7 @@ void PartSearch::add_joined(const CutMesh& mesh, double limit, PartSets& found) 
   };
   const double narrowest = cut_options_.narrowest;
   SectionMerger merger({cut, model.exact().with_cut(model.pieces(), mesh.edges)}, chart, mirrored, model.exact(),
-                       {narrowest, kPartSolidity, narrowest});
+                       {narrowest, kPartSolidity});
   const bool stopped = was_stopped([&] {
     for (const double first : narrowest > 0 ? std::vector{narrowest, kSmall * narrowest} : std::vector{0.0}) {
       merger.restart(first);
