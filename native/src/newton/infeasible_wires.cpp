@@ -40,16 +40,22 @@ using Tolerances = std::map<int, double>;  // tolerance of each wire
 
 bool is_held(const WirePart& part) { return part.kind == WireKind::rigid || part.kind == WireKind::elastic; }
 
-/// Returns free tolerances for the wires whose lengths the relaxed shape changes.
-Tolerances wires_to_free(const Chart& chart, const RelaxedShape& relaxed, double kept) {
+/// Returns free tolerances for the held wires with a chosen part, given by its index.
+template <typename Chooses>
+Tolerances free_wires(const Chart& chart, const Chooses& chooses) {
   Tolerances wires;
   for (std::size_t i = 0; i < chart.wire_parts.size(); ++i) {
     const WirePart& part = chart.wire_parts[i];
-    const auto p = static_cast<Eigen::Index>(i);
-    const bool is_violated = relaxed.strain_rms[p] > kUneven || relaxed.tolerance_violation[p] > kept;
-    if (is_held(part) && is_violated) wires[part.wire_index] = kFreeTolerance;
+    if (is_held(part) && chooses(static_cast<Eigen::Index>(i))) wires[part.wire_index] = kFreeTolerance;
   }
   return wires;
+}
+
+/// Returns free tolerances for the wires whose lengths the relaxed shape changes.
+Tolerances wires_to_free(const Chart& chart, const RelaxedShape& relaxed, double kept) {
+  return free_wires(chart, [&](Eigen::Index i) {
+    return relaxed.strain_rms[i] > kUneven || relaxed.tolerance_violation[i] > kept;
+  });
 }
 
 double rounded_up(double tolerance) {
@@ -75,32 +81,10 @@ Chart with_tolerances(Chart chart, const Tolerances& tolerances) {
 /// Returns free tolerances for the wires that exceed their tolerances by more than the lowest rung of the ladder in a
 /// shape in which all wires are free.
 Tolerances free_wires_that_change(const Chart& chart, const Solution& free) {
-  Tolerances tolerances;
-  for (std::size_t i = 0; i < chart.wire_parts.size(); ++i) {
-    const WirePart& part = chart.wire_parts[i];
-    const bool changes =
-        std::abs(free.shape.variation[static_cast<Eigen::Index>(i)]) > solver_tolerance(part) + kLadder[0];
-    if (is_held(part) && changes) tolerances[part.wire_index] = kFreeTolerance;
-  }
-  return tolerances;
-}
-
-bool is_any_free(const Tolerances& tolerances) {
-  return std::any_of(tolerances.begin(), tolerances.end(), [](const auto& wire) { return std::isinf(wire.second); });
-}
-
-Tolerances free_wires(const Chart& chart) {
-  Tolerances tolerances;
-  for (const WirePart& part : chart.wire_parts) {
-    if (is_held(part)) tolerances[part.wire_index] = kFreeTolerance;
-  }
-  return tolerances;
-}
-
-std::vector<ProposedTolerance> listed(const Tolerances& tolerances) {
-  std::vector<ProposedTolerance> proposed;
-  for (const auto& [wire, tolerance] : tolerances) proposed.push_back({wire, tolerance});
-  return proposed;
+  return free_wires(chart, [&](Eigen::Index i) {
+    const WirePart& part = chart.wire_parts[static_cast<std::size_t>(i)];
+    return std::abs(free.shape.variation[i]) > solver_tolerance(part) + kLadder[0];
+  });
 }
 
 /// Finds tolerances with which a chart has a flat shape with all lengths. Each result is proven by a shape, which may
@@ -228,7 +212,7 @@ bool shows_conflict(const RelaxedShape& relaxed) {
 
 std::vector<ProposedTolerance> propose_tolerances(const Chart& chart, const InternalOptions& options,
                                                   const RelaxedShape& relaxed, const StopToken& stop) {
-  const Tolerances all = free_wires(chart);
+  const Tolerances all = free_wires(chart, [](Eigen::Index) { return true; });
   if (all.empty()) return {};
   InternalOptions brief = options;
   brief.max_factorizations = kMaxFreeFactorizations;
@@ -255,7 +239,9 @@ std::vector<ProposedTolerance> propose_tolerances(const Chart& chart, const Inte
     if (!search.work(freed)) freed.clear();
   }
   const Tolerances few = search.on_few_wires(freed);
-  const bool are_few_elastic = few.size() <= kFewWires && !is_any_free(few);
+  const bool are_few_elastic =
+      few.size() <= kFewWires &&
+      std::none_of(few.begin(), few.end(), [](const auto& wire) { return std::isinf(wire.second); });
   Tolerances proposed;
   if (are_few_elastic) proposed = first_flat({few, doubled(few)});
   if (proposed.empty()) {
@@ -267,7 +253,9 @@ std::vector<ProposedTolerance> propose_tolerances(const Chart& chart, const Inte
   }
   if (proposed.empty() && !are_few_elastic) proposed = first_flat({few, doubled(few)});
   if (proposed.empty()) proposed = first_flat({freed, all});
-  return listed(proposed);
+  std::vector<ProposedTolerance> listed;
+  for (const auto& [wire, tolerance] : proposed) listed.push_back({wire, tolerance});
+  return listed;
 }
 
 }  // namespace

@@ -50,9 +50,13 @@ std::vector<int> small_faces(const Chart& chart) {
   return small;
 }
 
-/// Adds the limit of factorizations to the arguments if it ended the search.
-void add_limit(const Options& options, bool ran_out, ErrorArguments& arguments) {
+/// Returns the error of a chart whose lengths no shape has. It names all faces and, if it ended the search, the limit
+/// of factorizations.
+FlattenError infeasible(const Chart& chart, ErrorArguments arguments, ErrorElements elements, const Options& options,
+                        bool ran_out) {
   if (ran_out) arguments["max_factorizations"] = options.max_factorizations;
+  elements.faces = chart.source_face;
+  return FlattenError(ErrorCode::infeasible_lengths, std::move(arguments), std::move(elements));
 }
 
 }  // namespace
@@ -87,67 +91,47 @@ FlattenError outline_too_short(const Chart& chart, std::vector<VertexPair> propo
 FlattenError infeasible_wires(const Chart& chart, const std::vector<Wire>& wires, const Options& options,
                               std::vector<ProposedTolerance> tolerances, bool ran_out) {
   ErrorElements elements;
-  elements.faces = chart.source_face;
   elements.edges = edges_of(chart, tolerances);
   std::vector<int> indices;
   for (const ProposedTolerance& proposed : tolerances) indices.push_back(proposed.wire);
   ErrorArguments arguments = arguments_of_wires(wires, std::move(indices));
   arguments["reason"] = std::string("wires");
   arguments["is_refined"] = options.method == Method::refined;
-  add_limit(options, ran_out, arguments);
   elements.proposed_tolerances = std::move(tolerances);
-  return FlattenError(ErrorCode::infeasible_lengths, std::move(arguments), std::move(elements));
+  return infeasible(chart, std::move(arguments), std::move(elements), options, ran_out);
 }
 
 FlattenError infeasible_outline(const Chart& chart, const Options& options, std::vector<VertexPair> proposed_seams,
                                 bool ran_out) {
   ErrorElements elements;
-  elements.faces = chart.source_face;
   for (const HalfEdgeChain& loop : chart.boundary_loops) add_edges(chart, loop, elements.edges);
   elements.proposed_seams = std::move(proposed_seams);
-  ErrorArguments arguments{{"reason", "outline"}, {"has_wires", has_wires(chart)}};
-  add_limit(options, ran_out, arguments);
-  return FlattenError(ErrorCode::infeasible_lengths, std::move(arguments), std::move(elements));
+  return infeasible(chart, {{"reason", "outline"}, {"has_wires", has_wires(chart)}}, std::move(elements), options,
+                    ran_out);
 }
 
 FlattenError infeasible_stretch(const Chart& chart, const Options& options, std::vector<VertexPair> proposed_seams,
                                 bool is_good_unstretched, bool ran_out) {
   ErrorElements elements;
-  elements.faces = chart.source_face;
   elements.proposed_seams = std::move(proposed_seams);
-  ErrorArguments arguments{{"reason", "stretch"}, {"is_good_unstretched", is_good_unstretched}};
-  add_limit(options, ran_out, arguments);
-  return FlattenError(ErrorCode::infeasible_lengths, std::move(arguments), std::move(elements));
+  return infeasible(chart, {{"reason", "stretch"}, {"is_good_unstretched", is_good_unstretched}}, std::move(elements),
+                    options, ran_out);
 }
 
 FlattenError needs_refinement(const Chart& chart) {
   return FlattenError(ErrorCode::infeasible_lengths, ErrorArguments{{"reason", "method"}}, {{}, {}, chart.source_face});
 }
 
-namespace {
-
-/// The wires along the outline that have a tolerance, and their edges on the outline.
-struct ElasticWires {
-  std::set<int> wires;
+std::optional<FlattenError> elastic_outline(const Chart& chart, const std::vector<Wire>& wires) {
+  std::set<int> elastic;
   std::set<VertexPair> edges;
-};
-
-ElasticWires find_elastic_wires(const Chart& chart) {
-  ElasticWires elastic;
   for (const WirePart& part : chart.wire_parts) {
     if (!is_elastic_boundary(part)) continue;
-    elastic.wires.insert(part.wire_index);
-    for (const HalfedgeHandle h : part.half_edges) elastic.edges.insert(source_edge(chart, h));
+    elastic.insert(part.wire_index);
+    for (const HalfedgeHandle h : part.half_edges) edges.insert(source_edge(chart, h));
   }
-  return elastic;
-}
-
-}  // namespace
-
-std::optional<FlattenError> elastic_outline(const Chart& chart, const std::vector<Wire>& wires) {
-  const ElasticWires elastic = find_elastic_wires(chart);
-  if (elastic.wires.empty()) return std::nullopt;
-  const std::vector<int> indices(elastic.wires.begin(), elastic.wires.end());
+  if (elastic.empty()) return std::nullopt;
+  const std::vector<int> indices(elastic.begin(), elastic.end());
   ErrorArguments arguments = arguments_of_wires(wires, indices);
   arguments["name"] = "method";
   arguments["value"] = "wirewarp++";
@@ -155,7 +139,7 @@ std::optional<FlattenError> elastic_outline(const Chart& chart, const std::vecto
                          name_wires(indices, std::get<std::vector<std::string>>(arguments["wire_names"])) +
                          "; or give these a tolerance of 0 and an ease";
   return FlattenError(ErrorCode::invalid_option, std::move(arguments),
-                      {{}, {elastic.edges.begin(), elastic.edges.end()}, chart.source_face});
+                      {{}, {edges.begin(), edges.end()}, chart.source_face});
 }
 
 FlattenError not_solvable(const Chart& chart) {
