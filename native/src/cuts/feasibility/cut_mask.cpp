@@ -27,30 +27,12 @@ std::vector<VertexPair> edges_of(const Chart& chart, const CutMask& cut) {
   return edges;
 }
 
-std::set<VertexPair> undirected(const std::vector<VertexPair>& edges) {
-  std::set<VertexPair> pairs;
-  for (const VertexPair& edge : edges) pairs.insert(sorted(edge));
-  return pairs;
-}
-
 double length_of_cut(const HalfEdgeMesh& mesh, const CutMask& cut) {
   double length = 0;
   for (const EdgeHandle e : mesh.edges()) {
     if (cut[e.idx()]) length += edge_length(mesh, mesh.halfedge_handle(e, 0));
   }
   return length;
-}
-
-std::vector<VertexPair> as_list(const VertexPairs& pairs) {
-  std::vector<VertexPair> list;
-  for (const auto& ends : pairs.rowwise()) list.push_back({ends[0], ends[1]});
-  return list;
-}
-
-VertexPairs as_pairs(const std::vector<VertexPair>& list) {
-  VertexPairs pairs(static_cast<Eigen::Index>(list.size()), 2);
-  for (std::size_t i = 0; i < list.size(); ++i) pairs.row(static_cast<Eigen::Index>(i)) << list[i][0], list[i][1];
-  return pairs;
 }
 
 PathRules around(const HalfEdgeMesh& mesh, const CutMask& forbidden) {

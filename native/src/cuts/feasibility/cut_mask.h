@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <set>
 #include <vector>
 
 #include "surface/charts/chart.h"
@@ -23,15 +22,8 @@ void unite(CutMask& cut, const CutMask& other);
 /// Returns the ends of the cut edges in the input, in the order of the mesh.
 std::vector<VertexPair> edges_of(const Chart& chart, const CutMask& cut);
 
-/// Returns each edge once, the smaller end first.
-std::set<VertexPair> undirected(const std::vector<VertexPair>& edges);
-
 /// Returns the length of all cut edges in scene units.
 double length_of_cut(const HalfEdgeMesh& mesh, const CutMask& cut);
-
-/// These two functions convert between (k, 2) pairs and a list.
-std::vector<VertexPair> as_list(const VertexPairs& pairs);
-VertexPairs as_pairs(const std::vector<VertexPair>& list);
 
 /// Rules for paths that avoid the edges of this mask; the mask is kept by reference.
 PathRules around(const HalfEdgeMesh& mesh, const CutMask& forbidden);

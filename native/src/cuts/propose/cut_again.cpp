@@ -7,9 +7,9 @@
 #include <set>
 #include <utility>
 
-#include "surface/charts/chart.h"
 #include "surface/cut_mesh/path_sites.h"
 #include "surface/mesh/edge_table.h"
+#include "surface/mesh/vertex_pairs.h"
 
 namespace wirewarp {
 namespace {
@@ -34,8 +34,7 @@ CutMesh cut_again(const CutMesh& before, const std::vector<SurfacePath>& paths) 
   std::map<VertexPair, std::vector<int>> divided;
   for (const std::vector<int>& along : after.sources.divided_edges)
     divided[sorted({along.front(), along.back()})] = along;
-  std::set<VertexPair> edges;
-  for (const VertexPair& ends : after.edges) edges.insert(sorted(ends));
+  std::set<VertexPair> edges = undirected(after.edges);
   for (const auto& [a, b] : before.edges) {
     const auto found = divided.find(sorted({a, b}));
     const std::vector<int> along = found == divided.end() ? std::vector<int>{a, b} : found->second;

@@ -22,7 +22,7 @@ class PartOfInput {
       : whole_(whole), faces_(faces) {
     take_faces();
     edges_.emplace(part_.faces, static_cast<int>(vertices_.size()));
-    take_seams(seams);
+    part_.seams = as_pairs(seams).unaryExpr([&](int v) { return place_of(v); });
     for (std::size_t w = 0; w < whole.wires.size(); ++w) take_wire(static_cast<int>(w));
     for (const Ease& ease : whole.eases) take_ease(ease);
   }
@@ -65,13 +65,6 @@ class PartOfInput {
     vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
     part_.vertices = whole_.vertices(vertices_, Eigen::all);
     part_.faces = whole_.faces(faces_, Eigen::all).unaryExpr([&](int v) { return place_of(v); });
-  }
-
-  void take_seams(const std::vector<VertexPair>& seams) {
-    part_.seams.resize(static_cast<Eigen::Index>(seams.size()), 2);
-    for (std::size_t i = 0; i < seams.size(); ++i) {
-      part_.seams.row(static_cast<Eigen::Index>(i)) << place_of(seams[i][0]), place_of(seams[i][1]);
-    }
   }
 
   /// Adds each run of the wire's edges that is in the part. The run of a closed wire may pass the vertex at which the

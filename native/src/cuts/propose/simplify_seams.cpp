@@ -80,9 +80,7 @@ class SeamSimplifier {
   /// Returns the edges that are seams, each once, and adds the seams that must stay to kept_.
   std::vector<VertexPair> list_seams() {
     std::set<VertexPair> eased, known;
-    for (const Ease& ease : input_.eases) {
-      for (const VertexPair& ends : as_list(ease.half_edges)) eased.insert(sorted(ends));
-    }
+    for (const Ease& ease : input_.eases) eased.merge(undirected(as_list(ease.half_edges)));
     std::vector<VertexPair> seams;
     for (const VertexPair& ends : as_list(input_.seams)) {
       const int sides = edges_.num_sides(edges_.find(ends[0], ends[1]));

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "surface/mesh/half_edge_mesh.h"
+#include "surface/mesh/vertex_pairs.h"
 #include "wirewarp/flatten.h"
 
 namespace wirewarp {
@@ -70,9 +71,6 @@ inline VertexPair source_ends(const Chart& chart, HalfedgeHandle h) {
   return {chart.source_vertex[chart.mesh.from_vertex_handle(h).idx()],
           chart.source_vertex[chart.mesh.to_vertex_handle(h).idx()]};
 }
-
-/// Returns a pair with the smaller index first.
-inline VertexPair sorted(const VertexPair& ends) { return {std::min(ends[0], ends[1]), std::max(ends[0], ends[1])}; }
 
 /// Returns the ends of an edge in the input, the smaller index first.
 inline VertexPair source_edge(const Chart& chart, HalfedgeHandle h) { return sorted(source_ends(chart, h)); }

@@ -7,6 +7,7 @@
 #include "base/arguments.h"
 #include "base/disjoint_sets.h"
 #include "base/sentence.h"
+#include "surface/mesh/vertex_pairs.h"
 
 namespace wirewarp {
 namespace {
@@ -26,8 +27,7 @@ void check_seams(const FlattenInput& input, const EdgeTable& edges) {
   const std::vector<int> ends(input.seams.data(), input.seams.data() + input.seams.size());
   check_vertices_in_range(ends, input.vertices.rows(), "the list of seams");
   std::vector<VertexPair> bad;
-  for (int i = 0; i < input.seams.rows(); ++i) {
-    const VertexPair pair{input.seams(i, 0), input.seams(i, 1)};
+  for (const VertexPair& pair : as_list(input.seams)) {
     if (edges.find(pair[0], pair[1]) < 0) bad.push_back(pair);
   }
   if (bad.empty()) return;
@@ -87,12 +87,6 @@ void check_wire_on_mesh(const FlattenInput& input, const EdgeTable& edges, std::
   }
 }
 
-std::vector<VertexPair> pairs_of(const VertexPairs& rows) {
-  std::vector<VertexPair> pairs;
-  for (const auto& ends : rows.rowwise()) pairs.push_back({ends[0], ends[1]});
-  return pairs;
-}
-
 /// Returns the number of sides of edge a-b whose triangles have b after a; 0 if the edge is not on a seam or border.
 int num_sides_named(const EdgeTable& edges, const std::set<int>& seams, const VertexPair& ends) {
   const int edge = edges.find(ends[0], ends[1]);
@@ -110,14 +104,14 @@ FlattenError wrong_ratio(double ratio, std::vector<VertexPair> half_edges) {
 void check_eases(const FlattenInput& input, const EdgeTable& edges) {
   if (input.eases.empty()) return;
   std::set<int> seams;
-  for (const VertexPair& ends : pairs_of(input.seams)) seams.insert(edges.find(ends[0], ends[1]));
+  for (const VertexPair& ends : as_list(input.seams)) seams.insert(edges.find(ends[0], ends[1]));
   std::set<VertexPair> eased;
   std::vector<VertexPair> without_side, twice;
   for (const Ease& ease : input.eases) {
     check_vertices_in_range({ease.half_edges.data(), ease.half_edges.data() + ease.half_edges.size()},
                             input.vertices.rows(), "an ease");
-    if (!leaves_length(ease.ratio)) throw wrong_ratio(ease.ratio, pairs_of(ease.half_edges));
-    for (const VertexPair& ends : pairs_of(ease.half_edges)) {
+    if (!leaves_length(ease.ratio)) throw wrong_ratio(ease.ratio, as_list(ease.half_edges));
+    for (const VertexPair& ends : as_list(ease.half_edges)) {
       if (num_sides_named(edges, seams, ends) != 1) without_side.push_back(ends);
       if (!eased.insert(ends).second) twice.push_back(ends);
     }
