@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "cuts/propose/cut_faces.h"
+#include "cuts/propose/surface_lines.h"
 #include "surface/mesh/geometry.h"
 #include "wirewarp/cut_mesh.h"
 
@@ -86,26 +87,9 @@ FlatPiece on_cut_mesh(const FlatPiece& piece, const FlattenInput& input, const C
 }  // namespace
 
 SurfacePath on_input(const FlattenInput& input, const Chart& chart, const MeshPath& path) {
-  SurfacePath line{{}, Positions3::Zero(static_cast<Eigen::Index>(path.size()), 3)};
-  for (std::size_t i = 0; i < path.size(); ++i) {
-    const PathPoint& point = path[i];
-    const FaceHandle face =
-        point.is_vertex() ? *chart.mesh.cvf_begin(point.vertex) : chart.mesh.face_handle(point.half_edge);
-    line.faces.push_back(chart.source_face[face.idx()]);
-    const auto put = [&](VertexHandle v, double share) {
-      for (int k = 0; k < 3; ++k) {
-        if (input.faces(line.faces.back(), k) != chart.source_vertex[v.idx()]) continue;
-        line.coordinates(static_cast<Eigen::Index>(i), k) = share;
-      }
-    };
-    if (point.is_vertex()) {
-      put(point.vertex, 1);
-    } else {
-      put(chart.mesh.from_vertex_handle(point.half_edge), 1 - point.t);
-      put(chart.mesh.to_vertex_handle(point.half_edge), point.t);
-    }
-  }
-  return line;
+  std::vector<WeightedPoint> points;
+  for (const PathPoint& point : path) points.push_back(on_input(input, chart, point));
+  return path_through(points);
 }
 
 std::vector<SurfacePath> paths_along(const Triangles& faces, const std::vector<VertexPair>& edges) {
@@ -126,13 +110,9 @@ std::vector<SurfacePath> paths_along(const Triangles& faces, const std::vector<V
   }
   std::vector<SurfacePath> paths;
   for (const std::vector<int>& line : lines) {
-    SurfacePath& path = paths.emplace_back();
-    path.coordinates.setZero(static_cast<Eigen::Index>(line.size()), 3);
-    for (std::size_t i = 0; i < line.size(); ++i) {
-      const auto [face, corner] = corner_at[line[i]];
-      path.faces.push_back(face);
-      path.coordinates(static_cast<Eigen::Index>(i), corner) = 1;
-    }
+    std::vector<WeightedPoint> points;
+    for (const int v : line) points.push_back({corner_at[v].first, Eigen::RowVector3d::Unit(corner_at[v].second)});
+    paths.push_back(path_through(points));
   }
   return paths;
 }

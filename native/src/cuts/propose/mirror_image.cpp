@@ -122,24 +122,6 @@ class MirrorSearch {
   double tolerance_ = 0;
 };
 
-/// Returns the faces that have a point of a path as a corner or on an edge.
-std::vector<FaceHandle> faces_at(const HalfEdgeMesh& mesh, const PathPoint& point) {
-  std::vector<FaceHandle> faces;
-  if (point.is_vertex()) {
-    for (const FaceHandle f : mesh.vf_range(point.vertex)) faces.push_back(f);
-  } else {
-    for (const HalfedgeHandle h : {point.half_edge, mesh.opposite_halfedge_handle(point.half_edge)}) {
-      if (!mesh.is_boundary(h)) faces.push_back(mesh.face_handle(h));
-    }
-  }
-  return faces;
-}
-
-bool have_common_face(const HalfEdgeMesh& mesh, const PathPoint& a, const PathPoint& b) {
-  const std::vector<FaceHandle> of_a = faces_at(mesh, a), of_b = faces_at(mesh, b);
-  return std::find_first_of(of_a.begin(), of_a.end(), of_b.begin(), of_b.end()) != of_a.end();
-}
-
 }  // namespace
 
 std::vector<VertexHandle> mirror_image(const Chart& chart, const StopToken& stop) {
@@ -175,7 +157,7 @@ MeshPath mirrored(const Chart& chart, const std::vector<VertexHandle>& image, co
     result.push_back(PathPoint::on_edge(h, 1 - point.t));
   }
   for (std::size_t i = 1; i < result.size(); ++i) {
-    if (!have_common_face(chart.mesh, result[i - 1], result[i])) return {};
+    if (!have_common_face(faces_at(chart.mesh, result[i - 1]), faces_at(chart.mesh, result[i]))) return {};
   }
   return result;
 }

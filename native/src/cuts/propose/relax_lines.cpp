@@ -2,6 +2,7 @@
 #include "cuts/propose/relax_lines.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -50,24 +51,9 @@ double edge_length_for(const HalfEdgeMesh& mesh, const std::vector<SurfaceLine>&
   return length / static_cast<double>(count);
 }
 
-std::vector<FaceHandle> faces_beside(const HalfEdgeMesh& mesh, VertexHandle v) {
-  std::vector<FaceHandle> faces;
-  for (const FaceHandle f : mesh.vf_range(v)) faces.push_back(f);
-  return faces;
-}
-
-std::vector<FaceHandle> faces_beside(const HalfEdgeMesh& mesh, const SurfacePoint& point) {
-  return point.vertex.is_valid() ? faces_beside(mesh, point.vertex) : std::vector<FaceHandle>{point.face};
-}
-
-std::vector<FaceHandle> faces_beside(const HalfEdgeMesh& mesh, const PathPoint& point) {
-  if (point.is_vertex()) return faces_beside(mesh, point.vertex);
-  return {mesh.face_handle(point.half_edge), mesh.face_handle(mesh.opposite_halfedge_handle(point.half_edge))};
-}
-
 double longest_edge_at(const HalfEdgeMesh& mesh, const SurfacePoint& point) {
   double longest = 0;
-  for (const FaceHandle f : faces_beside(mesh, point)) {
+  for (const FaceHandle f : faces_at(mesh, point)) {
     for (const HalfedgeHandle h : mesh.fh_range(f)) longest = std::max(longest, edge_length(mesh, h));
   }
   return longest;
@@ -76,14 +62,11 @@ double longest_edge_at(const HalfEdgeMesh& mesh, const SurfacePoint& point) {
 /// Returns whether each point of a line shares a face with the next one.
 bool is_connected(const HalfEdgeMesh& mesh, const RelaxedLine& line) {
   std::vector<std::vector<FaceHandle>> faces;
-  if (!line.is_closed) faces.push_back(faces_beside(mesh, line.start));
-  for (const PathPoint& point : line.between) faces.push_back(faces_beside(mesh, point));
-  if (!line.is_closed) faces.push_back(faces_beside(mesh, line.end));
+  if (!line.is_closed) faces.push_back(faces_at(mesh, line.start));
+  for (const PathPoint& point : line.between) faces.push_back(faces_at(mesh, point));
+  if (!line.is_closed) faces.push_back(faces_at(mesh, line.end));
   for (std::size_t i = 1; i < faces.size(); ++i) {
-    const auto is_here = [&](FaceHandle f) {
-      return f.is_valid() && std::find(faces[i].begin(), faces[i].end(), f) != faces[i].end();
-    };
-    if (std::none_of(faces[i - 1].begin(), faces[i - 1].end(), is_here)) return false;
+    if (!have_common_face(faces[i - 1], faces[i])) return false;
   }
   return true;
 }
@@ -318,12 +301,8 @@ std::vector<std::optional<RelaxedLine>> LineNetwork::relax(const std::vector<int
 /// Moves a point to a nearby vertex or edge.
 SurfacePoint LineNetwork::snapped(const SurfacePoint& point) const {
   if (point.vertex.is_valid()) return point;
+  const std::array<double, 3> shares = weights_at(mesh_, point.face, point.place);
   const HalfedgeHandle first = mesh_.halfedge_handle(point.face);
-  const double length = edge_length(mesh_, first);
-  const Planar apex = apex_over(mesh_, first);
-  const double third = point.place.imag() / apex.imag();
-  const double second = (point.place.real() - third * apex.real()) / length;
-  const double shares[] = {1 - second - third, second, third};
   const HalfedgeHandle sides[] = {first, mesh_.next_halfedge_handle(first), mesh_.prev_halfedge_handle(first)};
   for (int k = 0; k < 3; ++k) {
     if (shares[k] > 1 - 2 * kSnap) return SurfacePoint::at_vertex(mesh_.from_vertex_handle(sides[k]));

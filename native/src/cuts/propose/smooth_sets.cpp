@@ -103,7 +103,7 @@ class SmoothSet {
   CutMask barriers() const;
   int num_bends(const CutMesh& cut) const;
   std::vector<SurfacePath> lines();
-  SurfacePath on_input(const RelaxedLine& line) const;
+  SurfacePath path_along(const RelaxedLine& line) const;
   std::vector<SurfacePath> smooth_enough();
   std::optional<DartProposal> evaluate(const std::vector<SurfacePath>& paths, const CutMesh& cut);
   void lower(std::vector<char> chosen);
@@ -176,24 +176,15 @@ void SmoothSet::lower(std::vector<char> chosen) {
   }
 }
 
-SurfacePath SmoothSet::on_input(const RelaxedLine& line) const {
-  SurfacePath path = wirewarp::on_input(given_, chart_, line.between);
-  const auto add_point = [&](const SurfacePoint& point, bool is_first) {
-    const auto [face, coordinates] = wirewarp::on_input(given_, chart_, point.face, point.place);
-    const Eigen::Index count = path.coordinates.rows();
-    Positions3 more(count + 1, 3);
-    if (is_first) {
-      more << coordinates, path.coordinates;
-    } else {
-      more << path.coordinates, coordinates;
-    }
-    path.coordinates = std::move(more);
-    path.faces.insert(is_first ? path.faces.begin() : path.faces.end(), face);
+SurfacePath SmoothSet::path_along(const RelaxedLine& line) const {
+  std::vector<WeightedPoint> points;
+  const auto add_end = [&](const SurfacePoint& end) {
+    if (!line.is_closed && !end.vertex.is_valid()) points.push_back(on_input(given_, chart_, end.face, end.place));
   };
-  if (line.is_closed) return path;
-  if (!line.start.vertex.is_valid()) add_point(line.start, true);
-  if (!line.end.vertex.is_valid()) add_point(line.end, false);
-  return path;
+  add_end(line.start);
+  for (const PathPoint& point : line.between) points.push_back(on_input(given_, chart_, point));
+  add_end(line.end);
+  return path_through(points);
 }
 
 /// Returns the lines at their levels. Lowers the levels of lines that cannot be made.
@@ -209,10 +200,10 @@ std::vector<SurfacePath> SmoothSet::lines() {
     for (std::size_t i = 0; i < levels_.size(); ++i) {
       failed[i] = levels_[i] > 0 && !relaxed[i];
       if (relaxed[i]) {
-        lines.push_back(on_input(*relaxed[i]));
-        continue;
+        lines.push_back(path_along(*relaxed[i]));
+      } else {
+        lines.push_back(start_[i]);
       }
-      lines.push_back(start_[i]);
     }
     if (!is_any(failed)) {
       if (is_symmetric_) mirror_.make_symmetric(images_, lines);

@@ -25,11 +25,11 @@ std::array<std::pair<VertexHandle, Planar>, 3> corners_of(const HalfEdgeMesh& me
            {mesh.to_vertex_handle(mesh.next_halfedge_handle(first)), apex_over(mesh, first)}}};
 }
 
-/// Returns the barycentric coordinates of a place in a face.
-std::array<double, 3> weights_at(const std::array<std::pair<VertexHandle, Planar>, 3>& corners, Planar place) {
-  const double third = place.imag() / corners[2].second.imag();
-  const double second = (place.real() - third * corners[2].second.real()) / corners[1].second.real();
-  return {1 - second - third, second, third};
+/// Returns the corner (0 to 2) of a face of the input that is this vertex.
+int corner_of(const Triangles& faces, int face, int vertex) {
+  int corner = 0;
+  while (faces(face, corner) != vertex) ++corner;
+  return corner;
 }
 
 /// Sets the images of lines along these chains.
@@ -103,15 +103,11 @@ SurfaceLines lines_across(const FlattenInput& input, const Chart& chart, const C
     section.face = FaceHandle(face_of[static_cast<std::size_t>(face)]);
     const auto corners = corners_of(chart.mesh, section.face);
     const auto find = [&](VertexHandle v, Planar& place, VertexHandle& vertex) {
-      const int source = cut_chart.source_vertex[v.idx()];
-      int corner = 0;
-      while (mesh.faces(cut_face, corner) != source) ++corner;
+      const int source = cut_chart.source_vertex[v.idx()], corner = corner_of(mesh.faces, cut_face, source);
       for (const auto& [own, at] : corners) {
-        for (int k = 0; k < 3; ++k) {
-          if (input.faces(face, k) != chart.source_vertex[own.idx()]) continue;
-          place += mesh.sources.corner_weights(cut_face, 3 * corner + k) * at;
-          if (source == input.faces(face, k)) vertex = own;
-        }
+        const int own_source = chart.source_vertex[own.idx()];
+        place += mesh.sources.corner_weights(cut_face, 3 * corner + corner_of(input.faces, face, own_source)) * at;
+        if (source == own_source) vertex = own;
       }
     };
     find(cut_chart.mesh.from_vertex_handle(h), section.from, section.vertex_from);
@@ -154,30 +150,56 @@ SurfaceLines selected(const SurfaceLines& lines, const std::vector<char>& flags)
   return result;
 }
 
+std::array<double, 3> weights_at(const HalfEdgeMesh& mesh, FaceHandle face, Planar place) {
+  const HalfedgeHandle first = mesh.halfedge_handle(face);
+  const Planar apex = apex_over(mesh, first);
+  const double third = place.imag() / apex.imag();
+  const double second = (place.real() - third * apex.real()) / edge_length(mesh, first);
+  return {1 - second - third, second, third};
+}
+
 WeightedPoint on_input(const FlattenInput& input, const Chart& chart, FaceHandle face, Planar place) {
-  const auto corners = corners_of(chart.mesh, face);
-  const std::array<double, 3> weights = weights_at(corners, place);
   WeightedPoint point{chart.source_face[face.idx()], Eigen::RowVector3d::Zero()};
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (int k = 0; k < 3; ++k) {
-      if (input.faces(point.face, k) == chart.source_vertex[corners[i].first.idx()])
-        point.weights[k] = weights[i] < kRoundedWeight ? 0 : weights[i];
-    }
+  HalfedgeHandle h = chart.mesh.halfedge_handle(face);
+  for (const double weight : weights_at(chart.mesh, face, place)) {
+    const int source = chart.source_vertex[chart.mesh.from_vertex_handle(h).idx()];
+    point.weights[corner_of(input.faces, point.face, source)] = weight < kRoundedWeight ? 0 : weight;
+    h = chart.mesh.next_halfedge_handle(h);
   }
   point.weights /= point.weights.sum();
   return point;
 }
 
-SurfacePath path_of(const FlattenInput& input, const Chart& chart, const SurfaceLine& line) {
-  SurfacePath path{{}, Positions3(static_cast<Eigen::Index>(line.sections.size() + 1), 3)};
-  const auto add = [&](FaceHandle face, Planar place) {
-    const WeightedPoint point = on_input(input, chart, face, place);
+WeightedPoint on_input(const FlattenInput& input, const Chart& chart, const PathPoint& point) {
+  const HalfEdgeMesh& mesh = chart.mesh;
+  const FaceHandle face = point.is_vertex() ? *mesh.cvf_begin(point.vertex) : mesh.face_handle(point.half_edge);
+  WeightedPoint result{chart.source_face[face.idx()], Eigen::RowVector3d::Zero()};
+  const auto put = [&](VertexHandle v, double weight) {
+    result.weights[corner_of(input.faces, result.face, chart.source_vertex[v.idx()])] = weight;
+  };
+  if (point.is_vertex()) {
+    put(point.vertex, 1);
+  } else {
+    put(mesh.from_vertex_handle(point.half_edge), 1 - point.t);
+    put(mesh.to_vertex_handle(point.half_edge), point.t);
+  }
+  return result;
+}
+
+SurfacePath path_through(const std::vector<WeightedPoint>& points) {
+  SurfacePath path{{}, Positions3(static_cast<Eigen::Index>(points.size()), 3)};
+  for (const WeightedPoint& point : points) {
     path.coordinates.row(static_cast<Eigen::Index>(path.faces.size())) = point.weights;
     path.faces.push_back(point.face);
-  };
-  for (const LineSection& section : line.sections) add(section.face, section.from);
-  add(line.sections.back().face, line.sections.back().to);
+  }
   return path;
+}
+
+SurfacePath path_of(const FlattenInput& input, const Chart& chart, const SurfaceLine& line) {
+  std::vector<WeightedPoint> points;
+  for (const LineSection& section : line.sections) points.push_back(on_input(input, chart, section.face, section.from));
+  points.push_back(on_input(input, chart, line.sections.back().face, line.sections.back().to));
+  return path_through(points);
 }
 
 }  // namespace wirewarp

@@ -2,6 +2,7 @@
 // The lines of a cut set on the chart of a piece. They follow edges or cross triangles, and meet at their ends only.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "cuts/feasibility/cut_mask.h"
@@ -43,12 +44,20 @@ SurfaceLines lines_across(const FlattenInput& input, const Chart& chart, const C
 /// Returns the lines whose flag is not 0. The ends of each other line become one end.
 SurfaceLines selected(const SurfaceLines& lines, const std::vector<char>& flags);
 
-/// Returns a point on a chart as face of the input and weights of its corners.
+/// A point of the input: a face and the weights of its corners.
 struct WeightedPoint {
   int face;
   Eigen::RowVector3d weights;
 };
+
+/// Returns the barycentric coordinates of a place in a face, from the start of its first half-edge.
+std::array<double, 3> weights_at(const HalfEdgeMesh& mesh, FaceHandle face, Planar place);
+
+/// Return a point on a chart as a point of the input.
 WeightedPoint on_input(const FlattenInput& input, const Chart& chart, FaceHandle face, Planar place);
+WeightedPoint on_input(const FlattenInput& input, const Chart& chart, const PathPoint& point);
+
+SurfacePath path_through(const std::vector<WeightedPoint>& points);
 
 /// Returns a line as a path on the input.
 SurfacePath path_of(const FlattenInput& input, const Chart& chart, const SurfaceLine& line);

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "cuts/propose/surface_lines.h"
 #include "surface/charts/chart.h"
 #include "wirewarp/surface_path.h"
 
@@ -23,10 +24,7 @@ class PathMirror {
   void make_symmetric(const std::vector<std::size_t>& images, std::vector<SurfacePath>& paths) const;
 
  private:
-  struct Point {
-    int face;
-    Eigen::RowVector3d weights;
-  };
+  using Point = WeightedPoint;
 
   struct FaceImage {
     int face = -1;

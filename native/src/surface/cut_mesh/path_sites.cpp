@@ -11,17 +11,15 @@ namespace {
 /// paths do not move again.
 constexpr double kRoundedReach = 1 - 1e-9;
 
-const std::vector<int> kNoSites;
-
-const std::vector<int>& find_or_none(const std::map<int, std::vector<int>>& lists, int key) {
-  const auto found = lists.find(key);
-  return found == lists.end() ? kNoSites : found->second;
-}
-
 }  // namespace
 
 PathSites::PathSites(const Triangles& faces, const EdgeTable& edges, int num_vertices, double snap)
-    : faces_(faces), edges_(edges), snap_(snap), faces_of_vertex_(num_vertices) {
+    : faces_(faces),
+      edges_(edges),
+      snap_(snap),
+      on_edge_(edges.num_edges()),
+      in_face_(faces.rows()),
+      faces_of_vertex_(num_vertices) {
   for (int v = 0; v < num_vertices; ++v) sites_.push_back({{v}, {1}});
   for (int f = 0; f < static_cast<int>(faces.rows()); ++f) {
     for (const int v : faces.row(f)) faces_of_vertex_[v].push_back(f);
@@ -61,7 +59,7 @@ int PathSites::add_on_edge(int edge, double share) {
 
 /// Returns the site within reach of a point; -1 if there is none.
 int PathSites::find_inside(int face, const Shares& shares) const {
-  for (const int site : in_face(face)) {
+  for (const int site : in_face_[face]) {
     double apart = 0;
     for (std::size_t k = 0; k < 3; ++k) apart = std::max(apart, std::abs(sites_[site].shares[k] - shares[k]));
     if (apart < snap_ * kRoundedReach) return site;
@@ -74,10 +72,6 @@ int PathSites::add_inside(int face, const Shares& shares) {
   in_face_[face].push_back(size() - 1);
   return size() - 1;
 }
-
-const std::vector<int>& PathSites::on_edge(int edge) const { return find_or_none(on_edge_, edge); }
-
-const std::vector<int>& PathSites::in_face(int face) const { return find_or_none(in_face_, face); }
 
 Shares PathSites::shares_in(int site, int face) const {
   Shares shares{};
@@ -110,15 +104,16 @@ int PathSites::common_edge(int a, int b) const {
 
 std::vector<int> PathSites::divided_edges() const {
   std::vector<int> edges;
-  for (const auto& [edge, sites] : on_edge_) edges.push_back(edge);
+  for (int edge = 0; edge < edges_.num_edges(); ++edge) {
+    if (!on_edge_[edge].empty()) edges.push_back(edge);
+  }
   return edges;
 }
 
 std::vector<int> PathSites::along(int edge) const {
   const auto& [first, second] = edges_.vertices(edge);
   std::vector<int> line{first};
-  const std::vector<int>& between = on_edge(edge);
-  line.insert(line.end(), between.begin(), between.end());
+  line.insert(line.end(), on_edge_[edge].begin(), on_edge_[edge].end());
   line.push_back(second);
   return line;
 }
@@ -135,8 +130,7 @@ std::vector<int> PathSites::of_face(int face) const {
     const std::vector<int> line = along_side(face, side);
     sites.insert(sites.end(), line.begin(), line.end() - 1);
   }
-  const std::vector<int>& inside = in_face(face);
-  sites.insert(sites.end(), inside.begin(), inside.end());
+  sites.insert(sites.end(), in_face_[face].begin(), in_face_[face].end());
   return sites;
 }
 

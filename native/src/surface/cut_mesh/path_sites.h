@@ -4,7 +4,6 @@
 #pragma once
 
 #include <array>
-#include <map>
 #include <vector>
 
 #include "surface/mesh/edge_table.h"
@@ -34,12 +33,6 @@ class PathSites {
 
   int size() const { return static_cast<int>(sites_.size()); }
   const Site& operator[](int site) const { return sites_[site]; }
-
-  /// Returns the sites on an edge between its ends, from the smaller one.
-  const std::vector<int>& on_edge(int edge) const;
-
-  /// Returns the sites strictly inside a face.
-  const std::vector<int>& in_face(int face) const;
 
   /// Returns the sites around a face, starting at its first corner, then those inside.
   std::vector<int> of_face(int face) const;
@@ -72,8 +65,8 @@ class PathSites {
   const EdgeTable& edges_;
   const double snap_;
   std::vector<Site> sites_;
-  std::map<int, std::vector<int>> on_edge_;
-  std::map<int, std::vector<int>> in_face_;
+  std::vector<std::vector<int>> on_edge_;  // per edge: the sites between its ends, from the smaller one
+  std::vector<std::vector<int>> in_face_;  // per face: the sites strictly inside
   std::vector<std::vector<int>> faces_of_vertex_;
 };
 

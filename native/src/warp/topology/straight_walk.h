@@ -43,6 +43,11 @@ class StraightWalk {
   const std::vector<char>& barriers_;
 };
 
+/// Returns the faces around a vertex, or the face of another point.
+inline std::vector<FaceHandle> faces_at(const HalfEdgeMesh& mesh, const SurfacePoint& point) {
+  return point.vertex.is_valid() ? faces_at(mesh, point.vertex) : std::vector<FaceHandle>{point.face};
+}
+
 HalfEdgeMesh::Point position(const HalfEdgeMesh& mesh, const SurfacePoint& point);
 
 /// Returns the point at a share of an edge.

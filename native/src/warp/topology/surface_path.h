@@ -2,6 +2,7 @@
 // A path on a mesh: from vertex to vertex, straight across each triangle.
 #pragma once
 
+#include <algorithm>
 #include <complex>
 #include <vector>
 
@@ -21,6 +22,27 @@ struct PathPoint {
 };
 
 using MeshPath = std::vector<PathPoint>;
+
+/// Returns the faces around a vertex.
+inline std::vector<FaceHandle> faces_at(const HalfEdgeMesh& mesh, VertexHandle v) {
+  std::vector<FaceHandle> faces;
+  for (const FaceHandle f : mesh.vf_range(v)) faces.push_back(f);
+  return faces;
+}
+
+/// Returns the faces that have a point of a path as a corner or on an edge.
+inline std::vector<FaceHandle> faces_at(const HalfEdgeMesh& mesh, const PathPoint& point) {
+  if (point.is_vertex()) return faces_at(mesh, point.vertex);
+  std::vector<FaceHandle> faces;
+  for (const HalfedgeHandle h : {point.half_edge, mesh.opposite_halfedge_handle(point.half_edge)}) {
+    if (!mesh.is_boundary(h)) faces.push_back(mesh.face_handle(h));
+  }
+  return faces;
+}
+
+inline bool have_common_face(const std::vector<FaceHandle>& a, const std::vector<FaceHandle>& b) {
+  return std::find_first_of(a.begin(), a.end(), b.begin(), b.end()) != a.end();
+}
 
 inline HalfEdgeMesh::Point position(const HalfEdgeMesh& mesh, const PathPoint& point) {
   if (point.is_vertex()) return mesh.point(point.vertex);
