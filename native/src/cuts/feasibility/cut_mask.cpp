@@ -27,6 +27,15 @@ std::vector<VertexPair> edges_of(const Chart& chart, const CutMask& cut) {
   return edges;
 }
 
+std::vector<VertexPair> outline_of(const Chart& chart) {
+  std::vector<VertexPair> edges;
+  for (const EdgeHandle e : chart.mesh.edges()) {
+    if (chart.mesh.is_boundary(e)) edges.push_back(source_edge(chart, chart.mesh.halfedge_handle(e, 0)));
+  }
+  std::sort(edges.begin(), edges.end());
+  return edges;
+}
+
 double length_of_cut(const HalfEdgeMesh& mesh, const CutMask& cut) {
   double length = 0;
   for (const EdgeHandle e : mesh.edges()) {

@@ -22,6 +22,9 @@ void unite(CutMask& cut, const CutMask& other);
 /// Returns the ends of the cut edges in the input, in the order of the mesh.
 std::vector<VertexPair> edges_of(const Chart& chart, const CutMask& cut);
 
+/// Returns the ends of the outline's edges in the input, sorted.
+std::vector<VertexPair> outline_of(const Chart& chart);
+
 /// Returns the length of all cut edges in scene units.
 double length_of_cut(const HalfEdgeMesh& mesh, const CutMask& cut);
 

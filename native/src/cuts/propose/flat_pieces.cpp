@@ -21,7 +21,8 @@ namespace {
 std::shared_ptr<const FlatPiece> as_flat_piece(Chart chart, const Piece& piece, const InternalOptions& options,
                                                const NeededStretch& needed) {
   PartMap edges(chart);
-  FlatPiece flat{std::move(chart), std::move(edges), {}, 0, 0, 0};
+  std::vector<VertexPair> outline = outline_of(chart);
+  FlatPiece flat{std::move(chart), std::move(edges), std::move(outline), {}, 0, 0, 0};
   flat.error = flat.chart.error ? flat.chart.error : piece.error;
   const Metrics& metrics = piece.metrics;
   if (!flat.chart.error) {
@@ -41,18 +42,69 @@ std::shared_ptr<const FlatPiece> as_flat_piece(Chart chart, const Piece& piece, 
   return std::make_shared<FlatPiece>(std::move(flat));
 }
 
-/// Calls visit with the source of each edge of a chart's outline.
-template <typename Visit>
-void for_each_outline_edge(const Chart& chart, const Visit& visit) {
-  for (const EdgeHandle e : chart.mesh.edges()) {
-    if (chart.mesh.is_boundary(e)) visit(source_edge(chart, chart.mesh.halfedge_handle(e, 0)));
-  }
+bool has_outline_edge(const FlatPiece& piece, const std::set<VertexPair>& edges) {
+  return std::any_of(edges.begin(), edges.end(), [&](const VertexPair& edge) {
+    return std::binary_search(piece.outline.begin(), piece.outline.end(), edge);
+  });
 }
 
-bool has_outline_edge(const Chart& chart, const std::set<VertexPair>& edges) {
-  bool has_one = false;
-  for_each_outline_edge(chart, [&](const VertexPair& edge) { has_one = has_one || edges.count(edge) != 0; });
-  return has_one;
+/// A selection of pieces: one flag per piece.
+using Selection = std::vector<char>;
+
+std::vector<int> faces_of(const FlatPieces& pieces, const Selection& chosen) {
+  std::vector<int> faces;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    if (chosen[i] == 0) continue;
+    const std::vector<int>& own = pieces[i]->chart.source_face;
+    faces.insert(faces.end(), own.begin(), own.end());
+  }
+  std::sort(faces.begin(), faces.end());
+  return faces;
+}
+
+/// Adds all pieces that elastic seams couple with the chosen pieces.
+Selection coupled(const FlatPieces& pieces, Selection chosen) {
+  std::set<std::pair<int, int>> shared;  // wire and part
+  for (bool has_grown = true; has_grown;) {
+    has_grown = false;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      const std::vector<WirePart>& parts = pieces[i]->chart.wire_parts;
+      const auto is_shared = [&](const WirePart& part) {
+        return is_elastic_boundary(part) && shared.count({part.wire_index, part.part}) != 0;
+      };
+      if (chosen[i] == 0 && std::none_of(parts.begin(), parts.end(), is_shared)) continue;
+      chosen[i] = 1;
+      for (const WirePart& part : parts) {
+        if (is_elastic_boundary(part)) has_grown |= shared.insert({part.wire_index, part.part}).second;
+      }
+    }
+  }
+  return chosen;
+}
+
+/// Adds all pieces that share an edge of their outline with the chosen pieces, and all pieces coupled with these.
+Selection with_neighbors(const FlatPieces& pieces, const Selection& chosen) {
+  std::set<VertexPair> outline;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    if (chosen[i] != 0) outline.insert(pieces[i]->outline.begin(), pieces[i]->outline.end());
+  }
+  Selection more = chosen;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    if (has_outline_edge(*pieces[i], outline)) more[i] = 1;
+  }
+  return coupled(pieces, std::move(more));
+}
+
+/// Selects the pieces that a cut runs through or that are beside an opened seam, and all pieces coupled with them.
+Selection changed_pieces(const FlatPieces& before, const std::vector<VertexPair>& edges,
+                         const std::vector<VertexPair>& opened) {
+  const std::set<VertexPair> no_seams = undirected(opened);
+  Selection cut(before.size(), 0);
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    const auto is_inside = [&](const VertexPair& edge) { return before[i]->edges.edge_between(edge).is_valid(); };
+    cut[i] = std::any_of(edges.begin(), edges.end(), is_inside) || has_outline_edge(*before[i], no_seams);
+  }
+  return coupled(before, std::move(cut));
 }
 
 /// The area of a piece on each face of the surface, scene units squared.
@@ -77,10 +129,9 @@ double shared_area(const AreaOfFaces& a, const AreaOfFaces& b) {
 }  // namespace
 
 bool cuts_inside(const FlatPiece& piece, const Chart& chart) {
-  bool does_cut = false;
-  for_each_outline_edge(
-      chart, [&](const VertexPair& edge) { does_cut = does_cut || piece.edges.edge_between(edge).is_valid(); });
-  return does_cut;
+  const std::vector<VertexPair> outline = outline_of(chart);
+  return std::any_of(outline.begin(), outline.end(),
+                     [&](const VertexPair& edge) { return piece.edges.edge_between(edge).is_valid(); });
 }
 
 void sort_pieces(FlatPieces& pieces) {
@@ -92,7 +143,7 @@ FlatPieces pieces_beside(const FlatPieces& pieces, const std::vector<VertexPair>
   const std::set<VertexPair> given_edges = undirected(edges);
   FlatPieces beside;
   for (const std::shared_ptr<const FlatPiece>& piece : pieces) {
-    if (has_outline_edge(piece->chart, given_edges)) beside.push_back(piece);
+    if (has_outline_edge(*piece, given_edges)) beside.push_back(piece);
   }
   return beside;
 }
@@ -167,22 +218,6 @@ SurfaceToCut::SurfaceToCut(const FlattenInput& input, const Options& options) : 
   if (options.thickness > 0) middle_ = move_to_middle(input, options);
 }
 
-/// A selection of pieces, by index.
-struct ExactEvaluation::Selection {
-  std::vector<char> is_chosen;
-
-  std::vector<int> faces(const FlatPieces& pieces) const {
-    std::vector<int> faces;
-    for (std::size_t i = 0; i < pieces.size(); ++i) {
-      if (is_chosen[i] == 0) continue;
-      const std::vector<int>& own = pieces[i]->chart.source_face;
-      faces.insert(faces.end(), own.begin(), own.end());
-    }
-    std::sort(faces.begin(), faces.end());
-    return faces;
-  }
-};
-
 ExactEvaluation::ExactEvaluation(const SurfaceToCut& surface, const InternalOptions& options, StopToken stop)
     : surface_(surface),
       input_(surface.middle()),
@@ -192,55 +227,20 @@ ExactEvaluation::ExactEvaluation(const SurfaceToCut& surface, const InternalOpti
   options_.with_proposals = false;
 }
 
-/// Adds all pieces that elastic seams couple with the chosen pieces.
-ExactEvaluation::Selection ExactEvaluation::coupled(const FlatPieces& pieces, Selection chosen) const {
-  std::set<std::pair<int, int>> shared;  // wire and part
-  for (bool has_grown = true; has_grown;) {
-    has_grown = false;
-    for (std::size_t i = 0; i < pieces.size(); ++i) {
-      const std::vector<WirePart>& parts = pieces[i]->chart.wire_parts;
-      const auto is_shared = [&](const WirePart& part) {
-        return is_elastic_boundary(part) && shared.count({part.wire_index, part.part}) != 0;
-      };
-      const bool is_new = chosen.is_chosen[i] == 0;
-      if (is_new && std::none_of(parts.begin(), parts.end(), is_shared)) continue;
-      chosen.is_chosen[i] = 1;
-      for (const WirePart& part : parts) {
-        if (is_elastic_boundary(part)) has_grown |= shared.insert({part.wire_index, part.part}).second;
-      }
-    }
-  }
-  return chosen;
-}
-
-/// Adds all pieces that share an edge of their outline with the chosen pieces, and all pieces coupled with these.
-ExactEvaluation::Selection ExactEvaluation::with_neighbors(const FlatPieces& pieces, const Selection& chosen) const {
-  std::set<VertexPair> outline;
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
-    if (chosen.is_chosen[i] == 0) continue;
-    for_each_outline_edge(pieces[i]->chart, [&](const VertexPair& edge) { outline.insert(edge); });
-  }
-  Selection more = chosen;
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
-    if (has_outline_edge(pieces[i]->chart, outline)) more.is_chosen[i] = 1;
-  }
-  return coupled(pieces, std::move(more));
-}
-
-Charts ExactEvaluation::cut_chosen(const FlatPieces& pieces, const Selection& chosen,
+Charts ExactEvaluation::cut_chosen(const FlatPieces& pieces, const std::vector<char>& chosen,
                                    const std::vector<VertexPair>& edges, const std::vector<VertexPair>& opened) const {
   const std::set<VertexPair> no_seams = undirected(opened);
   std::vector<VertexPair> seams;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
-    if (chosen.is_chosen[i] == 0) continue;
-    for_each_outline_edge(pieces[i]->chart, [&](const VertexPair& edge) {
+    if (chosen[i] == 0) continue;
+    for (const VertexPair& edge : pieces[i]->outline) {
       if (no_seams.count(edge) == 0) seams.push_back(edge);
-    });
+    }
     for (const VertexPair& edge : edges) {
       if (pieces[i]->edges.edge_between(edge).is_valid()) seams.push_back(edge);
     }
   }
-  return cut_faces(input_, chosen.faces(pieces), seams, stop_);
+  return cut_faces(input_, faces_of(pieces, chosen), seams, stop_);
 }
 
 FlatPieces ExactEvaluation::flatten_along_seams(Charts charts) const {
@@ -257,21 +257,6 @@ FlatPieces ExactEvaluation::uncut() const {
   return flatten_along_seams(cut_into_charts(input_, edges, stop_));
 }
 
-/// Selects the pieces that a cut runs through or that are beside an opened seam, and all pieces coupled with them.
-ExactEvaluation::Selection ExactEvaluation::changed_pieces(const FlatPieces& before,
-                                                           const std::vector<VertexPair>& edges,
-                                                           const std::vector<VertexPair>& opened) const {
-  const std::set<VertexPair> no_seams = undirected(opened);
-  Selection cut{std::vector<char>(before.size(), 0)};
-  for (std::size_t i = 0; i < before.size(); ++i) {
-    cut.is_chosen[i] = std::any_of(edges.begin(), edges.end(), [&](const VertexPair& edge) {
-      return before[i]->edges.edge_between(edge).is_valid();
-    });
-    if (has_outline_edge(before[i]->chart, no_seams)) cut.is_chosen[i] = 1;
-  }
-  return coupled(before, std::move(cut));
-}
-
 std::vector<Chart> ExactEvaluation::changed_charts(const FlatPieces& before, const std::vector<VertexPair>& edges,
                                                    const std::vector<VertexPair>& opened) const {
   return cut_chosen(before, changed_pieces(before, edges, opened), edges, opened).charts;
@@ -286,9 +271,9 @@ FlatPieces ExactEvaluation::with_cut(const FlatPieces& before, const std::vector
   }
   FlatPieces after;
   for (std::size_t i = 0; i < before.size(); ++i) {
-    if (changed.is_chosen[i] == 0) after.push_back(before[i]);
+    if (changed[i] == 0) after.push_back(before[i]);
   }
-  const std::vector<int> changed_faces = changed.faces(before);
+  const std::vector<int> changed_faces = faces_of(before, changed);
   for (std::shared_ptr<const FlatPiece>& piece : flatten_along_seams(cut_chosen(before, solved, edges, opened))) {
     if (std::binary_search(changed_faces.begin(), changed_faces.end(), piece->chart.source_face.front()))
       after.push_back(std::move(piece));
@@ -298,15 +283,15 @@ FlatPieces ExactEvaluation::with_cut(const FlatPieces& before, const std::vector
 }
 
 FlattenError ExactEvaluation::explain(const FlatPieces& pieces, int piece) const {
-  Selection asked{std::vector<char>(pieces.size(), 0)};
-  asked.is_chosen[piece] = 1;
+  Selection asked(pieces.size(), 0);
+  asked[piece] = 1;
   Selection solved = coupled(pieces, std::move(asked));
   if (is_stretched(options_)) solved = with_neighbors(pieces, solved);
   Charts charts{{}, {}, std::vector<char>(input_.wires.size(), 0)};
   std::size_t place = 0;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     if (static_cast<int>(i) == piece) place = charts.charts.size();
-    if (solved.is_chosen[i] != 0) charts.charts.push_back(pieces[i]->chart);
+    if (solved[i] != 0) charts.charts.push_back(pieces[i]->chart);
   }
   InternalOptions options = options_;
   options.with_proposals = true;

@@ -19,6 +19,7 @@ namespace wirewarp {
 struct FlatPiece {
   Chart chart;    // its sources are the input's vertices and faces
   PartMap edges;  // of the chart
+  std::vector<VertexPair> outline;  // edges of the input, sorted
   std::optional<FlattenError> error;
   double energy = 0;              // E of Eq. (4), or of the fabric, scene units squared
   double area = 0;                // in 3D, scene units squared
@@ -123,14 +124,8 @@ class ExactEvaluation {
   const StopToken& stop() const { return stop_; }
 
  private:
-  struct Selection;
-
-  Selection coupled(const FlatPieces& pieces, Selection chosen) const;
-  Selection changed_pieces(const FlatPieces& before, const std::vector<VertexPair>& edges,
-                           const std::vector<VertexPair>& opened) const;
-  Selection with_neighbors(const FlatPieces& pieces, const Selection& chosen) const;
   FlatPieces flatten_along_seams(Charts charts) const;
-  Charts cut_chosen(const FlatPieces& pieces, const Selection& chosen, const std::vector<VertexPair>& edges,
+  Charts cut_chosen(const FlatPieces& pieces, const std::vector<char>& chosen, const std::vector<VertexPair>& edges,
                     const std::vector<VertexPair>& opened) const;
 
   const SurfaceToCut& surface_;

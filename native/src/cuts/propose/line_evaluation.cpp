@@ -74,14 +74,10 @@ FlatPiece on_cut_mesh(const FlatPiece& piece, const FlattenInput& input, const C
       faces.push_back(static_cast<int>(f));
     }
   }
-  std::vector<VertexPair> outline;
-  for (const EdgeHandle e : piece.chart.mesh.edges()) {
-    if (piece.chart.mesh.is_boundary(e))
-      outline.push_back(source_edge(piece.chart, piece.chart.mesh.halfedge_handle(e, 0)));
-  }
-  Chart chart = std::move(cut_faces(input, faces, outline, stop).charts.front());
+  Chart chart = std::move(cut_faces(input, faces, piece.outline, stop).charts.front());
   PartMap edges(chart);
-  return {std::move(chart), std::move(edges), piece.error, piece.energy, piece.area, piece.strain, {}};
+  std::vector<VertexPair> outline = outline_of(chart);
+  return {std::move(chart), std::move(edges), std::move(outline), piece.error, piece.energy, piece.area, piece.strain};
 }
 
 }  // namespace

@@ -305,10 +305,9 @@ bool SectionMerger::had_error(const Chart& chart) const {
 }
 
 /// Estimates the least strain of the pieces from free maps. Stops at the first piece that needs more than the allowed
-/// strain.
-double SectionMerger::least_strain_without(const CutMask& mask, double allowed) const {
+/// strain. joined: the pieces beside the section.
+double SectionMerger::least_strain_without(const CutMask& mask, const FlatPieces& joined, double allowed) const {
   double needed = 0;
-  const FlatPieces joined = beside(mask);
   for (const Chart& chart : exact_.changed_charts(state_.pieces, {}, edges_of(chart_, mask))) {
     if (!is_part_of(chart, joined) && had_error(chart)) continue;
     if (is_unwanted(chart)) return kNoFlatShape;
@@ -348,9 +347,9 @@ bool SectionMerger::has_long_arms(const FlatPiece& piece, const FlatPieces& old)
          });
 }
 
-SectionMerger::Trial SectionMerger::without(const CutMask& mask, double allowed, const ExactEvaluation& exact) const {
+SectionMerger::Trial SectionMerger::without(const CutMask& mask, const FlatPieces& joined, double allowed,
+                                            const ExactEvaluation& exact) const {
   Trial trial{0, exact.with_cut(state_.pieces, {}, edges_of(chart_, mask)), true};
-  const FlatPieces joined = beside(mask);
   for (const std::shared_ptr<const FlatPiece>& piece : without_those(trial.pieces, state_.pieces)) {
     trial.is_final = trial.is_final && piece->is_final;
     if (piece->error && !is_part_of(piece->chart, joined) && had_error(piece->chart)) continue;
@@ -370,10 +369,10 @@ SectionMerger::Replacement SectionMerger::try_without(const CutMask& mask) const
   const Replacement* same = known(mask);
   if (same != nullptr && !same->after.empty()) return *same;
   const FlatPieces joined = beside(mask);
-  const double allowed = allowed_beside(joined), least = least_strain_without(mask, allowed);
+  const double allowed = allowed_beside(joined), least = least_strain_without(mask, joined, allowed);
   if (!is_allowed(least, allowed)) return {joined, {}, least};
-  Trial trial = without(mask, allowed, quick_);
-  if (is_allowed(trial.strain, allowed) && !trial.is_final) trial = without(mask, allowed, exact_);
+  Trial trial = without(mask, joined, allowed, quick_);
+  if (is_allowed(trial.strain, allowed) && !trial.is_final) trial = without(mask, joined, allowed, exact_);
   Replacement made{without_those(state_.pieces, trial.pieces), {}, trial.strain};
   if (is_allowed(trial.strain, allowed)) made.after = without_those(trial.pieces, state_.pieces);
   return made;

@@ -278,14 +278,10 @@ std::vector<char> SmoothSet::beside_failures(const CutMesh& cut, const FlatPiece
 
 /// Returns the lines on the outline of a part.
 std::vector<char> SmoothSet::beside(const FlatPiece& part, const CutMesh& cut) const {
-  std::set<VertexPair> outline;
-  for (const EdgeHandle e : part.chart.mesh.edges()) {
-    if (part.chart.mesh.is_boundary(e)) outline.insert(source_edge(part.chart, part.chart.mesh.halfedge_handle(e, 0)));
-  }
   std::vector<char> lines(levels_.size(), 0);
   for (std::size_t i = 0; i < cut.edges.size(); ++i) {
-    const auto [low, high] = std::minmax(cut.edges[i][0], cut.edges[i][1]);
-    if (outline.count({low, high}) != 0) lines[static_cast<std::size_t>(cut.sources.edge_paths[i])] = 1;
+    if (std::binary_search(part.outline.begin(), part.outline.end(), sorted(cut.edges[i])))
+      lines[static_cast<std::size_t>(cut.sources.edge_paths[i])] = 1;
   }
   return lines;
 }
