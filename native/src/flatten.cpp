@@ -86,18 +86,14 @@ FlattenResult cancelled_result(const FlattenInput& input, const EdgeTable& edges
   return assemble_result(input, charts, std::vector<SolvedChart>(charts.charts.size(), cancelled_chart()), {});
 }
 
-std::vector<VertexPair> propose_seams(const Chart& chart, const InternalOptions& options, const StopToken& stop) {
-  const auto lies_flat_alone = [&](const Chart& part) { return lies_flat(part, options, stop); };
-  const CutMask cut = open_chart(chart, lies_flat_alone, stop.in("shape"));
-  if (stop.is_stopped()) throw Stopped();
-  return edges_of(chart, cut);
-}
-
 Run run_of(const FlattenInput& input, const InternalOptions& options) {
   Run run{input, options, {}};
   if (!options.with_proposals) return run;
   run.propose_seams = [&options](const Chart& chart, const StopToken& stop) {
-    return propose_seams(chart, options, stop);
+    const auto lies_flat_alone = [&](const Chart& part) { return lies_flat(part, options, stop); };
+    const CutMask cut = open_chart(chart, lies_flat_alone, stop.in("shape"));
+    if (stop.is_stopped()) throw Stopped();
+    return edges_of(chart, cut);
   };
   return run;
 }

@@ -32,7 +32,7 @@ FlattenError explain_infeasible(Problem& problem, const Run& run, SolutionStatus
   if (run.propose_seams) found = diagnose_lengths(problem, run.options, stop);
   stop.check();
   const bool ran_out = budget.ran_out() && !found.lengths_conflict;
-  if (found.tolerances.empty()) return infeasible_outline(chart, run.options, propose_seams(chart, run, stop), ran_out);
+  if (found.tolerances.empty()) return infeasible_outline(chart, run.options, seams_for(chart, run, stop), ran_out);
   return infeasible_wires(chart, run.input.wires, run.options, std::move(found.tolerances), ran_out);
 }
 
@@ -76,7 +76,7 @@ std::optional<FlattenError> flatten_by_warping(const Chart& chart, const Run& ru
   solved.variation = variations_of(chart, solution.variation);
   solved.uv = std::move(solution.shape.uv);
   if (has_folds(chart.mesh, solved.uv) && !lies_flat(chart, run.options, stop))
-    solved.proposed_seams = propose_seams(chart, run, stop);
+    solved.proposed_seams = seams_for(chart, run, stop);
   return std::nullopt;
 }
 
@@ -95,19 +95,19 @@ std::optional<FlattenError> flatten_by_refining(const Chart& chart, const Run& r
   solved.multipliers = std::move(refined.shape.multipliers);
   solved.uv = std::move(refined.shape.uv);
   const bool is_folded = refined.injectivity != Injectivity::global;
-  if (is_folded && !stop.is_stopped()) solved.proposed_seams = propose_seams(chart, run, stop);
+  if (is_folded && !stop.is_stopped()) solved.proposed_seams = seams_for(chart, run, stop);
   return std::nullopt;
 }
 
 }  // namespace
 
-std::vector<VertexPair> propose_seams(const Chart& chart, const Run& run, const StopToken& stop) {
+std::vector<VertexPair> seams_for(const Chart& chart, const Run& run, const StopToken& stop) {
   return run.propose_seams ? run.propose_seams(chart, stop) : std::vector<VertexPair>{};
 }
 
 void propose_seams_for_layout(const Chart& chart, const Run& run, const StopToken& stop, SolvedChart& solved) {
   if (stop.is_stopped()) return;
-  solved.proposed_seams = attempt([&] { return propose_seams(chart, run, stop); });
+  solved.proposed_seams = attempt([&] { return seams_for(chart, run, stop); });
   if (stop.is_stopped()) report_cancelled(solved.report);
 }
 
@@ -122,9 +122,9 @@ SolvedChart solve_chart(const Chart& chart, const Run& run, Budget& budget, cons
   SolvedChart solved;
   try {
     if (chart.error) {
-      solved.error = with_proposed_seams(*chart.error, propose_seams(chart, run, stop));
+      solved.error = with_proposed_seams(*chart.error, seams_for(chart, run, stop));
     } else if (is_outline_too_short(chart)) {
-      solved.error = outline_too_short(chart, propose_seams(chart, run, stop));
+      solved.error = outline_too_short(chart, seams_for(chart, run, stop));
     } else {
       const auto flatten = run.options.method == Method::refined ? flatten_by_refining : flatten_by_warping;
       solved.error = flatten(chart, run, budget, stop, solved);

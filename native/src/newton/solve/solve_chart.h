@@ -28,7 +28,7 @@ struct Run {
 SolvedChart solve_chart(const Chart& chart, const Run& run, Budget& budget, const StopToken& stop);
 
 /// Calls Run::propose_seams; returns no seams if that is empty.
-std::vector<VertexPair> propose_seams(const Chart& chart, const Run& run, const StopToken& stop);
+std::vector<VertexPair> seams_for(const Chart& chart, const Run& run, const StopToken& stop);
 
 /// Adds proposed seams to a layout that is flipped or overlaps itself, unless the caller stops.
 void propose_seams_for_layout(const Chart& chart, const Run& run, const StopToken& stop, SolvedChart& solved);

@@ -150,7 +150,7 @@ class StretchedGroup {
     Chart stretched = group_[k].chart;
     set_stretched_lengths(group_[k], stretched);
     std::vector<VertexPair> seams;
-    if (!stop_.is_stopped()) seams = attempt([&] { return propose_seams(stretched, run_, stop_); });
+    if (!stop_.is_stopped()) seams = attempt([&] { return seams_for(stretched, run_, stop_); });
     const bool is_good_unstretched = solver_.was_good(k);
     SolvedChart& one = group_[k].solved;
     one.uv.resize(0, 2);
