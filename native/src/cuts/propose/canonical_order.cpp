@@ -55,16 +55,6 @@ std::array<std::vector<OutlineStep>, 2> walk_outline(const Chart& chart) {
   return walks;
 }
 
-bool comes_before(const std::vector<OutlineStep>& a, std::size_t a_start, const std::vector<OutlineStep>& b,
-                  std::size_t b_start) {
-  const std::size_t count = a.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    const OutlineStep &of_a = a[(a_start + i) % count], &of_b = b[(b_start + i) % count];
-    if (of_a != of_b) return of_a < of_b;
-  }
-  return false;
-}
-
 /// Returns the start of the lexicographically least rotation, in linear time: compares two candidates, and at the first
 /// difference drops the greater candidate with all starts in its compared section (J. P. Duval, Factorizing words over
 /// an ordered alphabet, 1983).
@@ -87,10 +77,12 @@ std::size_t least_rotation(const std::vector<OutlineStep>& ring, WorkMeter& work
 
 Start start_on_outline(const Chart& chart, WorkMeter& work) {
   const HalfEdgeMesh& mesh = chart.mesh;
-  const std::array<std::vector<OutlineStep>, 2> walks = walk_outline(chart);
-  const std::size_t forwards = least_rotation(walks[0], work), backwards = least_rotation(walks[1], work);
+  auto [forth, back] = walk_outline(chart);
+  const std::size_t forwards = least_rotation(forth, work), backwards = least_rotation(back, work);
+  std::rotate(forth.begin(), forth.begin() + static_cast<std::ptrdiff_t>(forwards), forth.end());
+  std::rotate(back.begin(), back.begin() + static_cast<std::ptrdiff_t>(backwards), back.end());
   const HalfEdgeChain& loop = chart.boundary_loops.front();
-  if (!comes_before(walks[1], backwards, walks[0], forwards)) return {loop[forwards], false};
+  if (forth <= back) return {loop[forwards], false};
   return {mesh.opposite_halfedge_handle(loop[loop.size() - 1 - backwards]), true};
 }
 

@@ -6,12 +6,12 @@
 #include <utility>
 
 #include "base/attempt.h"
+#include "cuts/parts/part_planes.h"
 #include "cuts/propose/canonical_order.h"
 #include "cuts/propose/flat_width.h"
 #include "cuts/propose/line_evaluation.h"
 #include "cuts/propose/merge_sections.h"
 #include "cuts/propose/mirror_image.h"
-#include "cuts/propose/symmetric_paths.h"
 
 namespace wirewarp {
 namespace {
@@ -31,8 +31,7 @@ SmoothMerger::SmoothMerger(const PieceToCut& piece, double least_solidity, const
       least_solidity_(least_solidity),
       cut_options_(cut_options),
       exact_(exact),
-      unstopped_(exact.surface(), exact.options(), StopToken()),
-      normal_(normal_of_mirror(piece.chart.mesh, piece.image)) {}
+      unstopped_(exact.surface(), exact.options(), StopToken()) {}
 
 bool SmoothMerger::start(const DartProposal& set, const CutMask& cut, double most_strain) {
   lines_ = lines_along(piece_.chart, piece_.image, cut);
@@ -57,8 +56,9 @@ bool SmoothMerger::merge(double share, double most_strain, const std::function<v
   const CutSurface surface(piece_.pieces, piece_.index, exact_, mesh);
   const Chart& uncut = surface.chart();
   const Chart chart = in_canonical_order(uncut, exact_.stop());
-  const std::vector<VertexHandle> image =
-      piece_.image.empty() ? std::vector<VertexHandle>() : mirror_image(chart, normal_);
+  std::vector<VertexHandle> image;
+  if (!piece_.image.empty())
+    image = mirror_image(chart, mirror_plane(piece_.chart.mesh, piece_.image).normal.transpose());
   const MirroredCuts mirrored(chart, image);
   const CutMask cut = PartMap(chart).mask_of(mesh.edges);
   const double allowed = std::max(most_strain, set_.strain);

@@ -52,7 +52,6 @@ class SmoothMerger {
   const CutOptions& cut_options_;
   const ExactEvaluation& exact_;
   const ExactEvaluation unstopped_;  // completes the last set if the caller stops
-  const Eigen::RowVector3d normal_;  // of the mirror plane; 0 if there is none
   DartProposal set_;
   SurfaceLines lines_;  // of the set
   int num_narrow_ = 0;  // pieces of the set

@@ -15,15 +15,11 @@ constexpr double kSamePoint = 0.1;
 
 }  // namespace
 
-Eigen::RowVector3d normal_of_mirror(const HalfEdgeMesh& mesh, const std::vector<VertexHandle>& image) {
-  if (image.empty()) return Eigen::RowVector3d(0, 0, 0);
-  return mirror_plane(mesh, image).normal.transpose();
-}
-
 PathMirror::PathMirror(const FlattenInput& input, const Chart& chart, const std::vector<VertexHandle>& image)
-    : input_(input), normal_(normal_of_mirror(chart.mesh, image)) {
+    : input_(input) {
   if (image.empty()) return;
   const HalfEdgeMesh& mesh = chart.mesh;
+  normal_ = mirror_plane(mesh, image).normal.transpose();
   tolerance_ = kSamePoint * typical_edge_length(mesh);
   faces_.resize(static_cast<std::size_t>(input.faces.rows()));
   const auto corner = [&](int face, VertexHandle v) {

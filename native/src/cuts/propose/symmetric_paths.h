@@ -9,9 +9,6 @@
 
 namespace wirewarp {
 
-/// Returns the unit normal of the plane between the vertices and their mirror images; 0 if there are none.
-Eigen::RowVector3d normal_of_mirror(const HalfEdgeMesh& mesh, const std::vector<VertexHandle>& image);
-
 /// Makes mirrored lines exact mirror images. Lines are relaxed one by one, and rounding errors grow where they pass
 /// vertices.
 class PathMirror {
@@ -45,7 +42,7 @@ class PathMirror {
 
   const FlattenInput& input_;
   std::vector<FaceImage> faces_;  // of the input; empty: no mirror image
-  Eigen::RowVector3d normal_;
+  Eigen::RowVector3d normal_;     // of the mirror plane
   double tolerance_ = 0;  // scene units
 };
 
