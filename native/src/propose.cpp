@@ -8,12 +8,12 @@ namespace {
 std::vector<DartProposal> propose_cuts(const FlattenInput& input, const Options& options, CutKind kind,
                                        const CutOptions& cut_options, const Progress& progress) {
   CutProgress cut_progress(progress);
-  std::vector<DartProposal> proposals;
-  search_cuts(input, options, cut_progress.token(), [&](const ExactEvaluation& exact) {
-    const FlatPieces pieces = exact.uncut();
-    check_cut_options(cut_options, input, pieces.size());
-    proposals = best_cuts(pieces, kind, cut_options, exact, cut_progress);
-  });
+  std::vector<DartProposal> proposals =
+      search_cuts(input, options, cut_progress.token(), [&](const ExactEvaluation& exact) {
+        const FlatPieces pieces = exact.uncut();
+        check_cut_options(cut_options, input, pieces.size());
+        return best_cuts(pieces, kind, cut_options, exact, cut_progress);
+      });
   for (DartProposal& proposal : proposals) {
     if (proposal.paths.empty()) proposal.paths = paths_along(input.faces, proposal.edges);
   }

@@ -68,12 +68,6 @@ FlattenError none_found(const Chart& chart, const CutOptions& cut_options) {
   return no_proposal(chart, {{"reason", "no_set"}, {"is_restricted", cut_options.no_seam.rows() > 0}});
 }
 
-FlattenError too_strained(const Chart& chart) { return no_proposal(chart, {{"reason", "too_strained"}}); }
-
-FlattenError too_long(const Chart& chart, double length, double longest) {
-  return no_proposal(chart, {{"reason", "too_long"}, {"length", length}, {"limit", longest}});
-}
-
 }  // namespace
 
 std::vector<double> allowed_strains(double least, double target) {
@@ -365,7 +359,9 @@ std::vector<DartProposal> CutSetSearch::search() {
   std::vector<CutSet> sets{evaluate(pieces_, opened)};
   const DartProposal& least = sets.front().proposal;
   if (!sets.front().lies_flat) throw none_found(input_chart_, cut_options_);
-  if (least.length > cut_options_.longest) throw too_long(input_chart_, least.length, cut_options_.longest);
+  if (least.length > cut_options_.longest)
+    throw no_proposal(input_chart_,
+                      {{"reason", "too_long"}, {"length", least.length}, {"limit", cut_options_.longest}});
   const bool stopped = was_stopped([&] {
     add_more_cuts(sets);
     if (!cut_options_.is_smooth || !add_smooth(sets)) add_merged(sets);
@@ -373,7 +369,7 @@ std::vector<DartProposal> CutSetSearch::search() {
   const auto is_too_strained = [](const CutSet& set) { return set.proposal.strain >= kMostStrain; };
   sets.erase(std::remove_if(sets.begin(), sets.end(), is_too_strained), sets.end());
   if (sets.empty() && stopped) throw Stopped();
-  if (sets.empty()) throw too_strained(input_chart_);
+  if (sets.empty()) throw no_proposal(input_chart_, {{"reason", "too_strained"}});
   std::stable_sort(sets.begin(), sets.end(),
                    [](const CutSet& a, const CutSet& b) { return a.proposal.length < b.proposal.length; });
   return best_of(sets);

@@ -135,13 +135,16 @@ class ExactEvaluation {
   StopToken stop_;
 };
 
-/// Runs a search for cuts with an evaluation of the input. Throws the errors of flatten(), and cancelled if the caller
-/// stops.
+/// Returns the result of a search for cuts, which gets an evaluation of the input. Throws the errors of flatten(), and
+/// cancelled if the caller stops.
 template <typename Search>
-void search_cuts(const FlattenInput& input, const Options& options, const StopToken& stop, const Search& search) {
+auto search_cuts(const FlattenInput& input, const Options& options, const StopToken& stop, const Search& search) {
   const SurfaceToCut surface(input, options);
-  if (was_stopped([&] { search(ExactEvaluation(surface, options, stop)); }))
+  try {
+    return search(ExactEvaluation(surface, options, stop));
+  } catch (const Stopped&) {
     throw FlattenError(ErrorCode::cancelled, ErrorArguments{});
+  }
 }
 
 }  // namespace wirewarp

@@ -44,12 +44,6 @@ struct Grid {
 /// and faces lead to equally good sets in a quarter of the time.
 Grid grid_of(Effort effort) { return effort == Effort::thorough ? Grid{{24, 14}, 800} : Grid{{12, 8}, 400}; }
 
-FlattenError flat_enough(const Chart& chart, double strain, double may_stay) {
-  return no_proposal(chart, {{"reason", "strain"}, {"strain", strain}, {"limit", may_stay}});
-}
-
-FlattenError flat_already(const Chart& chart) { return no_proposal(chart, {{"reason", "unfolded"}}); }
-
 std::string name_of(CutKind kind) { return kind == CutKind::dart ? "dart" : "seam"; }
 
 FlattenError no_room(const Chart& chart, CutKind kind, const CutOptions& cut_options) {
@@ -308,9 +302,10 @@ DartProposal PieceSearch::proposal_with(const PieceFigures& after) const {
 }
 
 void PieceSearch::check_strain() const {
-  if (before_.energy <= NewtonConstants::isometric) throw flat_already(input_chart_);
+  if (before_.energy <= NewtonConstants::isometric) throw no_proposal(input_chart_, {{"reason", "unfolded"}});
   const double may_stay = cut_options_.strain.value_or(kMayStay);
-  if (before_.strain <= may_stay) throw flat_enough(input_chart_, before_.strain, may_stay);
+  if (before_.strain <= may_stay)
+    throw no_proposal(input_chart_, {{"reason", "strain"}, {"strain", before_.strain}, {"limit", may_stay}});
 }
 
 std::vector<DartProposal> PieceSearch::best_of(const std::vector<HalfEdgeChain>& chains) const {

@@ -168,11 +168,10 @@ std::vector<DartProposal> plan(const FlattenInput& input, const Options& options
     throw wrong_option("total_length", shortest(target.total_length), "be above 0");
   }
   CutProgress cut_progress(progress, target.most);
-  std::vector<DartProposal> cuts;
-  search_cuts(input, options, cut_progress.token(), [&](const ExactEvaluation& exact) {
+  std::vector<DartProposal> cuts = search_cuts(input, options, cut_progress.token(), [&](const ExactEvaluation& exact) {
     const FlatPieces pieces = exact.uncut();
     check_cut_options(options_within(target, target.longest), input, pieces.size());
-    cuts = PlanOfCuts(pieces, kind, target, exact, cut_progress).make();
+    return PlanOfCuts(pieces, kind, target, exact, cut_progress).make();
   });
   for (DartProposal& cut : cuts) cut.paths = paths_along(input.faces, cut.edges);
   return cuts;

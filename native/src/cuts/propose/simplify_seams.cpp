@@ -144,9 +144,9 @@ SeamProposal simplify_seams(const FlattenInput& input, const Options& options, d
                             const Progress& progress) {
   if (!(strain >= 0)) throw wrong_option("strain", shortest(strain), "be 0 or more");
   CutProgress cut_progress(progress);
-  SeamProposal proposal;
-  search_cuts(input, options, cut_progress.token(),
-              [&](const ExactEvaluation& exact) { proposal = SeamSimplifier(strain, exact, cut_progress).find(); });
+  SeamProposal proposal = search_cuts(input, options, cut_progress.token(), [&](const ExactEvaluation& exact) {
+    return SeamSimplifier(strain, exact, cut_progress).find();
+  });
   proposal.paths = paths_along(input.faces, proposal.edges);
   return proposal;
 }
