@@ -95,7 +95,7 @@ double MultiplierMethod::value(const Iterate& iterate) const {
 bool MultiplierMethod::factorize(const Eigen::VectorXd& multipliers) {
   control_.stop.check();
   control_.budget.spend(1);
-  const bool is_positive = system_->factorize(now_.uv, multipliers, {Curvature::convex, false}, control_.stop);
+  const bool is_positive = system_->factorize(now_.uv, multipliers, kConvexHessian, control_.stop);
   control_.stop.check();
   return is_positive;
 }

@@ -10,10 +10,6 @@
 
 namespace wirewarp {
 
-inline constexpr Convexity kExactHessian{Curvature::exact, true};
-inline constexpr Convexity kConvexHessian{Curvature::convex, false};
-inline constexpr Convexity kLaplacian{Curvature::none, false};
-
 enum class StepOutcome {
   accepted,
   rejected,   // the Hessian is not positive, or no step decreases f as predicted

@@ -35,6 +35,10 @@ struct Convexity {
   bool keep_compression;  // also the negative curvature of edges under compression, λ < 0, which may buckle
 };
 
+inline constexpr Convexity kExactHessian{Curvature::exact, true};
+inline constexpr Convexity kConvexHessian{Curvature::convex, false};
+inline constexpr Convexity kLaplacian{Curvature::none, false};
+
 /// Makes a symmetric matrix positive definite, so that the quadratic model has a minimum. Does not change a matrix that
 /// is well positive. Otherwise, replaces the eigenvalues with their magnitudes, at least 1e-6 of the largest, or
 /// increases the diagonal if the matrix has more than 200 rows.

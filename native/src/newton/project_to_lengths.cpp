@@ -39,7 +39,7 @@ class Projection {
   /// the strain. Returns false if no step reduces it.
   bool get_nearer(const StopToken& stop) {
     const Eigen::VectorXd no_forces = Eigen::VectorXd::Zero(constraints_.size());
-    const bool is_positive = system_.factorize(now_.uv, no_forces, {Curvature::none, false}, stop);
+    const bool is_positive = system_.factorize(now_.uv, no_forces, kLaplacian, stop);
     stop.check();
     if (!is_positive) return false;
     const Projected far = moved();

@@ -150,7 +150,7 @@ Step RelaxedLengths::step(double smoothing, const StopToken& stop) {
   const Eigen::VectorXd forces = stiffness.cwiseProduct(missing);
   system_.set_stiffness(stiffness);
   Step step{{}, Eigen::VectorXd::Zero(constraints_.num_elastic()), 0};
-  const bool is_positive = system_.factorize(now_.uv, forces, {Curvature::convex, false}, stop);
+  const bool is_positive = system_.factorize(now_.uv, forces, kConvexHessian, stop);
   stop.check();
   if (!is_positive) return step;
 

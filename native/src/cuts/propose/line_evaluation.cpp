@@ -41,7 +41,7 @@ std::optional<double> mean_strain_around(const FlatPiece& piece, int tip, double
   return strained / area;
 }
 
-/// Returns the last vertices of the paths; nullopt if paths meet.
+/// Returns the last vertices of the paths; none if paths meet.
 std::vector<int> tips_of(const CutMesh& cut) {
   std::map<int, int> count;
   for (const VertexPair& edge : cut.edges) {

@@ -37,17 +37,16 @@ void find_images(const Chart& chart, const std::vector<VertexHandle>& image, con
                  SurfaceLines& lines) {
   const std::size_t none = chains.size();
   std::vector<std::size_t> line_at(chart.mesh.n_edges(), none);
+  const auto line_of = [&](HalfedgeHandle h) -> std::size_t& { return line_at[chart.mesh.edge_handle(h).idx()]; };
   for (std::size_t i = 0; i < chains.size(); ++i) {
-    for (const HalfedgeHandle h : chains[i]) line_at[static_cast<std::size_t>(h.idx() / 2)] = i;
+    for (const HalfedgeHandle h : chains[i]) line_of(h) = i;
   }
   lines.is_symmetric = !image.empty();
   for (std::size_t i = 0; i < chains.size(); ++i) {
     const HalfEdgeChain other = image.empty() ? HalfEdgeChain{} : mirrored(chart, image, chains[i]);
-    const std::size_t found = other.empty() ? none : line_at[static_cast<std::size_t>(other.front().idx() / 2)];
+    const std::size_t found = other.empty() ? none : line_of(other.front());
     const bool is_image = found != none && chains[found].size() == other.size() &&
-                          std::all_of(other.begin(), other.end(), [&](HalfedgeHandle h) {
-                            return line_at[static_cast<std::size_t>(h.idx() / 2)] == found;
-                          });
+                          std::all_of(other.begin(), other.end(), [&](HalfedgeHandle h) { return line_of(h) == found; });
     lines.images.push_back(is_image ? found : i);
     lines.is_symmetric = lines.is_symmetric && is_image;
   }
