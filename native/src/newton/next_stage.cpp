@@ -32,7 +32,6 @@ bool is_shut(const Chart& chart, const Slit& slit, const Positions2& uv) {
 }  // namespace
 
 Solution minimize_next(Problem& problem, const Stage& stage, const Shape& start, const Control& control) {
-  const int spent_before = control.budget.spent();
   std::vector<Slit> shut;
   for (const Slit& slit : problem.slits()) {
     if (is_shut(problem.chart(), slit, start.uv)) shut.push_back(slit);
@@ -44,7 +43,6 @@ Solution minimize_next(Problem& problem, const Stage& stage, const Shape& start,
     const std::optional<Shape> exact = attempt([&] { return injective_start(problem, stage, control, start.uv); });
     if (exact) found = minimize(problem, stage, *exact, control);
   }
-  found.factorizations = control.budget.spent() - spent_before;
   return found;
 }
 

@@ -26,8 +26,7 @@ struct CoupledChart {
 };
 
 /// Minimizes from the starts. stage: its lengths are null, because each chart has its own. Returns a solution without
-/// multipliers for each chart, with the factorizations of the whole group. Either all solutions are exact, or no
-/// solution is.
+/// multipliers for each chart. Either all solutions are exact, or no solution is.
 std::vector<Solution> refine_coupled(const std::vector<CoupledChart>& charts, double fairness, const Stage& stage,
                                      const Control& control);
 

@@ -75,12 +75,10 @@ bool GroupSolver::take_common_shapes(const std::vector<std::size_t>& members, Bu
   const bool is_exact = found.front().is_exact();
   for (std::size_t i = 0; i < members.size(); ++i) {
     const GroupMember& member = group_[members[i]];
-    if (is_exact) {
-      report_next_refinement(found[i], stop_.is_stopped(), member.solved.report);
-      take_shape(found[i].shape, member);
-    } else {
-      member.solved.report.factorizations += budget.spent();
-    }
+    member.solved.report.factorizations += budget.spent();
+    if (!is_exact) continue;
+    report_next_refinement(found[i], stop_.is_stopped(), member.solved.report);
+    take_shape(found[i].shape, member);
   }
   return is_exact;
 }

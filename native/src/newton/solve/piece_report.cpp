@@ -43,7 +43,6 @@ void report_refinement(const Solution& solution, int factorizations, bool was_st
 void report_next_refinement(const Solution& solution, bool was_stopped, PieceReport& report) {
   report.warnings.clear();
   report.outer_iterations += solution.iterations;
-  report.factorizations += solution.factorizations;
   report_shape(solution, was_stopped, report);
 }
 

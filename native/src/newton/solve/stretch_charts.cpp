@@ -126,10 +126,9 @@ class StretchedGroup {
       found.status = SolutionStatus::stalled;
       if (of_cloth.is_exact()) found = std::move(of_cloth);
     }
-    found.factorizations = budget.spent();
+    one.report.factorizations += budget.spent();
     if (!found.is_exact()) {
       ran_out = ran_out || budget.ran_out();
-      one.report.factorizations += budget.spent();
       return false;
     }
     report_next_refinement(found, stop_.is_stopped(), one.report);
@@ -215,10 +214,6 @@ void stretch_group(const std::vector<GroupMember>& others, const std::vector<Gro
   }
 }
 
-bool has_elastic_boundary(const Chart& chart) {
-  return std::any_of(chart.wire_parts.begin(), chart.wire_parts.end(), is_elastic_boundary);
-}
-
 }  // namespace
 
 void stretch_charts(Charts& charts, const Run& run, ProgressReport& report, std::vector<SolvedChart>& solved) {
@@ -228,8 +223,10 @@ void stretch_charts(Charts& charts, const Run& run, ProgressReport& report, std:
   const std::vector<std::vector<int>> groups = group_by_elastic_seams(charts.charts);
   progress.run(groups.size(), [&](std::size_t g) {
     const std::vector<int>& group = groups[g];
-    const bool is_elastic =
-        std::any_of(group.begin(), group.end(), [&](int c) { return has_elastic_boundary(charts.charts[c]); });
+    const bool is_elastic = std::any_of(group.begin(), group.end(), [&](int c) {
+      const std::vector<WirePart>& parts = charts.charts[c].wire_parts;
+      return std::any_of(parts.begin(), parts.end(), is_elastic_boundary);
+    });
     std::vector<GroupMember> flipped, others;
     for (const int c : group) {
       Chart& chart = charts.charts[c];
