@@ -57,6 +57,9 @@ class LengthConstraints {
   /// Returns ε. #elastic.
   const Eigen::VectorXd& tolerance() const { return tolerance_; }
 
+  /// Returns whether h_w is at a bound and would leave it. pull: decrease of f per unit of h_w.
+  bool is_at_bound(int w, double h, double pull) const { return pull > 0 ? h >= tolerance_[w] : h <= -tolerance_[w]; }
+
   Eigen::VectorXd within_tolerance(const Eigen::VectorXd& variation) const {
     return variation.cwiseMax(-tolerance_).cwiseMin(tolerance_);
   }

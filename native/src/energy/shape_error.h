@@ -9,6 +9,8 @@
 #pragma once
 
 #include <Eigen/SparseCore>
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "surface/charts/chart.h"
@@ -65,6 +67,12 @@ class ShapeError {
     /// Returns J.
     Eigen::Matrix2d matrix() const {
       return 0.5 * (Eigen::Matrix2d() << z1 + w1, w2 - z2, z2 + w2, z1 - w1).finished();
+    }
+    /// Returns the largest factor by which a length grows or shrinks. The singular values are |z| ± |w|, or |w| ± |z|
+    /// if the face is flipped.
+    double worst_stretch() const {
+      const double norm_w = std::hypot(w1, w2);
+      return std::max((norm_z + norm_w) / 2, 2 / std::abs(norm_z - norm_w));
     }
     /// Returns det J = |z|² - |w|².
     double determinant() const { return 0.25 * (norm_z * norm_z - w1 * w1 - w2 * w2); }

@@ -65,10 +65,8 @@ double projected_gradient(const Problem& problem, const Stage& stage, const Shap
   const Eigen::VectorXd pull = constraints.elastic_lengths().transpose() * shape.multipliers / problem.area();
   for (std::size_t i = 0; i < problem.chart().wire_parts.size(); ++i) {
     const int w = constraints.elastic_of_part()[i];
-    if (w < 0) continue;
-    const double h = shape.variation[static_cast<Eigen::Index>(i)], most = constraints.tolerance()[w];
-    const bool is_held = pull[w] > 0 ? h >= most : h <= -most;
-    if (!is_held) largest = std::max(largest, std::abs(pull[w]));
+    if (w >= 0 && !constraints.is_at_bound(w, shape.variation[static_cast<Eigen::Index>(i)], pull[w]))
+      largest = std::max(largest, std::abs(pull[w]));
   }
   return largest;
 }

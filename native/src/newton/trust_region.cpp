@@ -15,12 +15,10 @@ namespace {
 /// Returns all elastic parts except those that are at a bound and would leave it: f falls by (Tᵀλ)_w per unit of h_w.
 std::vector<int> free_parts(const NewtonState& state) {
   const LengthConstraints& constraints = state.constraints;
-  const Eigen::VectorXd &h = state.now.variation, &tolerance = constraints.tolerance();
   const Eigen::VectorXd pull = constraints.elastic_lengths().transpose() * state.multipliers;
   std::vector<int> free;
   for (int w = 0; w < constraints.num_elastic(); ++w) {
-    const bool is_held = pull[w] > 0 ? h[w] >= tolerance[w] : h[w] <= -tolerance[w];
-    if (!is_held) free.push_back(w);
+    if (!constraints.is_at_bound(w, state.now.variation[w], pull[w])) free.push_back(w);
   }
   return free;
 }

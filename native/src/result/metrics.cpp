@@ -15,7 +15,6 @@
 namespace wirewarp {
 namespace {
 
-/// Measures faces. The singular values of a face's map are |z| ± |w|, or |w| ± |z| if the face is flipped.
 void measure_faces(const Chart& chart, const Positions2& uv, Metrics& metrics) {
   const ShapeError shape_error(chart);
   const auto num_faces = static_cast<Eigen::Index>(shape_error.triangles().size());
@@ -27,12 +26,11 @@ void measure_faces(const Chart& chart, const Positions2& uv, Metrics& metrics) {
   for (Eigen::Index f = 0; f < num_faces; ++f) {
     const ShapeError::Triangle& triangle = shape_error.triangles()[static_cast<std::size_t>(f)];
     const ShapeError::LinearMap map = ShapeError::map_of(triangle, uv);
-    const double twice_z = map.norm_z, twice_w = std::hypot(map.w1, map.w2);
     const Eigen::Vector2d a = uv.row(triangle.vertices[0]), b = uv.row(triangle.vertices[1]),
                           c = uv.row(triangle.vertices[2]);
     const double area_2d = cross(b - a, c - a) / 2;
     metrics.face_arap[f] = triangle.area * map.squared_distance_from_rotation();
-    metrics.face_aspect_ratio[f] = std::max((twice_z + twice_w) / 2, 2 / std::abs(twice_z - twice_w));
+    metrics.face_aspect_ratio[f] = map.worst_stretch();
     const ClothLaw::Invariants threads(map.matrix());
     const double size = std::abs(threads.determinant);
     metrics.face_weft_strain[f] = threads.p / size - 1;

@@ -63,10 +63,7 @@ double least_strain(const Chart& chart, const StopToken& stop) {
   Eigen::VectorXd strains(static_cast<Eigen::Index>(shape.triangles().size()));
   double area = 0, folded = 0;
   for (const ShapeError::Triangle& triangle : shape.triangles()) {
-    const ShapeError::LinearMap map = ShapeError::map_of(triangle, free->uv);
-    const double twice_z = map.norm_z, twice_w = std::hypot(map.w1, map.w2);
-    strains[static_cast<Eigen::Index>(areas.size())] =
-        std::max((twice_z + twice_w) / 2, 2 / std::abs(twice_z - twice_w)) - 1;
+    strains[static_cast<Eigen::Index>(areas.size())] = ShapeError::map_of(triangle, free->uv).worst_stretch() - 1;
     areas.push_back(triangle.area);
     area += triangle.area;
   }
@@ -74,9 +71,9 @@ double least_strain(const Chart& chart, const StopToken& stop) {
   return folded > kMostFolded * area ? kNoFlatShape : widespread(areas, strains) / kMostFreeStrain;
 }
 
-bool is_part_of(const Chart& part, const FlatPieces& pieces) {
-  return std::any_of(pieces.begin(), pieces.end(),
-                     [&](const auto& piece) { return wirewarp::is_part_of(part, piece->chart); });
+/// Returns whether a chart is a part of one of the pieces.
+bool is_in(const FlatPieces& pieces, const Chart& part) {
+  return std::any_of(pieces.begin(), pieces.end(), [&](const auto& piece) { return is_part_of(part, piece->chart); });
 }
 
 FlatPieces without_those(const FlatPieces& pieces, const FlatPieces& others) {
@@ -309,7 +306,7 @@ bool SectionMerger::had_error(const Chart& chart) const {
 double SectionMerger::least_strain_without(const CutMask& mask, const FlatPieces& joined, double allowed) const {
   double needed = 0;
   for (const Chart& chart : exact_.changed_charts(state_.pieces, {}, edges_of(chart_, mask))) {
-    if (!is_part_of(chart, joined) && had_error(chart)) continue;
+    if (!is_in(joined, chart) && had_error(chart)) continue;
     if (is_unwanted(chart)) return kNoFlatShape;
     const double least = least_strain(chart, exact_.stop());
     if (least == kNoFlatShape || !has_other_measure_) needed = std::max(needed, least);
@@ -330,7 +327,7 @@ bool SectionMerger::is_too_narrow(const FlatPiece& piece, const FlatPieces& old)
   if (rules_.narrowest == 0) return false;
   const double width = flat_width(piece.chart.mesh, piece.uv, rules_.narrowest);
   return width < rules_.narrowest && std::none_of(old.begin(), old.end(), [&](const auto& part) {
-           if (!wirewarp::is_part_of(part->chart, piece.chart)) return false;
+           if (!is_part_of(part->chart, piece.chart)) return false;
            if (part->error) return true;
            const double before = flat_width(part->chart.mesh, part->uv, rules_.narrowest);
            return before < rules_.narrowest && before <= width + kWidthError * rules_.narrowest;
@@ -342,7 +339,7 @@ bool SectionMerger::has_long_arms(const FlatPiece& piece, const FlatPieces& old)
   if (rules_.least_solidity == 0) return false;
   const double share = solidity(piece);
   return share < rules_.least_solidity && std::none_of(old.begin(), old.end(), [&](const auto& part) {
-           return wirewarp::is_part_of(part->chart, piece.chart) &&
+           return is_part_of(part->chart, piece.chart) &&
                   (part->error || solidity(*part) <= share + kSameSolidity);
          });
 }
@@ -352,12 +349,12 @@ SectionMerger::Trial SectionMerger::without(const CutMask& mask, const FlatPiece
   Trial trial{0, exact.with_cut(state_.pieces, {}, edges_of(chart_, mask)), true};
   for (const std::shared_ptr<const FlatPiece>& piece : without_those(trial.pieces, state_.pieces)) {
     trial.is_final = trial.is_final && piece->is_final;
-    if (piece->error && !is_part_of(piece->chart, joined) && had_error(piece->chart)) continue;
+    if (piece->error && !is_in(joined, piece->chart) && had_error(piece->chart)) continue;
     trial.strain = std::max(trial.strain, piece->error ? kNoFlatShape : piece->strain);
   }
   if (!is_allowed(trial.strain, allowed)) return trial;
   const bool is_hard_to_sew = std::any_of(trial.pieces.begin(), trial.pieces.end(), [&](const auto& piece) {
-    return is_part_of(piece->chart, joined) && (is_too_narrow(*piece, joined) || has_long_arms(*piece, joined));
+    return is_in(joined, piece->chart) && (is_too_narrow(*piece, joined) || has_long_arms(*piece, joined));
   });
   if (is_hard_to_sew) trial.strain = kNoFlatShape;
   return trial;

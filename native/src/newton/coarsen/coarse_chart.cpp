@@ -57,8 +57,7 @@ void Coarsening::build_chart() {
   coarse_.chart.source_face.resize(coarse_.chart.mesh.n_faces());
   std::iota(coarse_.chart.source_face.begin(), coarse_.chart.source_face.end(), 0);
   for (const WirePart& part : fine_.wire_parts) {
-    if (part.kind == WireKind::super_elastic || (part.kind == WireKind::boundary && !is_elastic_boundary(part)))
-      continue;
+    if (!has_own_length(part)) continue;
     coarse_.chart.wire_parts.push_back(part);
     coarse_.chart.wire_parts.back().half_edges = coarse_chain(part.half_edges, false);
   }

@@ -105,8 +105,7 @@ Decimation::Decimation(const Chart& chart, const HeldNetwork& network, double ed
     if (wire_neighbors_[v][0] != -1 && wire_neighbors_[v][1] == -1) is_kept_[v] = 1;
   }
   for (const WirePart& wire : chart.wire_parts) {
-    if (wire.kind == WireKind::super_elastic || (wire.kind == WireKind::boundary && !is_elastic_boundary(wire)))
-      continue;
+    if (!has_own_length(wire)) continue;
     is_kept_[mesh_.from_vertex_handle(wire.half_edges.front()).idx()] = 1;
     is_kept_[mesh_.to_vertex_handle(wire.half_edges.back()).idx()] = 1;
   }

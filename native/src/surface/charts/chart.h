@@ -39,6 +39,12 @@ inline double variation_of(const WirePart& part, double g) {
 /// Returns whether a part is a run on the boundary with elastic length.
 inline bool is_elastic_boundary(const WirePart& part) { return part.kind == WireKind::boundary && part.tolerance > 0; }
 
+/// Returns whether a part has a length of its own to keep: it is a rigid or elastic wire, or an elastic run on the
+/// boundary.
+inline bool has_own_length(const WirePart& part) {
+  return is_elastic_boundary(part) || part.kind == WireKind::rigid || part.kind == WireKind::elastic;
+}
+
 /// One section of the outline between junctions of seams and boundaries.
 struct BoundaryChain {
   HalfEdgeChain half_edges;
