@@ -25,16 +25,11 @@ constexpr double kSamePlace = 1e-9;
 /// A normal with less than this length in the mirror plane is turned into the mirror's own.
 constexpr double kInPlane = 0.3;
 
-Eigen::Vector3d at(const HalfEdgeMesh& mesh, VertexHandle v) {
-  return {mesh.point(v)[0], mesh.point(v)[1], mesh.point(v)[2]};
-}
-
 /// Returns the sum of areas times x xᵀ, with x the centroid of a face relative to a point.
 Eigen::Matrix3d spread_around(const HalfEdgeMesh& mesh, const Eigen::Vector3d& point) {
   Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
   for (const FaceHandle f : mesh.faces()) {
-    const HalfEdgeMesh::Point center = mesh.calc_face_centroid(f);
-    const Eigen::Vector3d x = Eigen::Vector3d(center[0], center[1], center[2]) - point;
+    const Eigen::Vector3d x = vector_of(mesh.calc_face_centroid(f)) - point;
     spread += face_area(mesh, f) * x * x.transpose();
   }
   return spread;
@@ -46,7 +41,8 @@ Eigen::Vector3d middle_of(const HalfEdgeMesh& mesh, const HalfEdgeChain& loop) {
   double length = 0;
   for (const HalfedgeHandle h : loop) {
     const double own = edge_length(mesh, h);
-    sum += own / 2 * (at(mesh, mesh.from_vertex_handle(h)) + at(mesh, mesh.to_vertex_handle(h)));
+    sum += own / 2 *
+           (vector_of(mesh.point(mesh.from_vertex_handle(h))) + vector_of(mesh.point(mesh.to_vertex_handle(h))));
     length += own;
   }
   return sum / length;
@@ -68,7 +64,7 @@ Eigen::VectorXd distances_from(const Plane& plane, const HalfEdgeMesh& mesh) {
 Plane mirror_plane(const HalfEdgeMesh& mesh, const std::vector<VertexHandle>& image) {
   Plane plane{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
   for (const VertexHandle v : mesh.vertices()) {
-    const Eigen::Vector3d here = at(mesh, v), there = at(mesh, image[v.idx()]);
+    const Eigen::Vector3d here = vector_of(mesh.point(v)), there = vector_of(mesh.point(image[v.idx()]));
     plane.point += (here + there) / 2 / static_cast<double>(mesh.n_vertices());
     if ((here - there).norm() > plane.normal.norm()) plane.normal = here - there;
   }
@@ -78,10 +74,7 @@ Plane mirror_plane(const HalfEdgeMesh& mesh, const std::vector<VertexHandle>& im
 
 Eigen::Vector3d centroid_of(const HalfEdgeMesh& mesh) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (const FaceHandle f : mesh.faces()) {
-    const HalfEdgeMesh::Point center = mesh.calc_face_centroid(f);
-    sum += face_area(mesh, f) * Eigen::Vector3d(center[0], center[1], center[2]);
-  }
+  for (const FaceHandle f : mesh.faces()) sum += face_area(mesh, f) * vector_of(mesh.calc_face_centroid(f));
   return sum / surface_area(mesh);
 }
 

@@ -110,9 +110,8 @@ std::optional<Eigen::Vector3d> strained_place(const FlatPiece& part, double limi
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   double total = 0;
   for (const FaceHandle f : part.chart.mesh.faces()) {
-    const HalfEdgeMesh::Point center = part.chart.mesh.calc_face_centroid(f);
     const double weight = std::max(0.0, part.face_strain[f.idx()] - limit) * face_area(part.chart.mesh, f);
-    sum += weight * Eigen::Vector3d(center[0], center[1], center[2]);
+    sum += weight * vector_of(part.chart.mesh.calc_face_centroid(f));
     total += weight;
   }
   if (total == 0) return std::nullopt;

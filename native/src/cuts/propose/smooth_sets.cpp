@@ -302,8 +302,7 @@ std::vector<char> SmoothSet::most_strained(const FlatPiece& part, const CutMesh&
   const HalfEdgeMesh& mesh = part.chart.mesh;
   for (const FaceHandle f : mesh.faces()) {
     if (part.face_strain[f.idx()] <= limits_.most_strain) continue;
-    const HalfEdgeMesh::Point middle = mesh.calc_face_centroid(f);
-    const Eigen::RowVector3d center(middle[0], middle[1], middle[2]);
+    const Eigen::RowVector3d center = vector_of(mesh.calc_face_centroid(f)).transpose();
     double least = std::numeric_limits<double>::infinity();
     std::size_t nearest = levels_.size();
     work.did(middles.size());

@@ -16,8 +16,7 @@ namespace {
 using Derivative = Eigen::Matrix<double, 2, 3>;
 
 Eigen::Vector3d point(const HalfEdgeMesh& mesh, int v) {
-  const auto p = mesh.point(VertexHandle(v));
-  return {p[0], p[1], p[2]};
+  return vector_of(mesh.point(VertexHandle(v)));
 }
 
 /// Returns J at each vertex: the mean over its faces, weighted by area.

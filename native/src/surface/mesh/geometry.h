@@ -10,6 +10,8 @@
 
 namespace wirewarp {
 
+inline Eigen::Vector3d vector_of(const HalfEdgeMesh::Point& p) { return {p[0], p[1], p[2]}; }
+
 inline double edge_length(const HalfEdgeMesh& mesh, HalfedgeHandle h) {
   return (mesh.point(mesh.to_vertex_handle(h)) - mesh.point(mesh.from_vertex_handle(h))).norm();
 }

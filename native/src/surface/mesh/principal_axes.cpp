@@ -4,6 +4,8 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
+#include "surface/mesh/geometry.h"
+
 namespace wirewarp {
 namespace {
 
@@ -15,7 +17,7 @@ constexpr double kDecides = 1e-7;
 
 Eigen::Matrix3d principal_axes(const HalfEdgeMesh& mesh, Eigen::Matrix3d spread) {
   const HalfedgeHandle h = mesh.halfedge_handle(FaceHandle(0));
-  const auto at = [&](VertexHandle v) { return Eigen::Vector3d(mesh.point(v)[0], mesh.point(v)[1], mesh.point(v)[2]); };
+  const auto at = [&](VertexHandle v) { return vector_of(mesh.point(v)); };
   const Eigen::Vector3d from = at(mesh.from_vertex_handle(h));
   const Eigen::Vector3d along = at(mesh.to_vertex_handle(h)) - from;
   const Eigen::Vector3d back = at(mesh.from_vertex_handle(mesh.prev_halfedge_handle(h))) - from;
