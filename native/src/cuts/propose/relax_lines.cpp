@@ -119,6 +119,24 @@ void append(const HalfEdgeMesh& mesh, const PathPoint& point, MeshPath& path) {
   path.push_back(PathPoint::at_vertex(v));
 }
 
+/// Joins the end of a path to its beginning by the same rules. Returns whether a closed path remains.
+bool close(const HalfEdgeMesh& mesh, MeshPath& path) {
+  while (path.size() > 2) {
+    MeshPath joined = path;
+    append(mesh, path.front(), joined);
+    if (joined.size() > path.size()) break;
+    if (path.front().is_vertex()) {
+      joined.pop_back();  // the same vertex as the first point
+    } else {
+      joined.erase(joined.begin());
+    }
+    path = std::move(joined);
+  }
+  if (path.size() < 3) return false;
+  path.push_back(path.front());
+  return true;
+}
+
 }  // namespace
 
 LineNetwork::LineNetwork(const HalfEdgeMesh& mesh, const std::vector<SurfaceLine>& lines,
@@ -248,44 +266,58 @@ std::optional<StraightLine> LineNetwork::between(const SurfacePoint& a, const Su
   return StraightLine{};  // both are fixed ends of an edge
 }
 
-std::vector<std::optional<RelaxedLine>> LineNetwork::relax(const std::vector<int>& steps, const StopToken& stop) const {
-  std::vector<SurfacePoint> places;
-  std::vector<int> most;
+/// Returns the number of moves of each point. steps: that of each line.
+std::vector<int> LineNetwork::steps_of_points(const std::vector<int>& steps) const {
+  std::vector<int> of_points;
   for (const Point& point : points_) {
-    places.push_back(point.start);
     int least = point.is_fixed ? 0 : steps[point.lines.front()];
     for (const std::size_t line : point.lines) least = std::min(least, steps[line]);
-    most.push_back(least);
+    of_points.push_back(least);
   }
-  std::vector<char> has_failed(lines_.size(), 0);
+  return of_points;
+}
+
+/// Returns the vector by which each point moves, in its plane. do_pull: one flag per line. Sets has_failed for lines
+/// with something in the way.
+std::vector<Planar> LineNetwork::pulls(const std::vector<SurfacePoint>& places, const std::vector<char>& do_pull,
+                                       std::vector<char>& has_failed) const {
+  std::vector<Planar> sums(points_.size(), Planar(0));
+  std::vector<double> nearest(points_.size(), 0);
+  for (std::size_t l = 0; l < lines_.size(); ++l) {
+    for (std::size_t i = 1; i < lines_[l].size() && do_pull[l] != 0; ++i) {
+      const std::size_t a = lines_[l][i - 1], b = lines_[l][i];
+      const std::optional<StraightLine> line = between(places[a], places[b]);
+      if (!line) {
+        has_failed[l] = 1;
+        break;
+      }
+      const double length = std::abs(line->leaving);
+      for (const auto& [point, vector] : {std::pair(a, line->leaving), std::pair(b, line->returning)}) {
+        const bool is_junction = points_[point].lines.size() > 1;
+        sums[point] += is_junction && length > 0 ? vector / length : vector;
+        nearest[point] = nearest[point] == 0 ? length : std::min(nearest[point], length);
+      }
+    }
+  }
+  for (std::size_t p = 0; p < points_.size(); ++p)
+    sums[p] = kStep * sums[p] * (points_[p].lines.size() > 1 ? nearest[p] : 1.0);
+  return sums;
+}
+
+std::vector<std::optional<RelaxedLine>> LineNetwork::relax(const std::vector<int>& steps, const StopToken& stop) const {
+  std::vector<SurfacePoint> places;
+  for (const Point& point : points_) places.push_back(point.start);
+  const std::vector<int> most = steps_of_points(steps);
+  std::vector<char> has_failed(lines_.size(), 0), do_pull(lines_.size());
   const int count = steps.empty() ? 0 : *std::max_element(steps.begin(), steps.end());
   for (int step = 0; step < count; ++step) {
     stop.check();
-    std::vector<Planar> sums(points_.size(), Planar(0));
-    std::vector<double> nearest(points_.size(), 0);
-    for (std::size_t l = 0; l < lines_.size(); ++l) {
-      if (step >= steps[l] || has_failed[l] != 0) continue;
-      for (std::size_t i = 1; i < lines_[l].size(); ++i) {
-        const std::size_t a = lines_[l][i - 1], b = lines_[l][i];
-        const std::optional<StraightLine> line = between(places[a], places[b]);
-        if (!line) {
-          has_failed[l] = 1;
-          break;
-        }
-        const double length = std::abs(line->leaving);
-        for (const auto& [point, vector] : {std::pair(a, line->leaving), std::pair(b, line->returning)}) {
-          const bool is_junction = points_[point].lines.size() > 1;
-          sums[point] += is_junction && length > 0 ? vector / length : vector;
-          nearest[point] = nearest[point] == 0 ? length : std::min(nearest[point], length);
-        }
-      }
-    }
+    for (std::size_t l = 0; l < lines_.size(); ++l) do_pull[l] = step < steps[l] && has_failed[l] == 0;
+    const std::vector<Planar> moves = pulls(places, do_pull, has_failed);
     for (std::size_t p = 0; p < points_.size(); ++p) {
       const std::vector<std::size_t>& lines = points_[p].lines;
-      if (step >= most[p] ||
-          std::any_of(lines.begin(), lines.end(), [&](std::size_t line) { return has_failed[line] != 0; }))
-        continue;
-      places[p] = walk_.step(places[p], kStep * sums[p] * (lines.size() > 1 ? nearest[p] : 1.0));
+      const bool is_stuck = std::any_of(lines.begin(), lines.end(), [&](std::size_t l) { return has_failed[l] != 0; });
+      if (step < most[p] && !is_stuck) places[p] = walk_.step(places[p], moves[p]);
     }
   }
   for (std::size_t p = 0; p < points_.size(); ++p) {
@@ -327,26 +359,12 @@ std::optional<RelaxedLine> LineNetwork::along(std::size_t line, const std::vecto
     for (const PathPoint& point : way->between) append(mesh_, point, path);
     if (to.vertex.is_valid()) append(mesh_, PathPoint::at_vertex(to.vertex), path);
   }
-  if (!relaxed.is_closed) {
+  if (relaxed.is_closed) {
+    if (!close(mesh_, path)) return std::nullopt;
+  } else {
     const double longest = std::max(longest_edge_at(mesh_, relaxed.start), longest_edge_at(mesh_, relaxed.end));
     if (length_of_line(mesh_, relaxed) < kShortest * longest) return std::nullopt;
-    if (!is_connected(mesh_, relaxed) || runs_along_barrier(line, path)) return std::nullopt;
-    return relaxed;
   }
-  while (path.size() > 2) {  // joins the end to the beginning by the same rules
-    MeshPath joined = path;
-    append(mesh_, path.front(), joined);
-    if (joined.size() == path.size() + 1) break;
-    if (path.front().is_vertex()) {
-      joined.pop_back();
-      path = std::move(joined);
-    } else {
-      if (joined.size() < path.size()) path.pop_back();
-      path.erase(path.begin());
-    }
-  }
-  if (path.size() < 3) return std::nullopt;
-  path.push_back(path.front());
   if (!is_connected(mesh_, relaxed) || runs_along_barrier(line, path)) return std::nullopt;
   return relaxed;
 }

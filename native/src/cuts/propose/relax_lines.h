@@ -48,6 +48,9 @@ class LineNetwork {
   bool touches_barrier(VertexHandle v) const;
   bool runs_along_barrier(std::size_t line, const MeshPath& path) const;
   std::optional<StraightLine> between(const SurfacePoint& a, const SurfacePoint& b) const;
+  std::vector<int> steps_of_points(const std::vector<int>& steps) const;
+  std::vector<Planar> pulls(const std::vector<SurfacePoint>& places, const std::vector<char>& do_pull,
+                            std::vector<char>& has_failed) const;
   SurfacePoint snapped(const SurfacePoint& point) const;
   std::optional<RelaxedLine> along(std::size_t line, const std::vector<SurfacePoint>& places) const;
 
