@@ -190,11 +190,6 @@ class PartSearch {
  private:
   static constexpr double kNecksFound = 0.1;  // progress
 
-  struct Choice {
-    double price = std::numeric_limits<double>::infinity();
-    Plane plane;
-  };
-
   /// A set, with its lines and the pieces that they make.
   struct CutSet {
     DartProposal set;
@@ -209,10 +204,12 @@ class PartSearch {
   enum class Division { within_limit, strained, no_shape };
 
   Division divide(CutMesh& mesh, double limit) const;
-  Choice best_plane(const FlatPiece& part, bool is_symmetric, double limit) const;
+  std::optional<Plane> best_plane(const FlatPiece& part, bool is_symmetric, double limit) const;
   double price_of(const FlatPiece& part, const Plane& plane, double limit) const;
-  std::size_t partner_of(const FlatPieces& parts, std::size_t part) const;
+  std::size_t partner_of(const std::vector<Eigen::Vector3d>& centroids, std::size_t part) const;
   void add_joined(const CutMesh& mesh, double limit, PartSets& found) const;
+  void join(const CutMesh& mesh, const Chart& chart, const std::vector<VertexHandle>& image, double limit,
+            SectionMerger& merger, std::optional<CutSet>& best) const;
   CutSet set_along(const SurfaceLines& lines) const;
   DartProposal smooth_set(const CutSet& made, double limit) const;
 
@@ -240,42 +237,42 @@ PartSearch::Division PartSearch::divide(CutMesh& mesh, double limit) const {
       const auto has_error = [](const auto& part) { return part->error.has_value(); };
       return std::any_of(parts.begin(), parts.end(), has_error) ? Division::no_shape : Division::strained;
     }
+    std::vector<Eigen::Vector3d> centroids;
+    for (const std::shared_ptr<const FlatPiece>& part : parts) centroids.push_back(centroid_of(part->chart.mesh));
     std::vector<SurfacePath> paths;
     for (std::size_t i = 0; i < parts.size(); ++i) {
-      const std::size_t partner = partner_of(parts, i);
+      const std::size_t partner = partner_of(centroids, i);
       const bool has_bad_partner = partner < parts.size() && is_bad(parts[partner]);
       if (partner < i || !(is_bad(parts[i]) || has_bad_partner)) continue;
-      const Choice best = best_plane(*parts[i], partner == i && mirror_, limit);
-      if (std::isinf(best.price)) return Division::no_shape;
+      const std::optional<Plane> best = best_plane(*parts[i], partner == i && mirror_, limit);
+      if (!best) return Division::no_shape;
       const auto add = [&](const Chart& part, const Plane& plane) {
         add_lines(model.input(), part, distances_from(plane, part.mesh), 0, paths);
       };
-      add(parts[i]->chart, best.plane);
-      if (partner < parts.size() && partner > i) add(parts[partner]->chart, best.plane.mirrored(*mirror_));
+      add(parts[i]->chart, *best);
+      if (partner < parts.size() && partner > i) add(parts[partner]->chart, best->mirrored(*mirror_));
     }
     mesh = cut_again(mesh, paths);
   }
 }
 
 /// Returns the mirror image of a part, which may be the part itself; the number of parts if it has none.
-std::size_t PartSearch::partner_of(const FlatPieces& parts, std::size_t part) const {
+std::size_t PartSearch::partner_of(const std::vector<Eigen::Vector3d>& centroids, std::size_t part) const {
   if (!mirror_) return part;
-  const Plane at{centroid_of(parts[part]->chart.mesh), Eigen::Vector3d::Zero()};
-  const Eigen::Vector3d there = at.mirrored(*mirror_).point;
-  const auto is_there = [&](const auto& other) {
-    return (centroid_of(other->chart.mesh) - there).norm() < kMirrored * size_;
-  };
-  if (is_there(parts[part])) return part;  // rings around each other have the same centroid
-  return static_cast<std::size_t>(std::find_if(parts.begin(), parts.end(), is_there) - parts.begin());
+  const Eigen::Vector3d there = Plane{centroids[part], Eigen::Vector3d::Zero()}.mirrored(*mirror_).point;
+  const auto is_there = [&](const Eigen::Vector3d& other) { return (other - there).norm() < kMirrored * size_; };
+  if (is_there(centroids[part])) return part;  // rings around each other have the same centroid
+  return static_cast<std::size_t>(std::find_if(centroids.begin(), centroids.end(), is_there) - centroids.begin());
 }
 
-PartSearch::Choice PartSearch::best_plane(const FlatPiece& part, bool is_symmetric, double limit) const {
+/// Returns the plane that makes the cheapest parts of a part; none if no plane divides it.
+std::optional<Plane> PartSearch::best_plane(const FlatPiece& part, bool is_symmetric, double limit) const {
   const std::vector<Plane> planes =
       planes_through(part.chart, strained_place(part, limit), is_symmetric ? mirror_ : std::nullopt);
   std::vector<double> prices(planes.size());
   run_on_all_cores(planes.size(), exact_.stop(), [&](std::size_t i) { prices[i] = price_of(part, planes[i], limit); });
   const auto best = static_cast<std::size_t>(std::min_element(prices.begin(), prices.end()) - prices.begin());
-  return {prices[best], planes[best]};
+  return std::isinf(prices[best]) ? std::nullopt : std::optional(planes[best]);
 }
 
 /// Returns the price of the parts that a plane makes of a part: the strain above the limit, and the effort to sew them.
@@ -307,33 +304,10 @@ void PartSearch::add_joined(const CutMesh& mesh, double limit, PartSets& found) 
   const CutMask cut = PartMap(chart).mask_of(mesh.edges);
   const std::vector<VertexHandle> image = mirror_image(chart, exact_.stop());
   const MirroredCuts mirrored(chart, image);
-  std::vector<int> faces;
-  for (const int face : mesh.sources.faces) faces.push_back(chart_.source_face[face]);
-  std::optional<CutSet> best;
-  const auto rank = [&](const CutSet& each) {
-    const double strain = each.set.strain > limit ? each.set.strain : 0;
-    return std::tuple(strain, each.num_narrow, each.set.num_pieces, each.set.length);
-  };
-  const double narrowest = cut_options_.narrowest;
   SectionMerger merger({cut, model.exact().with_cut(model.pieces(), mesh.edges)}, chart, mirrored, model.exact(),
-                       {narrowest, kPartSolidity});
-  const bool stopped = was_stopped([&] {
-    for (const double first : narrowest > 0 ? std::vector{narrowest, kSmall * narrowest} : std::vector{0.0}) {
-      merger.restart(first);
-      for (int i = 0; i < kMostMerges; ++i) {
-        merger.run(kMargin * limit, [](double) {});
-        const FlatPieces& joined = merger.state().pieces;
-        if (joined.size() > kMostPieces) break;
-        CutSet made = set_along(lines_across(own_, alone_, mesh, chart, image, merger.state().cut));
-        const FlatPieces failed = failed_on_mesh({joined, faces}, {made.pieces, made.faces}, limit);
-        const bool is_useful = made.pieces.size() == joined.size() && made.set.strain < kMostStrain &&
-                               made.set.length <= cut_options_.longest && !made.is_forbidden;
-        if (is_useful && (!best || rank(made) < rank(*best))) best = std::move(made);
-        if (!merger.undo(failed)) break;
-      }
-      if (!best) break;  // for a koala, the other order takes 27 s, and leaves too many pieces, too
-    }
-  });
+                       {cut_options_.narrowest, kPartSolidity});
+  std::optional<CutSet> best;
+  const bool stopped = was_stopped([&] { join(mesh, chart, image, limit, merger, best); });
   if (best && (best->set.strain <= limit || found.sets.empty())) {
     const double accepted = cut_options_.strain.value_or(kSoftStrain);
     found.are_sewable |= best->set.strain <= accepted && best->num_narrow == 0 && best->set.num_pieces <= kFewPieces;
@@ -341,6 +315,34 @@ void PartSearch::add_joined(const CutMesh& mesh, double limit, PartSets& found) 
     if (!stopped) found.sets.back() = smooth_set(*best, limit);
   }
   if (stopped) throw Stopped();
+}
+
+/// Joins the parts of a chart of a cut mesh in up to two orders, and finds the best set; strain counts only above the
+/// limit. Throws Stopped; the best set by then remains.
+void PartSearch::join(const CutMesh& mesh, const Chart& chart, const std::vector<VertexHandle>& image, double limit,
+                      SectionMerger& merger, std::optional<CutSet>& best) const {
+  const auto rank = [&](const CutSet& each) {
+    const double strain = each.set.strain > limit ? each.set.strain : 0;
+    return std::tuple(strain, each.num_narrow, each.set.num_pieces, each.set.length);
+  };
+  std::vector<int> faces;
+  for (const int face : mesh.sources.faces) faces.push_back(chart_.source_face[face]);
+  const double narrowest = cut_options_.narrowest;
+  for (const double first : narrowest > 0 ? std::vector{narrowest, kSmall * narrowest} : std::vector{0.0}) {
+    merger.restart(first);
+    for (int i = 0; i < kMostMerges; ++i) {
+      merger.run(kMargin * limit, [](double) {});
+      const FlatPieces& joined = merger.state().pieces;
+      if (joined.size() > kMostPieces) break;
+      CutSet made = set_along(lines_across(own_, alone_, mesh, chart, image, merger.state().cut));
+      const FlatPieces failed = failed_on_mesh({joined, faces}, {made.pieces, made.faces}, limit);
+      const bool is_useful = made.pieces.size() == joined.size() && made.set.strain < kMostStrain &&
+                             made.set.length <= cut_options_.longest && !made.is_forbidden;
+      if (is_useful && (!best || rank(made) < rank(*best))) best = std::move(made);
+      if (!merger.undo(failed)) break;
+    }
+    if (!best) return;  // for a koala, the other order takes 27 s, and leaves too many pieces, too
+  }
 }
 
 /// Returns the set along those of the lines that do not collapse, with its exact figures. Its strain is infinite if a
