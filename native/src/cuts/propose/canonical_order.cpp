@@ -36,11 +36,8 @@ std::array<std::vector<OutlineStep>, 2> walk_outline(const Chart& chart) {
   const double size = std::sqrt(surface_area(mesh));
   std::vector<double> lengths, angles;
   for (const HalfedgeHandle h : loop) {
-    double angle = 0;
-    for (const HalfedgeHandle out : mesh.voh_range(mesh.from_vertex_handle(h)))
-      angle += mesh.is_boundary(out) ? 0 : corner_angle(mesh, out);
     lengths.push_back(edge_length(mesh, h) / size);
-    angles.push_back(angle);
+    angles.push_back(total_angle(mesh, mesh.from_vertex_handle(h)));
   }
   const std::vector<int> length_ranks = ranks_of(lengths, kSame), angle_ranks = ranks_of(angles, kSame);
   std::array<std::vector<OutlineStep>, 2> walks;

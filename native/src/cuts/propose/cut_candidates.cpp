@@ -41,10 +41,8 @@ OutlineLoop measure_loop(const Chart& chart, const HalfEdgeChain& half_edges) {
   OutlineLoop loop;
   double at = 0;
   for (const HalfedgeHandle h : half_edges) {
-    double angle = 0;  // inside
-    for (HalfedgeHandle around = h; !chart.mesh.is_boundary(around); around = next_counterclockwise(chart.mesh, around))
-      angle += corner_angle(chart.mesh, around);
-    loop.push_back({chart.mesh.from_vertex_handle(h), at, std::abs(angle - kPi)});
+    const VertexHandle v = chart.mesh.from_vertex_handle(h);
+    loop.push_back({v, at, std::abs(total_angle(chart.mesh, v) - kPi)});
     at += edge_length(chart.mesh, h);
   }
   return loop;

@@ -83,12 +83,7 @@ std::vector<HalfedgeHandle> link_boundary(HalfEdgeMesh& mesh) {
 /// hole.
 double total_turning(const HalfEdgeMesh& mesh, const HalfEdgeChain& loop) {
   double turning = 0;
-  for (const HalfedgeHandle leaving : loop) {
-    turning += kPi;
-    for (HalfedgeHandle h = leaving; !mesh.is_boundary(h); h = next_counterclockwise(mesh, h)) {
-      turning -= corner_angle(mesh, h);
-    }
-  }
+  for (const HalfedgeHandle h : loop) turning += kPi - total_angle(mesh, mesh.from_vertex_handle(h));
   return turning;
 }
 

@@ -43,6 +43,15 @@ inline double corner_angle(const HalfEdgeMesh& mesh, HalfedgeHandle h) {
   return std::atan2((along % back).norm(), along | back);
 }
 
+/// Returns the sum of the angles of all faces at a vertex, radians.
+inline double total_angle(const HalfEdgeMesh& mesh, VertexHandle v) {
+  double sum = 0;
+  for (const HalfedgeHandle h : mesh.voh_range(v)) {
+    if (!mesh.is_boundary(h)) sum += corner_angle(mesh, h);
+  }
+  return sum;
+}
+
 /// Returns the half-edge that leaves the same vertex one face counter-clockwise from h. h must have a face.
 inline HalfedgeHandle next_counterclockwise(const HalfEdgeMesh& mesh, HalfedgeHandle h) {
   return mesh.opposite_halfedge_handle(mesh.prev_halfedge_handle(h));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "warp/topology/hinged_wires.h"
 
+#include "surface/mesh/geometry.h"
 #include "warp/topology/embed_path.h"
 #include "warp/topology/shortest_path.h"
 #include "warp/topology/straightest_geodesic.h"

@@ -4,9 +4,9 @@
 #include <algorithm>
 
 #include "base/planar.h"
+#include "surface/mesh/geometry.h"
 #include "surface/mesh/shortest_paths.h"
 #include "warp/topology/embed_path.h"
-#include "warp/topology/straightest_geodesic.h"
 #include "warp/topology/strip.h"
 #include "warp/topology/unjoined_wires.h"
 

@@ -9,7 +9,6 @@
 #include "surface/mesh/geometry.h"
 #include "warp/topology/embed_path.h"
 #include "warp/topology/shortest_path.h"
-#include "warp/topology/straightest_geodesic.h"
 #include "warp/topology/strip.h"
 
 namespace wirewarp {

@@ -9,7 +9,6 @@
 
 #include "base/planar.h"
 #include "surface/mesh/geometry.h"
-#include "warp/topology/straightest_geodesic.h"
 
 namespace wirewarp {
 namespace {

@@ -128,14 +128,6 @@ class Tracer {
 
 }  // namespace
 
-double total_angle(const HalfEdgeMesh& mesh, VertexHandle v) {
-  double sum = 0;
-  for (const HalfedgeHandle h : mesh.voh_range(v)) {
-    if (!mesh.is_boundary(h)) sum += corner_angle(mesh, h);
-  }
-  return sum;
-}
-
 std::optional<MeshPath> trace_straightest(const HalfEdgeMesh& mesh, const WireMask& wires, HalfedgeHandle reference,
                                           double angle) {
   return Tracer(mesh, wires).trace(reference, angle);

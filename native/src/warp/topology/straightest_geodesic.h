@@ -10,9 +10,6 @@
 
 namespace wirewarp {
 
-/// Returns the sum of the face corners at a vertex, radians.
-double total_angle(const HalfEdgeMesh& mesh, VertexHandle v);
-
 /// Follows the straightest geodesic that leaves the start of `reference` at `angle` radians counter-clockwise from
 /// `reference`. The path ends at the first vertex or edge of a wire or boundary. Returns nullopt if the geodesic comes
 /// back to a triangle or vertex that it has passed, so a path has at most as many points as the mesh has faces and
