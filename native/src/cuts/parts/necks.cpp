@@ -93,7 +93,7 @@ class NeckSearch {
   }
 
  private:
-  using Faces = std::vector<char>;  // per face: whether it is at the tip
+  using Faces = Eigen::VectorXd;  // per face: 1 if it is at the tip, otherwise 0
 
   struct Candidate {
     double ratio;  // of its length to the root of the smaller area
@@ -114,25 +114,12 @@ class NeckSearch {
   Candidate in_crease(const Candidate& candidate) const;
   bool accept(const Candidate& candidate);
   bool fits(const Faces& one, const Faces& other) const;
-  Faces within(const Distances& distance, double level) const;
-
-  double area_of(const Faces& faces) const {
-    double area = 0;
-    for (std::size_t f = 0; f < faces.size(); ++f) area += faces[f] != 0 ? areas_[static_cast<Eigen::Index>(f)] : 0;
-    return area;
+  Eigen::VectorXd of_faces(const Distances& distance) const;
+  Faces within(const Distances& distance, double level) const {
+    return (of_faces(distance).array() < level).cast<double>();
   }
-  double common_area(const Faces& a, const Faces& b) const {
-    double area = 0;
-    for (std::size_t f = 0; f < a.size(); ++f)
-      area += a[f] != 0 && b[f] != 0 ? areas_[static_cast<Eigen::Index>(f)] : 0;
-    return area;
-  }
-
-  double distance_of(const Distances& distance, FaceHandle f) const {
-    double sum = 0;
-    for (const VertexHandle v : mesh_.fv_range(f)) sum += distance[v.idx()];
-    return sum / 3;
-  }
+  double area_of(const Faces& faces) const { return areas_.dot(faces); }
+  double common_area(const Faces& a, const Faces& b) const { return areas_.dot(a.cwiseProduct(b)); }
 
   const HalfEdgeMesh& mesh_;
   const std::vector<VertexHandle>& image_;
@@ -199,20 +186,23 @@ std::vector<Distances> NeckSearch::distances_from_tips() const {
   return tips;
 }
 
-NeckSearch::Faces NeckSearch::within(const Distances& distance, double level) const {
-  Faces faces(mesh_.n_faces(), 0);
-  for (const FaceHandle f : mesh_.faces()) faces[f.idx()] = distance_of(distance, f) < level ? 1 : 0;
-  return faces;
+/// Returns the mean distance of the corners of each face.
+Eigen::VectorXd NeckSearch::of_faces(const Distances& distance) const {
+  Eigen::VectorXd means = Eigen::VectorXd::Zero(areas_.size());
+  for (const FaceHandle f : mesh_.faces()) {
+    for (const VertexHandle v : mesh_.fv_range(f)) means[f.idx()] += distance[v.idx()] / 3;
+  }
+  return means;
 }
 
 /// Adds the distances at which the surface around a tip is narrower than before and beyond.
 void NeckSearch::add_candidates(const Distances& distance, std::vector<Candidate>& found) const {
   const double farthest = distance.maxCoeff(), first = kBetweenTips * std::sqrt(area_);
+  const Eigen::VectorXd face_distance = of_faces(distance);
   std::vector<double> levels, areas, lengths, ratios;
   for (int i = 0; i < kLevels; ++i) {
     const double level = first + (farthest - first) * i / kLevels;
-    double area = 0;
-    for (const FaceHandle f : mesh_.faces()) area += distance_of(distance, f) < level ? areas_[f.idx()] : 0;
+    const double area = (face_distance.array() < level).select(areas_, 0).sum();
     levels.push_back(level);
     areas.push_back(area);
     lengths.push_back(level_length(mesh_, distance, level));
