@@ -20,19 +20,16 @@ constexpr int kMostDivisions = 10000;
 
 /// Returns the distance of two points in barycentric coordinates, as PathSites measures it.
 double distance(const FacePoint& a, const FacePoint& b) {
-  const double x = b[0] - a[0], y = b[1] - a[1];
-  return std::max({std::abs(x), std::abs(y), std::abs(x + y)});
+  const FacePoint apart = b - a;
+  return std::max(apart.cwiseAbs().maxCoeff(), std::abs(apart.sum()));
 }
 
 /// Returns the position, from 0 to 1, of the point of a segment nearest to another point.
 double nearest_on(const FacePoint& a, const FacePoint& b, const FacePoint& other) {
-  const double x = b[0] - a[0], y = b[1] - a[1];
-  return ((other[0] - a[0]) * x + (other[1] - a[1]) * y) / (x * x + y * y);
+  return (other - a).dot(b - a) / (b - a).squaredNorm();
 }
 
-FacePoint between(const FacePoint& a, const FacePoint& b, double t) {
-  return {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])};
-}
+FacePoint between(const FacePoint& a, const FacePoint& b, double t) { return a + t * (b - a); }
 
 }  // namespace
 
@@ -59,10 +56,7 @@ void PathLines::divide_at(int face, Line line, int site) {
 /// terminates.
 bool PathLines::is_between(int face, int site, const Line& line) const {
   const FacePoint a = point(face, line[0]), b = point(face, line[1]), c = point(face, site);
-  const auto length = [](const FacePoint& from, const FacePoint& to) {
-    return std::hypot(to[0] - from[0], to[1] - from[1]);
-  };
-  return std::max(length(a, c), length(c, b)) < length(a, b);
+  return std::max((c - a).norm(), (b - c).norm()) < (b - a).norm();
 }
 
 /// Returns a site inside a face or on its border that a line passes; -1 if there is none.

@@ -55,9 +55,8 @@ bool Triangulation::are_on_one_side(int a, int b) const {
 bool Triangulation::has_point_between(int a, int b) const {
   for (int i = 0; i < count_; ++i) {
     if (i == a || i == b || std::abs(doubled_area(at(a), at(b), at(i))) > kInLine) continue;
-    const double along = (at(i)[0] - at(a)[0]) * (at(b)[0] - at(a)[0]) + (at(i)[1] - at(a)[1]) * (at(b)[1] - at(a)[1]);
-    const double back = (at(i)[0] - at(b)[0]) * (at(a)[0] - at(b)[0]) + (at(i)[1] - at(b)[1]) * (at(a)[1] - at(b)[1]);
-    if (along > 0 && back > 0) return true;
+    const FacePoint line = at(b) - at(a);
+    if (line.dot(at(i) - at(a)) > 0 && line.dot(at(b) - at(i)) > 0) return true;
   }
   return false;
 }

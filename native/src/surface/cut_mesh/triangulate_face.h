@@ -6,16 +6,17 @@
 #include <set>
 #include <vector>
 
+#include "base/planar.h"
 #include "wirewarp/types.h"
 
 namespace wirewarp {
 
 /// A point in the plane of a triangle, in coordinates in which the triangle is (0, 0), (1, 0), (0, 1).
-using FacePoint = std::array<double, 2>;
+using FacePoint = Eigen::Vector2d;
 
 /// Returns twice the area of a triangle, positive if it is counter-clockwise.
 inline double doubled_area(const FacePoint& a, const FacePoint& b, const FacePoint& c) {
-  return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+  return cross(b - a, c - a);
 }
 
 /// Three points count as collinear if twice their area is less, where the whole triangle has the value 1. Points 0.0001
