@@ -125,27 +125,14 @@ CutMask CutSetSearch::opening() const {
 }
 
 CutSetSearch::CutSet CutSetSearch::with_figures(CutMask cut, FlatPieces pieces) const {
-  CutSet set;
-  set.cut = std::move(cut);
-  set.pieces = std::move(pieces);
+  const PieceFigures figures = figures_of(pieces, input_chart_);
+  CutSet set{std::move(cut), std::move(pieces), {}, !figures.error};
   DartProposal& proposal = set.proposal;
   proposal.edges = edges_by_section(chart_, set.cut);
   proposal.length = length_of_cut(chart_.mesh, set.cut);
-  set.lies_flat = true;
-  double energy = 0, area = 0;
-  for (std::size_t i = 0; i < set.pieces.size(); ++i) {
-    const Chart& part = set.pieces[i]->chart;
-    if (!is_part_of(part, input_chart_)) continue;
-    const PieceFigures figures = figures_of(set.pieces, part);
-    if (figures.error) set.lies_flat = false;
-    ++proposal.num_pieces;
-    energy += figures.energy * figures.area;
-    area += figures.area;
-    proposal.strain = std::max(proposal.strain, figures.strain);
-    set.parts.push_back(i);
-    set.figures.push_back(figures);
-  }
-  proposal.energy = energy / area;
+  proposal.num_pieces = figures.num_pieces;
+  proposal.energy = figures.energy;
+  proposal.strain = figures.strain;
   proposal.energy_before = proposal.strain_before = std::numeric_limits<double>::infinity();
   return set;
 }
@@ -155,7 +142,15 @@ CutSetSearch::CutSet CutSetSearch::evaluate(const FlatPieces& before, const CutM
   return with_figures(cut, exact_.with_cut(before, edges_by_section(chart_, cut)));
 }
 
-/// Adds candidates for one part of the set: darts and seams.
+/// Returns the index of the most strained piece among the parts.
+std::size_t CutSetSearch::worst_part(const CutSet& set) const {
+  const auto strain = [&](const auto& piece) { return is_part_of(piece->chart, input_chart_) ? piece->strain : -1; };
+  const auto has_less = [&](const auto& a, const auto& b) { return strain(a) < strain(b); };
+  const auto worst = std::max_element(set.pieces.begin(), set.pieces.end(), has_less);
+  return static_cast<std::size_t>(worst - set.pieces.begin());
+}
+
+/// Adds candidates for one part of the set, given by its index: darts and seams.
 void CutSetSearch::add_lines(const CutSet& set, std::size_t part, std::vector<Candidate>& found) const {
   CutOptions cut_options;
   cut_options.count = kPlaces;
@@ -164,7 +159,7 @@ void CutSetSearch::add_lines(const CutSet& set, std::size_t part, std::vector<Ca
   cut_options.no_seam = as_pairs(edges_by_section(chart_, forbidden_));
   for (const CutKind kind : {CutKind::seam, CutKind::dart}) {
     refusal_of([&] {
-      PieceSearch search(set.pieces, set.parts[part], kind, Effort::quick, cut_options, exact_);
+      PieceSearch search(set.pieces, part, kind, Effort::quick, cut_options, exact_);
       for (const DartProposal& cut : search.search()) {
         const double gain = 1 - cut.energy / cut.energy_before;
         found.push_back({mirrored_.with_image(map_.mask_of(cut.edges)), gain, gain / cut.length});
@@ -177,7 +172,7 @@ void CutSetSearch::add_lines(const CutSet& set, std::size_t part, std::vector<Ca
 /// evaluation, its energy without a cut is unknown. Then the shortest bisections come first, after them those whose
 /// parts fold, too, and exact evaluations measure their gain.
 void CutSetSearch::add_bisections(const CutSet& set, std::size_t part, std::vector<Candidate>& found) const {
-  const Chart& chart = set.pieces[set.parts[part]]->chart;
+  const Chart& chart = set.pieces[part]->chart;
   const CoarseEvaluation trials(chart, exact_.options(), exact_.stop());
   const std::vector<CutMask> bisections = bisections_of(chart);
   std::vector<Candidate> tried(bisections.size());
@@ -215,10 +210,8 @@ bool CutSetSearch::makes_narrow(const CutSet& more, const FlatPiece& part) const
 
 /// Prefers cuts that leave every piece wide enough.
 std::optional<CutSetSearch::CutSet> CutSetSearch::cut_once_more(const CutSet& set) const {
-  const auto has_less = [](const PieceFigures& a, const PieceFigures& b) { return a.strain < b.strain; };
-  const auto worst = static_cast<std::size_t>(std::max_element(set.figures.begin(), set.figures.end(), has_less) -
-                                              set.figures.begin());
-  const Chart& part = set.pieces[set.parts[worst]]->chart;
+  const std::size_t worst = worst_part(set);
+  const FlatPiece& part = *set.pieces[worst];
   std::vector<Candidate> candidates;
   add_lines(set, worst, candidates);
   add_bisections(set, worst, candidates);
@@ -238,9 +231,9 @@ std::optional<CutSetSearch::CutSet> CutSetSearch::cut_once_more(const CutSet& se
     tried.push_back(cut);
     CutSet more = evaluate(set.pieces, cut);
     // Compares energies, because the strain may rise: the parts have more outline with fixed lengths than the whole.
-    const double before = set.figures[worst].energy;
-    if (!more.lies_flat || figures_of(more.pieces, part).energy > (1 - kWorthSewing) * before) continue;
-    if (!makes_narrow(more, *set.pieces[set.parts[worst]])) return more;
+    const double before = part.energy / part.area, after = figures_of(more.pieces, part.chart).energy;
+    if (!more.lies_flat || after > (1 - kWorthSewing) * before) continue;
+    if (!makes_narrow(more, part)) return more;
     if (!narrow) narrow = std::move(more);
   }
   return narrow;

@@ -50,9 +50,7 @@ class CutSetSearch {
   /// A set of cuts, evaluated exactly.
   struct CutSet {
     CutMask cut;
-    FlatPieces pieces;                  // pieces of the whole input
-    std::vector<std::size_t> parts;     // indices of the parts of the piece
-    std::vector<PieceFigures> figures;  // of the parts
+    FlatPieces pieces;  // of the whole input
     DartProposal proposal;
     bool lies_flat = false;
   };
@@ -69,6 +67,7 @@ class CutSetSearch {
   CutSet evaluate(const FlatPieces& before, const CutMask& cut) const;
   void report_strain(double first, double now);
   bool makes_narrow(const CutSet& more, const FlatPiece& part) const;
+  std::size_t worst_part(const CutSet& set) const;
   std::optional<CutSet> cut_once_more(const CutSet& set) const;
   void add_more_cuts(std::vector<CutSet>& sets);
   void add_merged(std::vector<CutSet>& sets);
