@@ -2,7 +2,6 @@
 #include "cuts/feasibility/ranks.h"
 
 #include <algorithm>
-#include <cstddef>
 #include <numeric>
 
 namespace wirewarp {
@@ -17,6 +16,14 @@ std::vector<int> ranks_of(const std::vector<double>& values, double same) {
     ranks[order[i]] = ranks[order[i - 1]] + (is_higher ? 1 : 0);
   }
   return ranks;
+}
+
+std::vector<std::size_t> highest_first(const std::vector<double>& values, double same) {
+  const std::vector<int> ranks = ranks_of(values, same);
+  std::vector<std::size_t> order(values.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return ranks[a] > ranks[b]; });
+  return order;
 }
 
 }  // namespace wirewarp

@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <iterator>
 #include <limits>
-#include <numeric>
 #include <optional>
 #include <thread>
 #include <utility>
@@ -146,12 +145,8 @@ std::vector<HalfEdgeChain> sorted_by_length(const HalfEdgeMesh& mesh, std::vecto
   std::vector<double> lengths;
   for (const HalfEdgeChain& section : sections) lengths.push_back(length_of(mesh, section));
   const double longest = lengths.empty() ? 0 : *std::max_element(lengths.begin(), lengths.end());
-  const std::vector<int> ranks = ranks_of(lengths, kSameLength * longest);
-  std::vector<std::size_t> order(sections.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return ranks[a] > ranks[b]; });
   std::vector<HalfEdgeChain> sorted;
-  for (const std::size_t i : order) sorted.push_back(std::move(sections[i]));
+  for (const std::size_t i : highest_first(lengths, kSameLength * longest)) sorted.push_back(std::move(sections[i]));
   return sorted;
 }
 
