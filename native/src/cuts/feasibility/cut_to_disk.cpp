@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "base/disjoint_sets.h"
+#include "cuts/feasibility/ranks.h"
 #include "surface/mesh/geometry.h"
 #include "surface/mesh/shortest_paths.h"
 
@@ -15,8 +16,8 @@ namespace {
 /// Number of base points on a closed surface. The cut passes through one of them, so they are spread out.
 constexpr int kBasePoints = 8;
 
-/// Cuts whose lengths differ by less than this share count as equally long, so that rotating the mesh does not change
-/// the choice.
+/// Cuts and detours whose lengths differ by less than this share of a cut, or of the longest path, count as equally
+/// long, so that rotating the mesh does not change the choice.
 constexpr double kTie = 1e-9;
 
 /// Returns the edges that are neither crossed by the tree of faces nor in the tree of paths: two for each handle, and
@@ -30,21 +31,22 @@ std::vector<EdgeHandle> edges_left_over(const HalfEdgeMesh& mesh, const CutMask&
   for (const HalfedgeHandle h : paths.arrival) {
     if (h.is_valid()) is_in_tree[mesh.edge_handle(h).idx()] = 1;
   }
-  std::vector<std::pair<double, EdgeHandle>> by_detour;
+  std::vector<EdgeHandle> edges;
+  std::vector<double> detours;
   for (const EdgeHandle e : mesh.edges()) {
     if (mesh.is_boundary(e) || is_in_tree[e.idx()]) continue;
     const HalfedgeHandle h = mesh.halfedge_handle(e, 0);
     const double detour = paths.distance[mesh.from_vertex_handle(h).idx()] + edge_length(mesh, h) +
                           paths.distance[mesh.to_vertex_handle(h).idx()];
-    by_detour.emplace_back(forbidden[e.idx()] != 0 ? kInfinity : detour, e);
+    edges.push_back(e);
+    detours.push_back(forbidden[e.idx()] != 0 ? kInfinity : detour);
   }
-  std::stable_sort(by_detour.begin(), by_detour.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
   DisjointSets faces(mesh.n_faces());
   std::vector<EdgeHandle> left_over;
-  for (const auto& [detour, e] : by_detour) {
-    const HalfedgeHandle h = mesh.halfedge_handle(e, 0);
+  for (const std::size_t i : highest_first(detours, kTie * paths.distance[farthest_vertex(paths).idx()])) {
+    const HalfedgeHandle h = mesh.halfedge_handle(edges[i], 0);
     const bool is_joined = faces.unite(mesh.face_handle(h).idx(), mesh.opposite_face_handle(h).idx());
-    if (!is_joined && std::isfinite(detour)) left_over.push_back(e);
+    if (!is_joined && std::isfinite(detours[i])) left_over.push_back(edges[i]);
   }
   return left_over;
 }
