@@ -74,15 +74,16 @@ void shorten_border(const HalfEdgeMesh& mesh, const Prices& prices, Sides& side)
   }
 }
 
-/// Returns 1 for faces that are nearer to the second vertex than to the first.
+/// Returns 1 for faces that are nearer to the second vertex than to the first, by more than rounding errors.
 Sides nearer_to(const HalfEdgeMesh& mesh, VertexHandle first, VertexHandle second) {
   const std::vector<double> from_first = shortest_paths(mesh, {first}).distance;
   const std::vector<double> from_second = shortest_paths(mesh, {second}).distance;
+  const double same = 1e-9 * from_first[second.idx()];
   Sides side(mesh.n_faces(), 0);
   for (const FaceHandle f : mesh.faces()) {
     double lead = 0;
     for (const VertexHandle v : mesh.fv_range(f)) lead += from_first[v.idx()] - from_second[v.idx()];
-    side[f.idx()] = lead > 0;
+    side[f.idx()] = lead > same;
   }
   return side;
 }
