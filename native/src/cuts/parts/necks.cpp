@@ -78,17 +78,15 @@ class NeckSearch {
       stop_.check();
       add_candidates(distance, found);
     }
-    std::stable_sort(found.begin(), found.end(),
-                     [](const Candidate& a, const Candidate& b) { return a.ratio < b.ratio; });
-    for (const Candidate& candidate : found) {
+    std::vector<double> narrowness, areas;
+    for (const Candidate& candidate : found) narrowness.push_back(-candidate.ratio);
+    for (const std::size_t i : highest_first(narrowness, kRounding)) {
       stop_.check();
-      if (!accept(in_crease(candidate))) accept(candidate);
+      if (!accept(in_crease(found[i]))) accept(found[i]);
     }
-    std::stable_sort(accepted_.begin(), accepted_.end(), [&](const Candidate& a, const Candidate& b) {
-      return area_of(a.is_inside) > area_of(b.is_inside);
-    });
+    for (const Candidate& candidate : accepted_) areas.push_back(area_of(candidate.is_inside));
     std::vector<Neck> necks;
-    for (Candidate& candidate : accepted_) necks.push_back(std::move(candidate.neck));
+    for (const std::size_t i : highest_first(areas, kRounding * area_)) necks.push_back(std::move(accepted_[i].neck));
     return necks;
   }
 
