@@ -53,9 +53,8 @@ Tolerances free_wires(const Chart& chart, const Chooses& chooses) {
 
 /// Returns free tolerances for the wires whose lengths the relaxed shape changes.
 Tolerances wires_to_free(const Chart& chart, const RelaxedShape& relaxed, double kept) {
-  return free_wires(chart, [&](Eigen::Index i) {
-    return relaxed.strain_rms[i] > kUneven || relaxed.tolerance_violation[i] > kept;
-  });
+  return free_wires(
+      chart, [&](Eigen::Index i) { return relaxed.strain_rms[i] > kUneven || relaxed.tolerance_violation[i] > kept; });
 }
 
 double rounded_up(double tolerance) {
@@ -239,9 +238,8 @@ std::vector<ProposedTolerance> propose_tolerances(const Chart& chart, const Inte
     if (!search.work(freed)) freed.clear();
   }
   const Tolerances few = search.on_few_wires(freed);
-  const bool are_few_elastic =
-      few.size() <= kFewWires &&
-      std::none_of(few.begin(), few.end(), [](const auto& wire) { return std::isinf(wire.second); });
+  const auto is_free = [](const auto& wire) { return std::isinf(wire.second); };
+  const bool are_few_elastic = few.size() <= kFewWires && std::none_of(few.begin(), few.end(), is_free);
   Tolerances proposed;
   if (are_few_elastic) proposed = first_flat({few, doubled(few)});
   if (proposed.empty()) {

@@ -53,7 +53,8 @@ Proxy evaluate_proxy(const Chart& chart, const StopToken& stop) {
   const std::optional<Proxy> proxy = attempt([&] {
     const FreeBoundaryArap free = free_boundary_arap(chart, kFreeSteps, {}, stop);
     Proxy found{0, free.energy};
-    for (const int f : find_folded_faces(chart.mesh, free.uv, stop)) found.covered += face_area(chart.mesh, FaceHandle(f));
+    for (const int f : find_folded_faces(chart.mesh, free.uv, stop))
+      found.covered += face_area(chart.mesh, FaceHandle(f));
     return std::optional(found);
   });
   return proxy.value_or(nothing);

@@ -41,8 +41,9 @@ Eigen::Vector3d middle_of(const HalfEdgeMesh& mesh, const HalfEdgeChain& loop) {
   double length = 0;
   for (const HalfedgeHandle h : loop) {
     const double own = edge_length(mesh, h);
-    sum += own / 2 *
-           (vector_of(mesh.point(mesh.from_vertex_handle(h))) + vector_of(mesh.point(mesh.to_vertex_handle(h))));
+    const HalfEdgeMesh::Point &from = mesh.point(mesh.from_vertex_handle(h)),
+                              &to = mesh.point(mesh.to_vertex_handle(h));
+    sum += own / 2 * (vector_of(from) + vector_of(to));
     length += own;
   }
   return sum / length;

@@ -17,8 +17,8 @@ namespace wirewarp {
 
 /// One piece of a flattened input.
 struct FlatPiece {
-  Chart chart;    // its sources are the input's vertices and faces
-  PartMap edges;  // of the chart
+  Chart chart;                      // its sources are the input's vertices and faces
+  PartMap edges;                    // of the chart
   std::vector<VertexPair> outline;  // edges of the input, sorted
   std::optional<FlattenError> error;
   double energy = 0;              // E of Eq. (4), or of the fabric, scene units squared

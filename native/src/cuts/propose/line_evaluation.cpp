@@ -125,9 +125,7 @@ CutSurface::CutSurface(const FlatPieces& pieces, std::size_t piece, const ExactE
   after_ = exact_.with_cut(before_, cut.edges);
 }
 
-std::vector<VertexPair> CutSurface::edges() const {
-  return has_new_vertices_ ? std::vector<VertexPair>{} : cut_.edges;
-}
+std::vector<VertexPair> CutSurface::edges() const { return has_new_vertices_ ? std::vector<VertexPair>{} : cut_.edges; }
 
 double CutSurface::length() const {
   const Positions3& places = surface_.middle().vertices;

@@ -334,8 +334,7 @@ bool SectionMerger::has_long_arms(const FlatPiece& piece, const FlatPieces& old)
   if (rules_.least_solidity == 0) return false;
   const double share = solidity(piece);
   return share < rules_.least_solidity && std::none_of(old.begin(), old.end(), [&](const auto& part) {
-           return is_part_of(part->chart, piece.chart) &&
-                  (part->error || solidity(*part) <= share + kSameSolidity);
+           return is_part_of(part->chart, piece.chart) && (part->error || solidity(*part) <= share + kSameSolidity);
          });
 }
 

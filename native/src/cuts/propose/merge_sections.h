@@ -98,7 +98,7 @@ class SectionMerger {
   FlatPieces unwanted_;            // see undo()
   double most_strain_ = 0;
   std::function<void(double)> report_;
-  std::map<CutMask, std::vector<Replacement>> known_;           // all trials of each section
+  std::map<CutMask, std::vector<Replacement>> known_;             // all trials of each section
   std::map<std::shared_ptr<const FlatPiece>, bool> comes_first_;  // pieces that were measured
 };
 

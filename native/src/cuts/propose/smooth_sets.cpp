@@ -265,8 +265,8 @@ std::vector<char> SmoothSet::beside_failures(const CutMesh& cut, const FlatPiece
   const bool are_narrow = count_narrow(parts, cut_options_.narrowest) > limits_.num_narrow;
   std::vector<char> failures(levels_.size(), 0);
   for (const std::shared_ptr<const FlatPiece>& part : parts) {
-    const bool has_failed = part->error || part->strain > limits_.most_strain ||
-                            (are_narrow && is_narrow(*part, cut_options_.narrowest));
+    const bool has_failed =
+        part->error || part->strain > limits_.most_strain || (are_narrow && is_narrow(*part, cut_options_.narrowest));
     if (!has_failed) continue;
     const std::vector<char> around = beside(*part, cut);
     const bool is_near = !part->error && part->strain > limits_.most_strain &&

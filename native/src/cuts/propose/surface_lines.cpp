@@ -45,8 +45,9 @@ void find_images(const Chart& chart, const std::vector<VertexHandle>& image, con
   for (std::size_t i = 0; i < chains.size(); ++i) {
     const HalfEdgeChain other = image.empty() ? HalfEdgeChain{} : mirrored(chart, image, chains[i]);
     const std::size_t found = other.empty() ? none : line_of(other.front());
-    const bool is_image = found != none && chains[found].size() == other.size() &&
-                          std::all_of(other.begin(), other.end(), [&](HalfedgeHandle h) { return line_of(h) == found; });
+    const bool is_image =
+        found != none && chains[found].size() == other.size() &&
+        std::all_of(other.begin(), other.end(), [&](HalfedgeHandle h) { return line_of(h) == found; });
     lines.images.push_back(is_image ? found : i);
     lines.is_symmetric = lines.is_symmetric && is_image;
   }

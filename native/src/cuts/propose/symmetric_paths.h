@@ -43,7 +43,7 @@ class PathMirror {
   const FlattenInput& input_;
   std::vector<FaceImage> faces_;  // of the input; empty: no mirror image
   Eigen::RowVector3d normal_;     // of the mirror plane
-  double tolerance_ = 0;  // scene units
+  double tolerance_ = 0;          // scene units
 };
 
 }  // namespace wirewarp

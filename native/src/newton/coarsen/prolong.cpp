@@ -15,9 +15,7 @@ namespace {
 
 using Derivative = Eigen::Matrix<double, 2, 3>;
 
-Eigen::Vector3d point(const HalfEdgeMesh& mesh, int v) {
-  return vector_of(mesh.point(VertexHandle(v)));
-}
+Eigen::Vector3d point(const HalfEdgeMesh& mesh, int v) { return vector_of(mesh.point(VertexHandle(v))); }
 
 /// Returns J at each vertex: the mean over its faces, weighted by area.
 std::vector<Derivative> vertex_derivatives(const HalfEdgeMesh& mesh, const Positions2& uv) {

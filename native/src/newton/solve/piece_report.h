@@ -12,7 +12,7 @@ void report_solution(const OuterSolution& solution, PieceReport& report);
 /// Reports a refinement. factorizations: total for all starts of the piece.
 void report_refinement(const Solution& solution, int factorizations, bool was_stopped, PieceReport& report);
 
-/// Reports an exact solution that started from the shape in the report. Its iterations are added to those of the report.
+/// Reports an exact solution that started from the shape in the report, and adds its iterations.
 void report_next_refinement(const Solution& solution, bool was_stopped, PieceReport& report);
 
 /// Reports that elastic seams keep their nominal lengths because nothing better was found.

@@ -15,9 +15,7 @@ namespace wirewarp {
 using FacePoint = Eigen::Vector2d;
 
 /// Returns twice the area of a triangle, positive if it is counter-clockwise.
-inline double doubled_area(const FacePoint& a, const FacePoint& b, const FacePoint& c) {
-  return cross(b - a, c - a);
-}
+inline double doubled_area(const FacePoint& a, const FacePoint& b, const FacePoint& c) { return cross(b - a, c - a); }
 
 /// Three points count as collinear if twice their area is less, where the whole triangle has the value 1. Points 0.0001
 /// apart, the least that callers allow, have at least 1e-8, or are collinear except for rounding errors.
