@@ -327,8 +327,7 @@ void PartSearch::add_joined(const CutMesh& mesh, double limit, PartSets& found) 
 void PartSearch::join(const CutMesh& mesh, const Chart& chart, const std::vector<VertexHandle>& image, double limit,
                       SectionMerger& merger, std::optional<CutSet>& best) const {
   const auto rank = [&](const CutSet& each) {
-    const double strain = each.set.strain > limit ? each.set.strain : 0;
-    return std::tuple(strain, each.num_narrow, each.set.num_pieces, each.set.length);
+    return std::tuple(std::max(each.set.strain, limit), each.num_narrow, each.set.num_pieces, each.set.length);
   };
   std::vector<int> faces;
   for (const int face : mesh.sources.faces) faces.push_back(chart_.source_face[face]);
@@ -388,10 +387,8 @@ DartProposal PartSearch::smooth_set(const CutSet& made, double limit) const {
 
 bool can_be_divided(const FlatPiece& piece, const ExactEvaluation& exact) {
   const FlattenInput& given = exact.surface().given();
-  const HalfEdgeMesh& mesh = piece.chart.mesh;
-  const auto is_boundary = [&](HalfedgeHandle h) { return mesh.is_boundary(h); };
-  return given.wires.empty() && given.eases.empty() && exact.options().thickness == 0 && mesh.n_faces() > 0 &&
-         std::none_of(mesh.halfedges_begin(), mesh.halfedges_end(), is_boundary);
+  return given.wires.empty() && given.eases.empty() && exact.options().thickness == 0 &&
+         piece.chart.mesh.n_faces() > 0 && piece.outline.empty();
 }
 
 PartSets part_sets(const FlatPieces& pieces, std::size_t piece, const CutOptions& cut_options,
