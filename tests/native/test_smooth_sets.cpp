@@ -240,8 +240,8 @@ TEST(SmoothSets, KeepTheCreasesOfABox) {
 }
 
 /// Returns an egg with a free wire along one edge, which keeps it from being divided into parts.
-FlattenInput egg_with_wire() {
-  FlattenInput input = egg(16, 12);
+FlattenInput egg_with_wire(int around, int rings) {
+  FlattenInput input = egg(around, rings);
   Wire wire;
   wire.vertices = {input.faces(0, 0), input.faces(0, 1)};
   wire.tolerance = std::numeric_limits<double>::infinity();
@@ -250,7 +250,7 @@ FlattenInput egg_with_wire() {
 }
 
 TEST(ProposeSeams, MergesPiecesWhoseOutlinesAreSmooth) {
-  const FlattenInput input = egg_with_wire();
+  const FlattenInput input = egg_with_wire(16, 12);
   CutOptions cut_options;
   cut_options.strain = 0.05;
   cut_options.is_smooth = true;
@@ -261,7 +261,7 @@ TEST(ProposeSeams, MergesPiecesWhoseOutlinesAreSmooth) {
 }
 
 TEST(ProposeSeams, ReturnsSmoothSetsAndCanBeCanceledWhileItSmooths) {
-  const FlattenInput input = egg_with_wire();
+  const FlattenInput input = egg_with_wire(12, 8);
   CutOptions cut_options;
   cut_options.strain = 0.1;
   cut_options.is_smooth = true;
