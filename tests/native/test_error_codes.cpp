@@ -327,14 +327,6 @@ TEST(ErrorCodes, WiresThatCannotBeJoinedNameThemselvesAndTheRefinedMethod) {
   expect_words(error, "use the refined method");
 }
 
-TEST(ErrorCodes, EveryCodeHasItsDescription) {
-  for (const ErrorCode code : all_error_codes()) {
-    EXPECT_FALSE(std::string(describe(code).name).empty());
-    EXPECT_FALSE(std::string(describe(code).meaning).empty());
-    EXPECT_FALSE(std::string(describe(code).remedy).empty());
-  }
-}
-
 // A surface that cannot be oriented by flipping faces.
 TEST(OneSidedSurface, AMobiusStripIsCutWhereFacesFlip) {
   constexpr int n = 12;
