@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <limits>
 
+#include "base/planar.h"
 #include "flatten.h"
 #include "judge.h"
 #include "random_network.h"
@@ -18,7 +19,6 @@ namespace wirewarp::test {
 namespace {
 
 constexpr int kMostVertices = 40;
-constexpr double kPi = 3.141592653589793;
 
 struct Asked {
   FlattenInput input;

@@ -6,13 +6,12 @@
 #include <functional>
 #include <numeric>
 
+#include "base/planar.h"
 #include "random_input.h"
 #include "rough_sheet.h"
 
 namespace wirewarp::test {
 namespace {
-
-constexpr double kPi = 3.141592653589793;
 
 using Mesh = MeshPart;
 

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <set>
 #include <utility>
 
+#include "base/disjoint_sets.h"
 #include "base/planar.h"
 
 namespace wirewarp::test {
@@ -118,38 +118,25 @@ bool is_thin(const MeshPart& part, const Face& face) {
   return ab.cross(ca).norm() < kThinnest * longest * longest;
 }
 
-/// The groups of faces that common elements connect: one number per face.
-class Groups {
- public:
-  explicit Groups(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
-  std::size_t find(std::size_t i) const {
-    while (parent_[i] != i) i = parent_[i];
-    return i;
-  }
-  void join(std::size_t i, std::size_t j) { parent_[find(i)] = find(j); }
-
- private:
-  std::vector<std::size_t> parent_;
-};
-
 /// Returns the largest set of faces connected across edges.
 Faces largest_region(const Faces& faces) {
-  Groups groups(faces.size());
-  std::map<std::pair<int, int>, std::size_t> side;
+  DisjointSets groups(faces.size());
+  std::map<std::pair<int, int>, int> side;
   for (std::size_t f = 0; f < faces.size(); ++f) {
     for (std::size_t k = 0; k < 3; ++k) {
       const int a = faces[f][k], b = faces[f][(k + 1) % 3];
-      const auto [other, is_new] = side.insert({std::minmax(a, b), f});
-      if (!is_new) groups.join(f, other->second);
+      const auto [other, is_new] = side.insert({std::minmax(a, b), static_cast<int>(f)});
+      if (!is_new) groups.unite(static_cast<int>(f), other->second);
     }
   }
-  std::map<std::size_t, std::size_t> size;
-  for (std::size_t f = 0; f < faces.size(); ++f) ++size[groups.find(f)];
-  const auto largest =
-      std::max_element(size.begin(), size.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  int count = 0;
+  const std::vector<int> group = groups.number(count);
+  std::vector<int> size(static_cast<std::size_t>(count));
+  for (const int g : group) ++size[static_cast<std::size_t>(g)];
+  const auto largest = std::max_element(size.begin(), size.end()) - size.begin();
   Faces kept;
   for (std::size_t f = 0; f < faces.size(); ++f) {
-    if (groups.find(f) == largest->first) kept.push_back(faces[f]);
+    if (group[f] == largest) kept.push_back(faces[f]);
   }
   return kept;
 }
