@@ -103,7 +103,7 @@ TEST(Bugs, TheErrorOfARingProposesEveryRemedy) {
   EXPECT_EQ(error->elements.proposed_seams, (std::vector<VertexPair>{{begin, end}}));
   for (const char* remedy :
        {"mark seams, such as along edge", "add a seam or a dart there", "remove a wire nearby or give it tolerance"}) {
-    EXPECT_NE(std::string(error->what()).find(remedy), std::string::npos) << remedy << " in: " << error->what();
+    test::expect_words(*error, remedy);
   }
 }
 

@@ -22,8 +22,10 @@ FlattenError error_of(const Call& call) {
   return FlattenError(ErrorCode::cancelled, "nothing was thrown");
 }
 
-inline void expect_words(const FlattenError& error, const std::string& words) {
-  EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+inline void expect_words(const std::string& message, const std::string& words) {
+  EXPECT_NE(message.find(words), std::string::npos) << '"' << words << "\" is not in: " << message;
 }
+
+inline void expect_words(const FlattenError& error, const std::string& words) { expect_words(error.what(), words); }
 
 }  // namespace wirewarp::test

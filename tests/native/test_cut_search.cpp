@@ -35,11 +35,7 @@ void PrintTo(const Neighbors& test, std::ostream* out) { *out << test.name; }
 /// A hill cut into three pieces side by side, with a wire across all three. One side of a seam is longer than the
 /// other.
 FlattenInput three_pieces(int n) {
-  FlattenInput input = test::make_grid(n, n, [](double s, double t) {
-    const double x = 2 * s - 1, y = 2 * t - 1;
-    return Eigen::Vector3d(x, y, 0.5 * std::exp(-3 * ((x - 0.2) * (x - 0.2) + 2 * (y + 0.1) * (y + 0.1))));
-  });
-  test::alternate_diagonals(input, n);
+  FlattenInput input = test::hill(n);
   for (const int column : {n / 4, 3 * n / 4}) test::add_seam(input, test::grid_column(n, n, column));
   test::add_wire(input, test::grid_row(n, n / 2), 0.02);
   input.eases.push_back({(VertexPairs(1, 2) << n / 4, n / 4 + n + 1).finished(), 0.05});

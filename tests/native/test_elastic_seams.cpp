@@ -11,6 +11,7 @@
 #include "base/planar.h"
 #include "disguise.h"
 #include "eased_sheets.h"
+#include "error_of.h"
 #include "surface/charts/elastic_seams.h"
 #include "surface/network/length_variation.h"
 #include "test_meshes.h"
@@ -192,7 +193,7 @@ TEST(ElasticSeams, PiecesKeepNominalLengthsIfNoGoodShapeIsFound) {
   for (const Piece& piece : result.pieces) {
     EXPECT_EQ(piece.report.termination, Termination::stalled);
     ASSERT_FALSE(piece.report.warnings.empty());
-    EXPECT_NE(piece.report.warnings.back().find("keep their nominal lengths"), std::string::npos);
+    test::expect_words(piece.report.warnings.back(), "keep their nominal lengths");
     spent += piece.report.factorizations;
   }
   for (const Piece& piece : flatten(ring_with_wall(0), few).pieces) spent_at_ease += piece.report.factorizations;
@@ -225,8 +226,7 @@ TEST(ElasticSeams, ErrorsNameTheLimitThatTheUserSet) {
   options.max_factorizations = 3;
   for (const Piece& piece : flatten(input, options).pieces) {
     ASSERT_TRUE(piece.error);
-    EXPECT_NE(std::string(piece.error->what()).find("max_factorizations = 3:"), std::string::npos)
-        << piece.error->what();
+    test::expect_words(*piece.error, "max_factorizations = 3:");
   }
 }
 

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "base/planar.h"
+#include "closed_meshes.h"
 #include "judge.h"
 #include "test_meshes.h"
 
@@ -19,17 +20,6 @@ FlattenInput dome_with_wires() {
   FlattenInput input = test::make_grid(10, 10, dome);
   test::add_wire(input, test::grid_row(10, 5));
   test::add_wire(input, test::grid_column(10, 10, 3), 0.05);
-  return input;
-}
-
-/// Returns both surfaces in one input, with the wires of the first surface only.
-FlattenInput side_by_side(const FlattenInput& first, const FlattenInput& second) {
-  FlattenInput input = first;
-  const auto offset = static_cast<int>(first.vertices.rows());
-  input.vertices.resize(offset + second.vertices.rows(), 3);
-  input.vertices << first.vertices, second.vertices;
-  input.faces.resize(first.faces.rows() + second.faces.rows(), 3);
-  input.faces << first.faces, (second.faces.array() + offset).matrix();
   return input;
 }
 
@@ -86,7 +76,7 @@ TEST(ExtremeInput, TinyBesideHuge) {
   FlattenInput tiny = dome_with_wires(), huge = dome_with_wires();
   tiny.vertices *= 1e-4;
   huge.vertices *= 1e5;
-  expect_flat(side_by_side(tiny, huge));
+  expect_flat(test::beside(tiny, huge, 0));
 }
 
 /// Rounding of the coordinates alone causes strains of 1e-11, so the search converges at such strains.

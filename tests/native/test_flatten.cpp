@@ -55,11 +55,8 @@ FlattenInput gores_with_a_wire() {
 
 /// A lopsided dome with a dart to its middle; it is flat if bend is 0.
 FlattenInput sheet_with_a_dart(int n, double bend) {
-  FlattenInput input = test::make_grid(n, n, [&](double s, double t) {
-    const double x = 2 * s - 1;
-    const double y = 2 * t - 1;
-    return Eigen::Vector3d(x, y, -bend * (x * x + y * y + 0.3 * x * y * y + 0.2 * x * x * x));
-  });
+  FlattenInput input = test::height_field(
+      n, [&](double x, double y) { return -bend * (x * x + y * y + 0.3 * x * y * y + 0.2 * x * x * x); });
   std::vector<int> dart = test::grid_column(n, n, n / 2);
   dart.resize(static_cast<std::size_t>(n) / 2 + 1);
   test::add_seam(input, dart);
@@ -91,14 +88,7 @@ TEST(Flatten, DevelopablePiecesAreIsometric) {
   FlattenInput tube = test::cylinder_tube(24, 6, 1, 2);
   test::add_seam(tube, test::tube_line(24, 6, 3));
   test::add_wire(tube, test::tube_ring(24, 2));
-  FlattenInput plate = test::flat_plate_with_two_holes(4);
-  for (const auto& [from, to] : {std::pair(0.0, 0.5), std::pair(1.0, 2.0), std::pair(2.5, 3.0)}) {
-    std::vector<int> wire;
-    for (int i = 0; i <= std::lround((to - from) * 4); ++i) {
-      wire.push_back(test::nearest_vertex(plate, {from + 0.25 * i, 1, 0}));
-    }
-    test::add_wire(plate, wire);
-  }
+  const FlattenInput plate = test::flat_plate_with_wires(4);
   for (const FlattenInput& input : {cylinder, cone, tube, plate, sheet_with_a_dart(8, 0)}) {
     for (const Method method : kMethods) {
       const FlattenResult result = expect_guarantees(input, by(method));
@@ -129,10 +119,7 @@ TEST(Flatten, FollowsRigidMotionAndScale) {
 
 TEST(Flatten, PiecesDoNotDependOnHowTheSurfaceIsGiven) {
   // The surface is not symmetric, because wires of a symmetric piece may buckle to either side.
-  FlattenInput dome = test::jittered_grid(12, 0.3, [](double s, double t) {
-    const double x = 2 * s - 1, y = 2 * t - 1;
-    return Eigen::Vector3d(x, y, -0.4 * (x * x + y * y) - 0.15 * x * y * y);
-  });
+  FlattenInput dome = test::jittered_grid(12, 0.3, test::over_square(test::lopsided_dome));
   test::add_net(dome, 12, {4, 9});
   for (const FlattenInput& input : {sheet_with_a_dart(12, 0.3), dome}) {
     for (const Method method : kMethods) {

@@ -18,10 +18,7 @@ namespace {
 /// wires.
 FlattenInput finger(double tolerance = 0) {
   const int n = 8;
-  FlattenInput input = test::make_grid(n, n, [](double s, double t) {
-    const double x = 2 * s - 1, y = 2 * t - 1;
-    return Eigen::Vector3d(x, y, 2 * std::exp(-4 * (x * x + y * y)));
-  });
+  FlattenInput input = test::height_field(n, [](double x, double y) { return 2 * std::exp(-4 * (x * x + y * y)); });
   test::add_wire(input, test::grid_row(n, n / 2), tolerance);
   test::add_wire(input, test::grid_column(n, n, n / 2), tolerance);
   return input;

@@ -40,21 +40,12 @@ double largest_gap(const std::vector<std::vector<WireHalfEdge>>& loops, const Ei
 }
 
 FlattenInput domed_plate_with_two_holes() {
-  const int n = 4;
-  FlattenInput input = test::flat_plate_with_two_holes(n);
-  std::vector<std::vector<int>> wires;
-  for (const auto& [from, to] : {std::pair(0.0, 0.5), std::pair(1.0, 2.0), std::pair(2.5, 3.0)}) {
-    wires.emplace_back();
-    for (int i = 0; i <= std::lround((to - from) * n); ++i) {
-      wires.back().push_back(test::nearest_vertex(input, {from + static_cast<double>(i) / n, 1, 0}));
-    }
-  }
+  FlattenInput input = test::flat_plate_with_wires(4);
   for (int v = 0; v < input.vertices.rows(); ++v) {
     const double x = input.vertices(v, 0) - 1.5;
     const double y = input.vertices(v, 1) - 1;
     input.vertices(v, 2) = 0.5 * std::exp(-x * x - y * y);
   }
-  for (const std::vector<int>& wire : wires) test::add_wire(input, wire);
   return input;
 }
 

@@ -43,13 +43,6 @@ struct CutSurface {
   const Chart& chart = uncut[0]->chart;
 };
 
-FlattenInput bump(int n) {
-  return test::make_grid(n, n, [](double s, double t) {
-    const double x = 2 * s - 1, y = 2 * t - 1;
-    return Eigen::Vector3d(x, y, 0.5 * std::exp(-3 * (x * x + y * y)));
-  });
-}
-
 std::vector<VertexPair> across(int n) {
   std::vector<VertexPair> cut;
   const std::vector<int> column = test::grid_column(n, n, n / 2);
@@ -66,7 +59,7 @@ TEST(MergeSections, TheNumberOfCoresChangesNoResult) {
       for (std::size_t i = 1; i < line.size(); ++i) cut.push_back({line[i - 1], line[i]});
     }
   }
-  const CutSurface surface(bump(n));
+  const CutSurface surface(test::bump(n));
   const CutState state = surface.with(cut);
   const auto merged_for = [&](double strain) { return merge_sections(state, surface.chart, surface.exact, strain); };
   for (const double strain : {0.02, 0.05, 0.1}) {
@@ -80,13 +73,13 @@ TEST(MergeSections, MeasuresTheThreadsOfAFabric) {
   Options options;
   // A woven fabric shears, so its threads stretch only a quarter as much as other materials.
   options.cloth = cloth_preset("woven").cloth;
-  const CutSurface sheet(bump(8), options);
+  const CutSurface sheet(test::bump(8), options);
   const double most = 1.001 * sheet.uncut[0]->strain;
   EXPECT_TRUE(is_empty(merge_sections(sheet.with(across(8)), sheet.chart, sheet.exact, most).cut));
 }
 
 TEST(MergeSections, KeepsTheSeamsThatLimitTheStrain) {
-  const CutSurface sheet(bump(8));
+  const CutSurface sheet(test::bump(8));
   const CutState state = sheet.with(across(8));
   const double cut_strain = std::max(state.pieces[0]->strain, state.pieces[1]->strain);
   const double whole_strain = sheet.uncut[0]->strain;
@@ -270,7 +263,7 @@ void expect_failures_on_other_meshes(const CutSurface& sheet, const FlatPieces& 
 }
 
 TEST(FlatPieces, AreFoundAgainByTheirArea) {
-  const CutSurface sheet(bump(8));
+  const CutSurface sheet(test::bump(8));
   expect_failures_on_other_meshes(sheet, sheet.with(across(8)).pieces);
   const CutSurface rings(test::flat_annulus(32, 2, 1, 2));  // with a common center
   std::vector<VertexPair> middle;

@@ -191,6 +191,18 @@ FlattenInput flat_plate_with_two_holes(int n) {
   });
 }
 
+FlattenInput flat_plate_with_wires(int n) {
+  FlattenInput plate = flat_plate_with_two_holes(n);
+  for (const auto& [from, to] : {std::pair(0.0, 0.5), std::pair(1.0, 2.0), std::pair(2.5, 3.0)}) {
+    std::vector<int> wire;
+    for (int i = 0; i <= std::lround((to - from) * n); ++i) {
+      wire.push_back(nearest_vertex(plate, {from + static_cast<double>(i) / n, 1, 0}));
+    }
+    add_wire(plate, wire);
+  }
+  return plate;
+}
+
 FlattenInput cylinder_patch(int nx, int ny, double radius, double angle, double height) {
   return make_grid(nx, ny, [&](double s, double t) {
     return Eigen::Vector3d(radius * std::cos(angle * s), radius * std::sin(angle * s), height * t);
@@ -220,12 +232,40 @@ FlattenInput quarter_sphere(int n) {
   return input;
 }
 
+Surface over_square(const Height& height) {
+  return [height](double s, double t) {
+    const double x = 2 * s - 1, y = 2 * t - 1;
+    return Eigen::Vector3d(x, y, height(x, y));
+  };
+}
+
+FlattenInput height_field(int n, const Height& height) { return make_grid(n, n, over_square(height)); }
+
 FlattenInput saddle(int n, double bend) {
-  return make_grid(n, n, [&](double s, double t) {
-    const double x = 2 * s - 1;
-    const double y = 2 * t - 1;
-    return Eigen::Vector3d(x, y, bend * (x * x - y * y));
+  return height_field(n, [&](double x, double y) { return bend * (x * x - y * y); });
+}
+
+double lopsided_dome(double x, double y) { return -0.4 * (x * x + y * y) - 0.15 * x * y * y; }
+
+FlattenInput bump(int n) {
+  return height_field(n, [](double x, double y) { return 0.5 * std::exp(-3 * (x * x + y * y)); });
+}
+
+FlattenInput hill(int n) {
+  FlattenInput input = height_field(
+      n, [](double x, double y) { return 0.5 * std::exp(-3 * ((x - 0.2) * (x - 0.2) + 2 * (y + 0.1) * (y + 0.1))); });
+  alternate_diagonals(input, n);
+  return input;
+}
+
+FlattenInput two_hills(int n, double top) {
+  FlattenInput input = make_grid(n, n, [top](double s, double t) {
+    const double x = 2 * s - 1, y = 1.5 * (2 * t - 1);
+    const double across = std::abs(x) - 0.4, along = y - top;
+    return Eigen::Vector3d(x, y, 0.6 * std::exp(-4 * (across * across + along * along)) + 0.1 * y);
   });
+  alternate_diagonals(input, n);
+  return input;
 }
 
 FlattenInput saddle_of_wires(int n, double tolerance) {

@@ -65,6 +65,9 @@ FlattenInput flat_rectangle(int nx, int ny, double width, double height);
 FlattenInput flat_annulus(int around, int across, double inner_radius, double outer_radius);
 /// A plate of 3 by 2 with two square holes of side 0.5, with n quads per unit. n must be even for square holes.
 FlattenInput flat_plate_with_two_holes(int n);
+/// The same plate with three rigid wires along y = 1, from outline to hole, from hole to hole, and from hole to
+/// outline.
+FlattenInput flat_plate_with_wires(int n);
 
 // Developable surfaces.
 /// A part of a cylinder with an upright axis: angle radians around, and height.
@@ -88,6 +91,19 @@ FlattenInput sphere_band(int nx, int ny, double latitude);
 /// The unit sphere cut into equal gores by seams from pole to pole, with n quads across each gore and rings from pole
 /// to pole.
 FlattenInput sphere_of_gores(int gores, int n, int rings);
+
+/// A height z over each point (x, y), and the surface of these heights over the square from -1 to 1.
+using Height = std::function<double(double x, double y)>;
+Surface over_square(const Height& height);
+/// A surface of heights over the square from -1 to 1, as an n by n grid.
+FlattenInput height_field(int n, const Height& height);
+double lopsided_dome(double x, double y);
+/// A bump in the middle.
+FlattenInput bump(int n);
+/// A hill off the middle with alternating diagonals, without symmetry.
+FlattenInput hill(int n);
+/// Two hills on a sheet of 2 by 3 that are mirror images across x = 0; top is the y of their tops.
+FlattenInput two_hills(int n, double top = 0);
 
 /// A sphere and a torus without seams.
 FlattenInput closed_sphere(int around, int rings);

@@ -93,10 +93,7 @@ FlattenInput with_tolerance(FlattenInput input, double tolerance) {
 
 FlattenInput dome_with_wires(double tolerance) {
   const int n = 12;
-  FlattenInput input = test::make_grid(n, n, [](double s, double t) {
-    const double x = 2 * s - 1, y = 2 * t - 1;
-    return Eigen::Vector3d(x, y, -0.4 * (x * x + y * y) - 0.15 * x * y * y);
-  });
+  FlattenInput input = test::height_field(n, test::lopsided_dome);
   test::add_net(input, n, {3, 6, 9}, tolerance);
   return input;
 }

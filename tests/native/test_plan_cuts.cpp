@@ -16,16 +16,8 @@
 namespace wirewarp::test_plan_cuts {
 namespace {
 
-/// Two hills, mirror images of each other across x = 0, on a sheet of 2 by 3.
-FlattenInput hills(int n) {
-  FlattenInput input = test::make_grid(n, n, [](double s, double t) {
-    const double x = 2 * s - 1, y = 1.5 * (2 * t - 1);
-    const double across = std::abs(x) - 0.4, along = y - 1.1;
-    return Eigen::Vector3d(x, y, 0.6 * std::exp(-4 * (across * across + along * along)) + 0.1 * y);
-  });
-  test::alternate_diagonals(input, n);
-  return input;
-}
+/// Two hills at the edge of a sheet.
+FlattenInput hills(int n) { return test::two_hills(n, 1.1); }
 
 /// The strain of the most strained piece if the input is flattened with the first num_cuts of these cuts.
 double most_strain(FlattenInput input, const std::vector<DartProposal>& cuts, std::size_t num_cuts) {
@@ -123,27 +115,6 @@ TEST(PlanCuts, OfOnePieceStayWithinIt) {
       for (const int v : edge) EXPECT_GT(std::count(own.begin(), own.end(), v), 0);
     }
   }
-}
-
-std::string refusal(const CutTarget& target) {
-  const FlattenError error = test::error_of([&] { plan_darts(hills(4), {}, target); });
-  EXPECT_EQ(error.code, ErrorCode::invalid_option);
-  return error.what();
-}
-
-TEST(PlanCuts, RefuseLimitsOutOfRange) {
-  CutTarget target;
-  target.most = 0;
-  EXPECT_EQ(refusal(target), "The option most is 0: it must be at least 1.");
-  target = {};
-  target.total_length = 0;
-  EXPECT_EQ(refusal(target), "The option total_length is 0: it must be above 0.");
-  target = {};
-  target.strain = -1;
-  EXPECT_EQ(refusal(target), "The option strain is -1: it must be 0 or more.");
-  target = {};
-  target.piece = 1;
-  EXPECT_EQ(refusal(target), "The option piece is 1: it must be from 0 to 0, as the mesh has 1 piece.");
 }
 
 TEST(PlanCuts, ProgressNeverFallsAndCanCancelInAnyRound) {

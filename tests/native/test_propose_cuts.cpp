@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "disguise.h"
 #include "error_of.h"
@@ -14,27 +17,6 @@
 
 namespace wirewarp::test_propose_cuts {
 namespace {
-
-/// A hill off the middle of a square of side 2, without symmetry.
-FlattenInput hill(int n) {
-  FlattenInput input = test::make_grid(n, n, [](double s, double t) {
-    const double x = 2 * s - 1, y = 2 * t - 1;
-    return Eigen::Vector3d(x, y, 0.5 * std::exp(-3 * ((x - 0.2) * (x - 0.2) + 2 * (y + 0.1) * (y + 0.1))));
-  });
-  test::alternate_diagonals(input, n);
-  return input;
-}
-
-/// Two hills that are mirror images across x = 0; top is the y of their tops.
-FlattenInput two_hills(int n, double top = 0) {
-  FlattenInput input = test::make_grid(n, n, [top](double s, double t) {
-    const double x = 2 * s - 1, y = 1.5 * (2 * t - 1);
-    return Eigen::Vector3d(
-        x, y, 0.6 * std::exp(-4 * ((std::abs(x) - 0.4) * (std::abs(x) - 0.4) + (y - top) * (y - top))) + 0.1 * y);
-  });
-  test::alternate_diagonals(input, n);
-  return input;
-}
 
 /// The same vertices with all diagonals in one direction, so that faces are not mirrored.
 FlattenInput one_way(FlattenInput input, int n) {
@@ -51,7 +33,7 @@ CutOptions few() {
 double figure_of(const DartProposal& proposal) { return proposal.strain_with_twin.value_or(proposal.strain); }
 
 TEST(ProposeCuts, SmoothDartsHaveTheFiguresOfTheMeshCutAlongThem) {
-  const FlattenInput input = hill(8);
+  const FlattenInput input = test::hill(8);
   CutOptions cut_options = few();
   cut_options.is_smooth = true;
   const std::vector<DartProposal> proposals = propose_darts(input, {}, cut_options);
@@ -63,7 +45,7 @@ TEST(ProposeCuts, SmoothDartsHaveTheFiguresOfTheMeshCutAlongThem) {
 }
 
 TEST(ProposeCuts, TheBestSmoothDartIsAtMostSlightlyWorseThanTheBestAlongEdges) {
-  for (const FlattenInput& input : {hill(8), one_way(two_hills(8), 8)}) {
+  for (const FlattenInput& input : {test::hill(8), one_way(test::two_hills(8), 8)}) {
     CutOptions cut_options = few();
     const double along_edges = figure_of(propose_darts(input, {}, cut_options).front());
     cut_options.is_smooth = true;
@@ -79,7 +61,7 @@ TEST(ProposeCuts, TheBestSmoothDartIsAtMostSlightlyWorseThanTheBestAlongEdges) {
 }
 
 TEST(ProposeCuts, HaveTheFiguresOfAFreshRun) {
-  const FlattenInput input = hill(6);
+  const FlattenInput input = test::hill(6);
   for (const auto& propose : {propose_darts, propose_seams}) {
     const std::vector<DartProposal> proposals = propose(input, {}, few(), {});
     ASSERT_FALSE(proposals.empty());
@@ -106,7 +88,7 @@ FlattenInput bump_in_a_corner(int n) {
 }
 
 TEST(ProposeCuts, EveryProposalLowersTheStrainOfTheWorstPiece) {
-  for (const FlattenInput& input : {bump_in_a_corner(10), two_hills(8, 1.1)}) {
+  for (const FlattenInput& input : {bump_in_a_corner(10), test::two_hills(8, 1.1)}) {
     const double before = test::most_strain(input, flatten(input));
     for (const auto& propose : {propose_darts, propose_seams}) {
       const std::vector<DartProposal> proposals = propose(input, {}, few(), {});
@@ -123,10 +105,8 @@ TEST(ProposeCuts, EveryProposalLowersTheStrainOfTheWorstPiece) {
 }
 
 TEST(ProposeCuts, NoProposalLeavesAPieceWithOver100PercentStrain) {
-  const FlattenInput spike = test::make_grid(8, 8, [](double s, double t) {
-    const double x = 2 * s - 1.2, y = 2 * t - 0.9;
-    return Eigen::Vector3d(2 * s - 1, 2 * t - 1, 3 * std::exp(-4 * (x * x + y * y)));
-  });
+  const FlattenInput spike = test::height_field(
+      8, [](double x, double y) { return 3 * std::exp(-4 * ((x - 0.2) * (x - 0.2) + (y + 0.1) * (y + 0.1))); });
   ASSERT_GT(test::most_strain(spike, flatten(spike)), 1);
   CutOptions all;
   all.count = 50;  // includes darts that leave 117%
@@ -137,24 +117,22 @@ TEST(ProposeCuts, NoProposalLeavesAPieceWithOver100PercentStrain) {
   }
 }
 
-std::string refusal(const FlattenInput& input, const CutOptions& cut_options = {},
-                    ErrorCode code = ErrorCode::no_proposal) {
+std::string refusal(const FlattenInput& input, const CutOptions& cut_options = {}) {
   const FlattenError error = test::error_of([&] { propose_darts(input, {}, cut_options); });
-  EXPECT_EQ(error.code, code);
+  EXPECT_EQ(error.code, ErrorCode::no_proposal);
   return error.what();
 }
 
 TEST(ProposeCuts, DartsThatDoNotHelpAreRefusedInOneSentence) {
   // A dart removes the shear of one half at most, and the seams beside it stay as long as before.
-  const FlattenInput saddle = test::make_grid(
-      4, 4, [](double s, double t) { return Eigen::Vector3d(2 * s - 1, 2 * t - 1, 0.2 * (2 * s - 1) * (2 * t - 1)); });
+  const FlattenInput saddle = test::height_field(4, [](double x, double y) { return 0.2 * x * y; });
   CutOptions cut_options;
   cut_options.longest = 0.51;  // one edge
-  EXPECT_NE(refusal(saddle, cut_options).find("Divide it by a seam"), std::string::npos);
+  test::expect_words(refusal(saddle, cut_options), "Divide it by a seam");
 }
 
 TEST(ProposeCuts, DoNotDependOnPositionOrientationAndNumbering) {
-  const FlattenInput input = hill(8);
+  const FlattenInput input = test::hill(8);
   const FlattenInput other = test::disguised(input);
   const std::vector<DartProposal> here = propose_darts(input, {}, few()), there = propose_darts(other, {}, few());
   ASSERT_EQ(here.size(), there.size());
@@ -165,7 +143,7 @@ TEST(ProposeCuts, DoNotDependOnPositionOrientationAndNumbering) {
 }
 
 TEST(ProposeCuts, DartsOfASymmetricPieceHaveMirrorImages) {
-  const FlattenInput input = two_hills(8);
+  const FlattenInput input = test::two_hills(8);
   const std::vector<DartProposal> darts = propose_darts(input, {}, few());
   int num_twins = 0;
   for (std::size_t i = 0; i < darts.size(); ++i) {
@@ -187,7 +165,7 @@ TEST(ProposeCuts, DartsOfASymmetricPieceHaveMirrorImages) {
 }
 
 TEST(ProposeCuts, MirrorImagesThatDoNotMeetHaveTheFiguresOfBoth) {
-  const FlattenInput input = two_hills(8, 1.1);
+  const FlattenInput input = test::two_hills(8, 1.1);
   const std::vector<DartProposal> darts = propose_darts(input);
   int num_together = 0;
   for (const DartProposal& dart : darts) {
@@ -206,7 +184,7 @@ TEST(ProposeCuts, MirrorImagesThatDoNotMeetHaveTheFiguresOfBoth) {
 
 TEST(ProposeCuts, DoNotCutWires) {
   const int n = 6;
-  for (FlattenInput input : {hill(n), two_hills(n)}) {  // the wire is on one side of the symmetric piece
+  for (FlattenInput input : {test::hill(n), test::two_hills(n)}) {  // the wire is on one side of the symmetric piece
     test::add_wire(input, test::grid_column(n, n, 4));
     const std::vector<int>& wire = input.wires[0].vertices;
     for (const auto& propose : {propose_darts, propose_seams}) {
@@ -221,7 +199,7 @@ TEST(ProposeCuts, DoNotCutWires) {
 
 TEST(ProposeCuts, AvoidEdgesThatMayHaveNoSeam) {
   const int n = 6;
-  for (const FlattenInput& input : {hill(n), two_hills(n)}) {
+  for (const FlattenInput& input : {test::hill(n), test::two_hills(n)}) {
     for (const auto& propose : {propose_darts, propose_seams}) {
       CutOptions cut_options = few();
       // Forbids only the best proposal.
@@ -254,13 +232,13 @@ VertexPairs all_edges(const Triangles& faces) {
 TEST(ProposeCuts, KeepTheLimitsOnLengthAndNumber) {
   CutOptions cut_options = few();
   cut_options.longest = 0.5;
-  const std::vector<DartProposal> darts = propose_darts(hill(8), {}, cut_options);
+  const std::vector<DartProposal> darts = propose_darts(test::hill(8), {}, cut_options);
   EXPECT_LE(darts.size(), 2U);
   for (const DartProposal& dart : darts) EXPECT_LE(dart.length, cut_options.longest);
 }
 
 TEST(ProposeCuts, OneSmoothDartOrPairIsReturnedIfOneIsAskedFor) {
-  for (const FlattenInput& input : {hill(6), two_hills(6), bump_in_a_corner(10)}) {
+  for (const FlattenInput& input : {test::hill(6), test::two_hills(6), bump_in_a_corner(10)}) {
     CutOptions cut_options;
     cut_options.is_smooth = true;
     cut_options.count = 1;
@@ -273,7 +251,7 @@ TEST(ProposeCuts, OneSmoothDartOrPairIsReturnedIfOneIsAskedFor) {
 
 TEST(ProposeCuts, AreAlmostAsGoodAsAnExhaustiveSearch) {
   const int n = 6;
-  const FlattenInput input = hill(n);
+  const FlattenInput input = test::hill(n);
   double best = 1;
   for (int i = 1; i < n; ++i) {  // wires along all rows and columns
     for (int length = 1; length < n; ++length) {
@@ -294,34 +272,48 @@ TEST(ProposeCuts, AreAlmostAsGoodAsAnExhaustiveSearch) {
 }
 
 TEST(ProposeCuts, ErrorsReportWhyThereAreNone) {
-  EXPECT_NE(refusal(test::cylinder_patch(6, 4, 1, 2, 1)).find("is flat enough"), std::string::npos);
-  const FlattenInput strip = test::keep_faces(hill(4), [](const Eigen::Vector3d& p) { return p.x() > 0.5; });
-  EXPECT_NE(refusal(strip).find("is unfolded without distortion"), std::string::npos) << "no vertex inside";
-  FlattenInput crossed = hill(2);
+  test::expect_words(refusal(test::cylinder_patch(6, 4, 1, 2, 1)), "is flat enough");
+  const FlattenInput strip = test::keep_faces(test::hill(4), [](const Eigen::Vector3d& p) { return p.x() > 0.5; });
+  test::expect_words(refusal(strip), "is unfolded without distortion");  // no vertex inside
+  FlattenInput crossed = test::hill(2);
   test::add_wire(crossed, test::grid_column(2, 2, 1));
-  EXPECT_NE(refusal(crossed).find("has no room for a dart"), std::string::npos) << "its vertex inside is on a wire";
+  test::expect_words(refusal(crossed), "has no room for a dart");  // its vertex inside is on a wire
   CutOptions nowhere;
-  nowhere.no_seam = all_edges(hill(4).faces);
-  EXPECT_NE(refusal(hill(4), nowhere).find("no line along edges that may have a seam leads"), std::string::npos);
+  nowhere.no_seam = all_edges(test::hill(4).faces);
+  test::expect_words(refusal(test::hill(4), nowhere), "no line along edges that may have a seam leads");
 }
 
-TEST(ProposeCuts, RefuseOptionsOutOfRange) {
-  CutOptions cut_options;
-  cut_options.piece = 1;
-  EXPECT_EQ(refusal(hill(4), cut_options, ErrorCode::invalid_option),
-            "The option piece is 1: it must be from 0 to 0, as the mesh has 1 piece.");
-  cut_options = {};
-  cut_options.count = 0;
-  EXPECT_EQ(refusal(hill(4), cut_options, ErrorCode::invalid_option), "The option count is 0: it must be 1 or more.");
-  cut_options = {};
-  cut_options.longest = -1;
-  EXPECT_EQ(refusal(hill(4), cut_options, ErrorCode::invalid_option), "The option longest is -1: it must be above 0.");
-  cut_options = {};
-  for (const int other : {24, 25}) {  // edges to the opposite corner, and to a vertex that does not exist
-    cut_options.no_seam = (VertexPairs(1, 2) << 0, other).finished();
-    EXPECT_EQ(refusal(hill(4), cut_options, ErrorCode::invalid_option),
-              "The option no_seam is a list with the pair 0, " + std::to_string(other) +
-                  ": it must contain edges of the mesh only.");
+TEST(CutSearches, RefuseOptionsOutOfRange) {
+  const FlattenInput input = test::hill(4);
+  const auto darts = [&](const std::function<void(CutOptions&)>& change) {
+    CutOptions cut_options;
+    change(cut_options);
+    return test::error_of([&] { propose_darts(input, {}, cut_options); });
+  };
+  const auto beside = [&](int other) {  // 24 is the opposite corner, and 25 does not exist
+    return darts([&](CutOptions& options) { options.no_seam = (VertexPairs(1, 2) << 0, other).finished(); });
+  };
+  const auto plan = [&](const std::function<void(CutTarget&)>& change) {
+    CutTarget target;
+    change(target);
+    return test::error_of([&] { plan_darts(input, {}, target); });
+  };
+  const std::string no_piece = "piece is 1: it must be from 0 to 0, as the mesh has 1 piece.";
+  const std::vector<std::pair<FlattenError, std::string>> refused{
+      {darts([](CutOptions& options) { options.piece = 1; }), no_piece},
+      {darts([](CutOptions& options) { options.count = 0; }), "count is 0: it must be 1 or more."},
+      {darts([](CutOptions& options) { options.longest = -1; }), "longest is -1: it must be above 0."},
+      {beside(24), "no_seam is a list with the pair 0, 24: it must contain edges of the mesh only."},
+      {beside(25), "no_seam is a list with the pair 0, 25: it must contain edges of the mesh only."},
+      {plan([](CutTarget& target) { target.most = 0; }), "most is 0: it must be at least 1."},
+      {plan([](CutTarget& target) { target.total_length = 0; }), "total_length is 0: it must be above 0."},
+      {plan([](CutTarget& target) { target.strain = -1; }), "strain is -1: it must be 0 or more."},
+      {plan([](CutTarget& target) { target.piece = 1; }), no_piece},
+      {test::error_of([&] { simplify_seams(input, {}, -0.1); }), "strain is -0.1: it must be 0 or more."},
+  };
+  for (const auto& [error, sentence] : refused) {
+    EXPECT_EQ(error.code, ErrorCode::invalid_option);
+    EXPECT_EQ(error.what(), "The option " + sentence);
   }
 }
 
@@ -347,7 +339,7 @@ TEST(ProposeCuts, ForAPieceThatIsNotFlatThrowItsErrorWithProposedSeams) {
 TEST(ProposeCuts, CanBeCancelled) {
   int asked = 0;
   const auto propose = [&] {
-    propose_darts(hill(8), {}, {}, [&](const std::string&, double) { return ++asked < 20; });
+    propose_darts(test::hill(8), {}, {}, [&](const std::string&, double) { return ++asked < 20; });
   };
   EXPECT_EQ(test::error_of(propose).code, ErrorCode::cancelled);
   EXPECT_EQ(asked, 20);

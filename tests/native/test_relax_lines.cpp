@@ -77,10 +77,7 @@ TEST(StraightWalk, GoesBackAlongTheLineToTheEndOfAStep) {
 
 TEST(StraightWalk, PassesAVertexThatHidesTheEnd) {
   // There are more than 360 degrees around the middle vertex of this sheet, so opposite points do not see each other.
-  const FlattenInput sheet = test::make_grid(2, 2, [](double s, double t) {
-    const double x = 2 * s - 1, y = 2 * t - 1;
-    return Eigen::Vector3d(x, y, 3 * (x * x - y * y));
-  });
+  const FlattenInput sheet = test::saddle(2, 3);
   const Chart chart = test::chart_of(sheet);
   const CutMask no_barriers(chart.mesh.n_edges(), 0);
   const StraightWalk walk(chart.mesh, no_barriers);

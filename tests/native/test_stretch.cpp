@@ -144,7 +144,7 @@ TEST(Stretch, TheSidesOfASeamShrinkByTheirMeanWithAWarning) {
   EXPECT_LT(seam.mismatch, 1e-9);
   for (const Piece& piece : result.pieces) {
     ASSERT_EQ(piece.report.warnings.size(), 1U);
-    EXPECT_NE(piece.report.warnings[0].find("5.66% to 9.09% shorter"), std::string::npos) << piece.report.warnings[0];
+    test::expect_words(piece.report.warnings[0], "5.66% to 9.09% shorter");
   }
 }
 

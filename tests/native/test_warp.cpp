@@ -39,15 +39,9 @@ struct Case {
   VariationBounds bounds;
 };
 
-Eigen::Vector3d lopsided_dome(double s, double t) {
-  const double x = 2 * s - 1;
-  const double y = 2 * t - 1;
-  return {x, y, -0.4 * (x * x + y * y) - 0.15 * x * y * y};
-}
-
 /// A lopsided dome with `lines` wires in each direction, all with one tolerance.
 FlattenInput dome(int n, int lines, double tolerance) {
-  FlattenInput input = test::make_grid(n, n, lopsided_dome);
+  FlattenInput input = test::height_field(n, test::lopsided_dome);
   for (int i = 1; i <= lines; ++i) test::add_net(input, n, {i * n / (lines + 1)}, tolerance);
   return input;
 }
