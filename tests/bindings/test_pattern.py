@@ -14,6 +14,7 @@ from wirewarp.pattern import Pattern
 from wirewarp.pattern.geometry import innermost_point
 
 
+@pytest.mark.core
 @pytest.mark.parametrize("name", SAMPLES)
 def test_the_cutting_line_is_at_the_width_from_every_stitching_line(name):
     for piece in sample(name, darts="cut").pieces:

@@ -31,6 +31,7 @@ MIDDLE = column_chain(8, 8, 4)[2:5]
 COLUMNS = np.concatenate([chain_edges(column_chain(8, 8, column)) for column in (2, 4, 6)])
 
 
+@pytest.mark.core
 @pytest.mark.parametrize(
     ("wire", "options"),
     [

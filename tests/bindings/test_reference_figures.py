@@ -46,7 +46,10 @@ SOLVED = [
     "overlap_trouser_panel",
 ]
 
-pytestmark = pytest.mark.skipif(not REFERENCE.exists(), reason="the reference figures are not at hand")
+pytestmark = [
+    pytest.mark.core,
+    pytest.mark.skipif(not REFERENCE.exists(), reason="the reference figures are not at hand"),
+]
 
 
 def figures(name: str) -> dict:

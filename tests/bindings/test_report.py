@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 from reports import report_of
 from samples import SAMPLES, eases_of, flattened, flattened_as_made, wires_of
+from surfaces import grid
 from wirewarp import Cloth, Options, Wire, flatten, measure
 from wirewarp.report import (
     COARSE,
@@ -327,10 +328,8 @@ def test_strain_in_words(stretch, ease, words):
 
 def test_regions_are_connected_by_edges():
     size = 6
-    row = size + 1
-    corners = [y * row + x for y in range(size) for x in range(size)]
-    faces = np.array([f for i in corners for f in ([i, i + 1, i + row + 1], [i, i + row + 1, i + row])])
-    piece = SimpleNamespace(faces=faces, vertices=np.zeros((row * row, 2)))
+    vertices, faces = grid(size, size, lambda u, v: (u, v, 0))
+    piece = SimpleNamespace(faces=faces, vertices=vertices)
     cells = np.zeros((size, size), dtype=bool)
     cells[0, :] = cells[:, 0] = True  # an L,
     cells[4, 4] = cells[5, 5] = True  # and two cells that touch only at a corner
@@ -360,6 +359,7 @@ def test_the_list_of_strained_places_begins_with_the_worst_piece():
         worst = piece.stretch_faces if piece.stretch_max >= piece.ease_max else piece.ease_faces
         first = next(hint for hint in report.hints if hint.piece == piece.index)
         assert first.short.startswith(("stretched", "compressed")) and "most" in first.short
+        assert first.sentence.endswith(" here. Add a dart or seam.")
         assert set(worst) & set(first.faces)
 
 

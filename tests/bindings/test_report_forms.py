@@ -36,6 +36,7 @@ from wirewarp.report.json_form import SCHEMA
 from wirewarp.report.words import LengthText
 
 
+@pytest.mark.core
 @pytest.mark.parametrize("name", sorted(SAMPLES))
 def test_a_report_survives_writing_and_reading_as_json(name):
     report = report_of(name)

@@ -5,6 +5,7 @@ import numpy as np
 import pytest
 import wirewarp
 from samples import SAMPLES, cloth_of, eases_of, flattened, flattened_as_made, wires_of
+from wirewarp.pattern import has_room
 from wirewarp.report import COARSE, make_report, verdict
 
 pytestmark = pytest.mark.core
@@ -35,9 +36,10 @@ def test_green_means_that_99_percent_of_each_piece_stretch_no_further_than_the_f
 
 
 @pytest.mark.parametrize("name", SAMPLES)
-def test_a_sample_is_ready_to_be_cut_from_its_fabric(name):
+def test_a_sample_is_ready_to_be_cut_from_its_fabric_with_its_allowance(name):
     shape, result = SAMPLES[name], flattened_as_made(name)
     marked = {"wires": wires_of(shape), "eases": eases_of(shape), "cloth": cloth_of(shape), "fabric": shape.cloth}
     report = make_report(result, shape.vertices, shape.triangles(), **marked)
     assert verdict(report).is_ready
     assert any(hint.code == COARSE for hint in report.hints) == (name in WITH_COARSE_CURVES)
+    assert all(has_room(piece, shape.allowance / 1000) for piece in result.pieces)
