@@ -62,67 +62,39 @@ def table(output: str) -> list[tuple[str, str]]:
     return [(row[:24].strip(), row[24:35].strip()) for row in rows if row.endswith(" s") and not row.startswith("all ")]
 
 
-def test_steps_are_chosen_by_how_their_names_begin(main, capfd):
-    assert main(["lint", "blender-3.4", "blender-4.2", "window"], "blender", "li") == 0
-    assert [name for name, _ in table(capfd.readouterr().out)] == ["lint", "blender-3.4", "blender-4.2"]
+NOT_HERE = "lacking is NOT TESTED: there is no such Python"
 
 
-def test_an_unknown_step_names_the_known_ones(main, capfd):
-    assert main(["lint", "window"], "macos") == 1
-    assert "no step starts with macos; there are: lint, window" in capfd.readouterr().out
-
-
-def test_a_failed_step_is_reported_and_the_others_still_run(main, capfd):
-    assert main(["bad", "good"], "bad", "good") == 1
-    output = capfd.readouterr().out
-    assert "dev: it is bad" in output and "dev: failed: bad" in output
-    assert table(output) == [("bad", "FAILED"), ("good", "passed")]
-
-
-def test_a_step_that_cannot_be_tested_here_is_named_and_not_a_failure(main, capfd):
-    assert main(["lacking"], "lacking") == 0
-    output = capfd.readouterr().out
-    assert "lacking is NOT TESTED: there is no such Python" in output
-    assert table(output) == [("lacking", "NOT TESTED")]
-
-
-def test_all_steps_run_side_by_side_with_the_same_outcomes(main, capfd, tmp_path, monkeypatch):
+@pytest.mark.parametrize(
+    ("names", "words", "outcomes", "code", "line"),
+    [
+        ("lint blender-3.4 blender-4.2 window", "li blender-4", "lint passed, blender-4.2 passed", 0, ""),
+        ("window windows-3.11 windows-3.13", "window", "window passed", 0, ""),
+        ("lint window", "macos", "", 1, "no step starts with macos; there are: lint, window"),
+        ("bad good", "bad good", "bad FAILED, good passed", 1, "dev: failed: bad"),
+        ("lacking", "lacking", "lacking NOT TESTED", 0, NOT_HERE),  # which is no failure
+        ("good bad", "", "good passed, bad FAILED", 1, "dev: it is bad"),
+        ("good lacking", "", "good passed, lacking NOT TESTED", 0, NOT_HERE),
+        ("seldom extra good", "", "good passed", 0, ""),
+        ("seldom extra good", "--all", "extra passed, good passed", 0, ""),
+        ("seldom extra good", "seldom extra", "seldom passed, extra passed", 0, ""),
+    ],
+)
+def test_the_steps_that_words_choose(main, capfd, tmp_path, monkeypatch, names, words, outcomes, code, line):
+    """Named steps run in order, all of them side by side."""
     monkeypatch.setattr(steps, "LOGS", tmp_path)
-    assert main(["good", "bad", "lacking"]) == 1
+    assert main(names.split(), *words.split()) == code
     output = capfd.readouterr().out
-    assert table(output) == [("good", "passed"), ("bad", "FAILED"), ("lacking", "NOT TESTED")]
-    assert "lacking is NOT TESTED: there is no such Python" in output
+    assert ", ".join(map(" ".join, table(output))) == outcomes
+    assert line in output
 
 
-def test_each_kind_of_run_has_its_steps(main, capfd, tmp_path, monkeypatch):
-    monkeypatch.setattr(steps, "LOGS", tmp_path)
-    chosen = {}
-    for words in ((), ("--all",), ("extra",), ("seldom",)):
-        assert main(["seldom", "extra", "good"], *words) == 0
-        chosen[words] = [name for name, _ in table(capfd.readouterr().out)]
-    assert chosen == {(): ["good"], ("--all",): ["extra", "good"], ("extra",): ["extra"], ("seldom",): ["seldom"]}
-
-
-def test_no_step_waits_for_a_rarer_step(dev):
-    when = {step.name: step.when for step in dev.test_steps()}
-    assert [step.name for step in dev.test_steps() if step.after and when[step.after] > step.when] == []
-
-
-def test_the_name_of_one_step_chooses_no_other(main, capfd):
-    assert main(["window", "windows-3.11", "windows-3.13"], "window") == 0
-    assert [name for name, _ in table(capfd.readouterr().out)] == ["window"]
-
-
-def test_every_step_has_a_name_of_its_own(dev):
-    names = [step.name for step in dev.test_steps()]
-    assert len(set(names)) == len(names)
-
-
-def test_a_step_comes_after_the_one_it_builds_on(dev):
-    before: set[str] = set()
+def test_every_step_has_its_own_name_and_comes_after_a_step_that_is_not_rarer(dev):
+    before: dict[str, When] = {}
     for step in dev.test_steps():
-        assert not step.after or step.after in before, step.name
-        before.add(step.name)
+        assert step.name not in before
+        assert not step.after or before[step.after] <= step.when, step.name
+        before[step.name] = step.when
 
 
 @pytest.fixture

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from tools.cross import SYSTEMS, System, check_needs
-from tools.environment import StepError
+from tools.environment import BUILD, StepError
 from tools.zig import cache_variables, zig
 
 LINUX, MACOS = (next(s for s in SYSTEMS if s.platform == name) for name in ("linux-arm64", "macos-arm64"))
@@ -20,7 +20,7 @@ def make_module(folder: Path, system: System, code: str) -> Path:
     source.write_text(code)
     module = source.with_suffix(".so")
     link = [zig(), "cc", "-target", system.target, "-O1", "-shared", "-nostdlib", "-undefined", "dynamic_lookup"]
-    subprocess.run([*link, "-o", module, source], check=True, env=cache_variables(folder / "zig"))
+    subprocess.run([*link, "-o", module, source], check=True, env=cache_variables(BUILD / "cross" / "zig"))
     return module
 
 
