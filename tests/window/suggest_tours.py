@@ -27,15 +27,16 @@ def suggest() -> drive.Tour:
     yield lambda: not window_run.is_running()
 
 
-def take_and_undo(source: bpy.types.Object, picture: str) -> drive.Tour:
-    """Mark the cut that the search has chosen, and undo it."""
+def a_suggestion_is_taken_and_undone_with_one_click_each() -> drive.Tour:
+    bpy.context.scene.wirewarp.dart_lines = "EDGES"
+    source = grid("Bump", bump, size=16)
     remember()
     yield from flatten()
     before = contents(source)
     yield from suggest()
     yield from drive.open_tab(bpy.types.VIEW3D_PT_wirewarp_flatten)
     yield from drive.ticks(10)
-    drive.screenshot(picture)
+    drive.screenshot("suggestions")
     assert contents(source) == before
     found = current(source)
     edges = found.cuts[found.chosen].edges
@@ -95,18 +96,6 @@ def a_smooth_set_is_cut_and_undone_with_one_click_each() -> drive.Tour:
     yield lambda: contents(bpy.data.objects[name]) == before
     yield from redo()
     yield lambda: contents(bpy.data.objects[name]) == cut
-
-
-def a_suggestion_is_taken_and_undone_with_one_click_each() -> drive.Tour:
-    bpy.context.scene.wirewarp.dart_lines = "EDGES"
-    yield from take_and_undo(grid("Bump", bump, size=16), "suggestions")
-
-
-def cuts_up_to_a_target_are_taken_and_undone_with_one_click_each() -> drive.Tour:
-    settings = bpy.context.scene.wirewarp
-    settings.suggest_together, settings.aim_stretch, settings.aim_cuts = True, 0.0, 2
-    source = grid("Bump", bump, size=12)
-    yield from take_and_undo(source, "target")
 
 
 def seams_are_simplified_and_undone_with_one_click_each() -> drive.Tour:

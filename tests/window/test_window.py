@@ -62,7 +62,6 @@ TOURS = {
         "a_suggestion_is_taken_and_undone_with_one_click_each",
         "a_smooth_dart_is_cut_and_undone_with_one_click_each",
         "a_smooth_set_is_cut_and_undone_with_one_click_each",
-        "cuts_up_to_a_target_are_taken_and_undone_with_one_click_each",
         "seams_are_simplified_and_undone_with_one_click_each",
         "the_list_appears_below_the_button_that_was_pressed",
         "buttons_keep_their_places_during_a_run",
