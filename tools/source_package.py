@@ -59,15 +59,16 @@ def source_package() -> Path:
 
 def source_package_tests() -> None:
     """Build a wheel from the source package as pip does, without other sources, and run the examples on it."""
-    unpacked = FOLDER / "unpacked"
-    shutil.rmtree(unpacked, ignore_errors=True)
+    unpacked, compiled = FOLDER / "unpacked", FOLDER / "compiled"
+    for folder in (unpacked, compiled):
+        shutil.rmtree(folder, ignore_errors=True)
     shutil.unpack_archive(source_package(), unpacked)
     python = venv("source", DEBIAN_PYTHON, PYTEST, HYPOTHESIS, NUMPY[DEBIAN_VERSION], *PATTERN)
     definitions = {"FETCHCONTENT_FULLY_DISCONNECTED": "ON", "CMAKE_CXX_FLAGS_RELEASE": FAST_TO_COMPILE}
     settings = [f"--config-settings=cmake.define.{name}={value}" for name, value in definitions.items()]
-    options = (*settings, "--no-deps", "--force-reinstall")
+    # a folder in build/, where ccache finds the objects of the last run
+    options = (*settings, f"--config-settings=build-dir={compiled}", "--no-deps", "--force-reinstall")
     (sources,) = unpacked.iterdir()
-    # built without ccache, as users do
     install: list[str | Path] = [python, "-m", "pip", "install", *options, sources]
-    run_quietly("building a wheel from the source package", install, CMAKE_CXX_COMPILER_LAUNCHER="")
+    run_quietly("building a wheel from the source package", install)
     run([python, "-m", "pytest", "-q", "tests/bindings/test_readme.py", "tests/bindings/test_stub.py"])
