@@ -34,15 +34,6 @@ def bent_ring(around=20, across=8):
     return source
 
 
-def ball_beyond_its_fabric():
-    """Return a ball for which only sets of seams are found that need more stretch than the chosen fabric has."""
-    bpy.ops.mesh.primitive_uv_sphere_add(segments=24, ring_count=12, radius=0.1)
-    settings = bpy.context.scene.wirewarp
-    settings.cloth, settings.gives_across, settings.gives_along = "MINKY", 30, 0.5
-    SUGGEST["SEAMS"]()
-    return bpy.context.object
-
-
 def pairs(edges):
     return {(min(edge), max(edge)) for edge in np.asarray(edges).tolist()}
 

@@ -15,8 +15,7 @@ THREADS = ("weft_strain", "warp_strain", "shear_angle")
 @pytest.fixture
 def source():
     """Return one piece of triangles with a wire along its middle."""
-    target = grid("Bump", bump, faces="triangles", wire=on_line(0, 0.0))
-    return target
+    return grid("Bump", bump, faces="triangles", wire=on_line(0, 0.0))
 
 
 def last_report(addon, source):

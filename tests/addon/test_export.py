@@ -16,8 +16,6 @@ from mathutils import Matrix
 from surfaces import bump, edge_lengths, edge_vertices, flat_of, grid, mark_seam, on_line, read, select_only
 from two_sided import two_pieces
 
-pytestmark = pytest.mark.api
-
 SEAM = on_line(0, 0.0)
 ROUNDED = 5e-4  # millimeters; the file has four decimals, and Blender's coordinates around 1000 mm are about as precise
 
@@ -44,6 +42,7 @@ def export_fails(match, tmp_path, name="refused.svg", **settings):
     assert not path.exists()
 
 
+@pytest.mark.api
 @pytest.mark.parametrize(("name", "begins"), [("a.pdf", b"%PDF"), ("a.dxf", b"  0\r\nSECTION"), ("a.plt", b"IN;")])
 def test_the_name_of_the_file_says_its_format(source, tmp_path, capfd, name, begins):
     assert export(tmp_path, name).read_bytes().startswith(begins)
@@ -248,6 +247,7 @@ def mirror_a_piece(edit):
         vertex.co.x *= -1
 
 
+@pytest.mark.api
 @pytest.mark.parametrize(
     "change", [move_a_vertex, delete_a_face, tilt, forge_a_piece, rip, merge_by_distance, mirror_a_piece]
 )

@@ -12,8 +12,6 @@ import bpy
 import pytest
 from surfaces import bump, grid
 
-pytestmark = pytest.mark.api
-
 
 class LabelsOnly:
     """A panel's layout that keeps only labels."""

@@ -8,8 +8,6 @@ import pytest
 from surfaces import bump, flat_of, flatten_fails, grid, mark, on_line, select_edges
 from view_context import view_context
 
-pytestmark = pytest.mark.api
-
 SEAM, RIGID, ELASTIC, FREE = on_line(0, 0.0), on_line(1, 0.0), on_line(1, 0.5), on_line(1, -0.5)
 
 
@@ -216,6 +214,7 @@ class Space:
         self.drawn.remove(draw)
 
 
+@pytest.mark.api
 def test_handlers_and_timers_are_removed_with_the_add_on(addon, timers, monkeypatch):
     before, space = handlers_of(addon), Space()
     spaces, draws, stages = zip(*addon.overlay._HANDLERS, strict=True)

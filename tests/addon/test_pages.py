@@ -43,8 +43,6 @@ def sheets_in(path):
     ("paper", "beside", "arrangement"),
     [
         ("A4", 1, "IN_ROWS"),
-        ("A4", 1, "AS_LAID_OUT"),
-        ("A0", 1, "IN_ROWS"),
         ("36IN", 0, "AS_LAID_OUT"),
         ("PROJECTOR", 0, "IN_ROWS"),
     ],

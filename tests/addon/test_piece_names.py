@@ -46,8 +46,7 @@ def rename(source, old, new):
 @pytest.fixture
 def source():
     """Return two pieces, at -x and +x."""
-    target = grid("Bump", bump, seam=on_line(0, 0.0))
-    return target
+    return grid("Bump", bump, seam=on_line(0, 0.0))
 
 
 def middle_of(source, name):

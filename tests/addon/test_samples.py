@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The sample files contain the data of their script, and Flatten keeps every length on them."""
+"""The sample files contain the data of their script, and the pieces of the top have names of garments."""
 
 import json
 import sys
@@ -9,7 +9,7 @@ from pathlib import Path
 import bpy
 import numpy as np
 import pytest
-from surfaces import edge_vertices, flat_of, read
+from surfaces import edge_vertices, read
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "blend_samples"))
 
@@ -32,9 +32,7 @@ def test_there_is_one_file_for_each_shape():
     assert {path.stem for path in FOLDER.glob("*.blend")} == set(SAMPLES)
 
 
-@pytest.mark.parametrize("name", SAMPLES)
-def test_the_file_contains_what_the_script_makes(name):
-    shape, mesh = SAMPLES[name], open_sample(name).data
+def check_mesh_and_marks(shape, mesh):
     assert read(mesh.vertices, "co", np.float32, 3) == pytest.approx(shape.vertices, abs=1e-7)
     assert [tuple(polygon.vertices) for polygon in mesh.polygons] == shape.faces
     edges = edge_vertices(mesh)
@@ -50,9 +48,7 @@ def test_the_file_contains_what_the_script_makes(name):
     assert {entry.name for entry in mesh.wirewarp_names} == {wire.name for wire in shape.wires}
 
 
-@pytest.mark.parametrize("name", SAMPLES)
-def test_the_file_contains_eases_and_fabric(name, addon):
-    shape, mesh = SAMPLES[name], open_sample(name).data
+def check_eases_and_fabric(addon, shape, mesh):
     starts = read(mesh.loops, "vertex_index", np.int32)
     ends = np.concatenate([np.roll(starts[list(polygon.loop_indices)], -1) for polygon in mesh.polygons])
     ratios = addon.state.allowances.SIDE_EASES.read(mesh)
@@ -66,11 +62,9 @@ def test_the_file_contains_eases_and_fabric(name, addon):
     assert settings.allowance == pytest.approx(shape.allowance)
 
 
-@pytest.mark.parametrize("name", SAMPLES)
-def test_the_model_fills_the_view_that_the_file_opens_with(name):
-    """Checked for a window that is 1.5 times as wide as high, with Blender's focal length of 50 mm."""
-    source = open_sample(name)
-    points = read(source.data.vertices, "co", np.float32, 3)
+def check_view(mesh):
+    """The model fills a window 1.5 times as wide as high, with Blender's focal length of 50 mm."""
+    points = read(mesh.vertices, "co", np.float32, 3)
     areas = [area for screen in bpy.data.screens for area in screen.areas if area.type == "VIEW_3D"]
     assert areas
     for view in (area.spaces.active.region_3d for area in areas):
@@ -80,24 +74,19 @@ def test_the_model_fills_the_view_that_the_file_opens_with(name):
         assert 0.5 < farthest < 1
 
 
-def flatten_as_the_file_says(folder):
-    """Flatten with the settings in the file, and return the object's part of the report."""
-    settings = bpy.context.scene.wirewarp
-    chosen = {name: getattr(settings, name) for name in ("cloth", "worn_across", "worn_along", "fairness")}
-    report_path = folder / "report.json"
-    assert bpy.ops.object.wirewarp_flatten(report_path=str(report_path), **chosen) == {"FINISHED"}
-    (report,) = json.loads(report_path.read_text())["objects"]
-    return report
+@pytest.mark.parametrize("name", SAMPLES)
+def test_the_file_contains_what_the_script_makes_and_opens_with_a_view_of_it(name, addon):
+    shape, mesh = SAMPLES[name], open_sample(name).data
+    check_mesh_and_marks(shape, mesh)
+    check_eases_and_fabric(addon, shape, mesh)
+    check_view(mesh)
 
 
 def test_the_sleeves_of_the_top_are_named_sleeves(tmp_path):
     open_sample("fitted_top")
-    names = [piece["name"] for piece in flatten_as_the_file_says(tmp_path)["pieces"]]
-    assert sorted(names) == ["Back", "Front", "Left sleeve", "Right sleeve"]
-
-
-@pytest.mark.parametrize("name", SAMPLES)
-def test_all_pieces_of_a_sample_have_room_for_their_allowances(name, addon, tmp_path):
-    source = open_sample(name)
-    flatten_as_the_file_says(tmp_path)
-    assert addon.overlay.shown.narrow_pieces(bpy.context, source, flat_of(source)) == []
+    settings = bpy.context.scene.wirewarp
+    chosen = {name: getattr(settings, name) for name in ("cloth", "worn_across", "worn_along", "fairness")}
+    report_path = tmp_path / "report.json"
+    assert bpy.ops.object.wirewarp_flatten(report_path=str(report_path), **chosen) == {"FINISHED"}
+    (report,) = json.loads(report_path.read_text())["objects"]
+    assert sorted(piece["name"] for piece in report["pieces"]) == ["Back", "Front", "Left sleeve", "Right sleeve"]

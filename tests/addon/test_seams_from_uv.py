@@ -19,8 +19,6 @@ from surfaces import (
     select_only,
 )
 
-pytestmark = pytest.mark.api
-
 CUT, ACROSS = on_line(0, 0.0), on_line(1, 0.0)
 
 
@@ -45,6 +43,7 @@ def edges_on(mesh, *lines):
     return {tuple(pair) for pair, (a, b) in ends if any(line(a, b) for line in lines)}
 
 
+@pytest.mark.api
 @pytest.mark.parametrize("faces", ["quads", "triangles", "ngons"])
 def test_the_borders_of_islands_become_seams_and_present_ones_stay(faces):
     target = with_islands(faces)
@@ -59,6 +58,7 @@ def test_the_borders_of_islands_become_seams_and_present_ones_stay(faces):
     assert seam_edges(target.data) == borders | present
 
 
+@pytest.mark.api
 def test_after_a_run_the_users_own_map_is_read(capfd):
     target = with_islands()
     flatten(target)
@@ -76,6 +76,7 @@ def test_after_a_run_the_users_own_map_is_read(capfd):
     assert 'the UV map "Islands"' in capfd.readouterr().out
 
 
+@pytest.mark.api
 def test_the_active_map_is_read_and_a_missing_map_is_refused(capfd):
     target = with_islands()
     plain = target.data.uv_layers.new(name="Plain", do_init=False)  # a map on which all corners are one point

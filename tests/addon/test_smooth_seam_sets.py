@@ -9,8 +9,6 @@ from suggesting import add_layers, bent_ring, check_layers, choose_smooth, found
 from test_smooth_darts import are_alike, drawn_on, lengths
 from test_smooth_lines import seam_places, surface
 
-pytestmark = pytest.mark.api
-
 
 def narrowest(addon, source):
     """Return the narrowest width of the pieces of the model as it is now."""

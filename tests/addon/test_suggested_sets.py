@@ -9,7 +9,7 @@ import bpy
 import numpy as np
 import pytest
 from everything import draw_panels
-from suggesting import SUGGEST, ball_beyond_its_fabric, found, needed, pairs
+from suggesting import SUGGEST, found, needed, pairs
 from surfaces import bump, flat_of, grid, join_cube, on_line, read
 from test_proposals import seams_of
 from view_context import view_context
@@ -69,6 +69,7 @@ def test_a_canceled_search_keeps_the_sets_found_by_then(addon):
     assert shares == sorted(shares)
 
 
+@pytest.mark.core
 def test_sets_with_pieces_narrower_than_two_allowances_have_a_warning(addon):
     source = ball()
     settings = bpy.context.scene.wirewarp
@@ -107,30 +108,6 @@ def test_a_set_that_makes_too_many_pieces_of_the_model_has_a_warning(addon, monk
         assert (f"With these seams, the model has {count} pieces, too many to sew." in shown) == has_warning
 
 
-def flattened_for(addon, source, index):
-    """Mark a suggested set, flatten for the chosen fabric, and return the set and the verdict."""
-    bpy.ops.object.wirewarp_choose_suggestion(index=index)
-    suggestions, shown = found(addon, source), draw_panels(addon)
-    bpy.ops.object.wirewarp_mend(what="SUGGESTION")
-    settings = bpy.context.scene.wirewarp
-    bpy.ops.object.wirewarp_flatten(
-        cloth=settings.cloth, gives_across=settings.gives_across, gives_along=settings.gives_along
-    )
-    return suggestions.cuts[index], shown, addon.state.reports.last_report(source).tables.verdict
-
-
-def test_a_set_that_needs_more_than_the_tighter_direction_is_chosen_if_the_verdict_allows_it(addon):
-    bpy.ops.mesh.primitive_torus_add(major_radius=0.1, minor_radius=0.05)
-    source = bpy.context.object
-    bpy.context.scene.wirewarp.cloth = "MINKY"  # 20% and 5%
-    SUGGEST["SEAMS"]()
-    cut, shown, verdict = flattened_for(addon, source, found(addon, source).chosen)
-    assert cut.strain > 0.05 and "more than this minky can" not in shown
-    needs = max(piece.needed for piece in addon.state.reports.last_report(source).pieces)
-    assert cut.strain == pytest.approx(needs, rel=1e-6)  # of its threads
-    assert verdict.kind is addon.core.Kind.READY
-
-
 def test_seams_of_a_strained_piece_are_for_its_fabric(addon):
     source = grid("Bump", bump)
     bpy.context.scene.wirewarp.cloth = "MINKY"
@@ -141,15 +118,7 @@ def test_seams_of_a_strained_piece_are_for_its_fabric(addon):
     assert found(addon, source).cuts[0].strain_before == pytest.approx(piece.needed, rel=1e-6)
 
 
-def test_a_set_beyond_the_fabric_says_so_before_it_is_marked(addon):
-    source = ball_beyond_its_fabric()
-    cut, shown, verdict = flattened_for(addon, source, 0)
-    across, along = (addon.core.percent_text(each) for each in (cut.threads.across, cut.threads.along))
-    said = f"A piece must stretch {across} across and {along} along, more than this minky can."
-    assert f"{said} Choose a fabric that stretches more, or mark this set and then add darts." in shown
-    assert verdict.kind is addon.core.Kind.BEYOND_FABRIC and any(along in line.text for line in verdict.lines)
-
-
+@pytest.mark.core
 def test_the_search_is_for_the_fabric(addon):
     """Woven cotton stretches 3%, and the sets for unknown fabrics need 5% or more."""
     source = ball()

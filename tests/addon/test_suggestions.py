@@ -9,7 +9,7 @@ import bpy
 import numpy as np
 import pytest
 from everything import AnyLayout, draw_panels, sidebar
-from suggesting import SUGGEST, are_mirrored, ball_beyond_its_fabric, found, needed, pairs
+from suggesting import SUGGEST, are_mirrored, found, needed, pairs
 from surfaces import bump, edge_vertices, flat_of, grid, half_cylinder, make_object, mark, on_line, read, tube
 from test_proposals import seams_of
 from view_context import view_context
@@ -29,8 +29,7 @@ def two_hills(size=8):
     return make_object("Hills", vertices, faces)
 
 
-@pytest.mark.parametrize("kind", SUGGEST)
-@pytest.mark.parametrize("faces", ["triangles", "quads"])
+@pytest.mark.parametrize(("kind", "faces"), [("SEAMS", "triangles"), ("DARTS", "quads")])
 def test_the_figures_are_those_of_flattening_with_the_cut(addon, kind, faces):
     source = grid("Bump", bump, size=6, faces=faces)
     bpy.context.scene.wirewarp.dart_lines = "EDGES"
@@ -186,19 +185,53 @@ def test_the_list_of_an_earlier_search_cannot_be_clicked_during_the_next_one(add
     assert panel.EARLIER in drawn()[0] and drawn()[1] == []
 
 
-def test_a_set_beyond_the_fabric_names_the_next_step(addon):
-    source = ball_beyond_its_fabric()
+def flattened_for(addon, source, index):
+    """Mark a suggested set, flatten for the chosen fabric, and return the set and the verdict."""
+    bpy.ops.object.wirewarp_choose_suggestion(index=index)
+    suggestions, shown = found(addon, source), draw_panels(addon)
+    bpy.ops.object.wirewarp_mend(what="SUGGESTION")
+    settings = bpy.context.scene.wirewarp
+    bpy.ops.object.wirewarp_flatten(
+        cloth=settings.cloth, gives_across=settings.gives_across, gives_along=settings.gives_along
+    )
+    return suggestions.cuts[index], shown, addon.state.reports.last_report(source).tables.verdict
+
+
+@pytest.mark.core
+def test_a_set_that_needs_more_than_the_tighter_direction_is_chosen_if_the_verdict_allows_it(addon):
+    bpy.ops.mesh.primitive_torus_add(major_radius=0.1, minor_radius=0.05)
+    source = bpy.context.object
+    bpy.context.scene.wirewarp.cloth = "MINKY"  # 20% and 5%
+    SUGGEST["SEAMS"]()
+    cut, shown, verdict = flattened_for(addon, source, found(addon, source).chosen)
+    assert cut.strain > 0.05 and "more than this minky can" not in shown
+    needs = max(piece.needed for piece in addon.state.reports.last_report(source).pieces)
+    assert cut.strain == pytest.approx(needs, rel=1e-6)  # of its threads
+    assert verdict.kind is addon.core.Kind.READY
+
+
+@pytest.mark.core
+def test_a_set_beyond_the_fabric_says_so_before_it_is_marked_and_names_the_next_step(addon):
+    bpy.ops.mesh.primitive_uv_sphere_add(segments=24, ring_count=12, radius=0.1)
+    source, settings, keep = bpy.context.object, bpy.context.scene.wirewarp, addon.state.suggestions.keep
+    settings.cloth, settings.gives_across, settings.gives_along = "MINKY", 30, 0.5
+    SUGGEST["SEAMS"]()
     suggestions = found(addon, source)
-    beyond = suggestions.cuts[0]
+    beyond, name = suggestions.cuts[0], suggestions.names[:1]
     enough = replace(beyond, threads=replace(beyond.threads, across=0.0, along=0.0))
-    addon.state.suggestions.keep(source, replace(suggestions, cuts=[beyond, enough], names=2 * suggestions.names[:1]))
+    keep(source, replace(suggestions, cuts=[beyond, enough], names=2 * name))
     bpy.ops.object.wirewarp_choose_suggestion(index=0)
     assert "more than this minky can. Click a row with less stretch." in draw_panels(addon)
     bpy.ops.object.wirewarp_choose_suggestion(index=1)
     assert "more than this minky can" not in draw_panels(addon)
-    cleared = replace(beyond, cleared=[(0, 1)])
-    addon.state.suggestions.keep(source, replace(suggestions, cuts=[cleared], names=suggestions.names[:1], chosen=0))
+    keep(source, replace(suggestions, cuts=[replace(beyond, cleared=[(0, 1)])], names=name, chosen=0))
     assert "can. Choose a fabric that stretches more, or enter a smaller Max Stretch" in draw_panels(addon)
+    keep(source, suggestions)
+    cut, shown, verdict = flattened_for(addon, source, 0)
+    across, along = (addon.core.percent_text(each) for each in (cut.threads.across, cut.threads.along))
+    said = f"A piece must stretch {across} across and {along} along, more than this minky can."
+    assert f"{said} Choose a fabric that stretches more, or mark this set and then add darts." in shown
+    assert verdict.kind is addon.core.Kind.BEYOND_FABRIC and any(along in line.text for line in verdict.lines)
 
 
 @pytest.mark.parametrize(

@@ -4,8 +4,11 @@
 from pathlib import Path
 
 import bpy
+import pytest
 from suggesting import SUGGEST, found
 from test_export import export, pages
+
+pytestmark = pytest.mark.core
 
 ROOT = Path(__file__).parents[2]
 TUTORIALS = ROOT / "docs" / "tutorials"
