@@ -12,7 +12,6 @@
 #include "base/attempt.h"
 #include "base/in_threads.h"
 #include "cuts/feasibility/mirrored_cuts.h"
-#include "cuts/feasibility/ranks.h"
 #include "cuts/parts/level_lines.h"
 #include "cuts/parts/necks.h"
 #include "cuts/parts/part_planes.h"
@@ -46,9 +45,6 @@ constexpr double kWorst = 2;
 /// Prices, in units of strain over the whole part: for a seam's length over the root of the part's area, for a part,
 /// and for a part that is too narrow. They decide between planes that leave about the same strain.
 constexpr double kLengthPrice = 0.02, kPartPrice = 0.01, kNarrowPrice = 0.1;
-
-/// Prices that differ by less are equal, because shapes are only exact to about this value.
-constexpr double kSamePrice = 1e-6;
 
 /// Least solidity of joined parts. With 0.75, half of a fish and its tail become one piece with arms; with 0.85, they
 /// do not.
@@ -275,8 +271,7 @@ std::optional<Plane> PartSearch::best_plane(const FlatPiece& part, bool is_symme
       planes_through(part.chart, strained_place(part, limit), is_symmetric ? mirror_ : std::nullopt);
   std::vector<double> prices(planes.size());
   run_on_all_cores(planes.size(), exact_.stop(), [&](std::size_t i) { prices[i] = price_of(part, planes[i], limit); });
-  const std::vector<int> ranks = ranks_of(prices, kSamePrice);
-  const auto best = static_cast<std::size_t>(std::find(ranks.begin(), ranks.end(), 0) - ranks.begin());
+  const auto best = static_cast<std::size_t>(std::min_element(prices.begin(), prices.end()) - prices.begin());
   return std::isinf(prices[best]) ? std::nullopt : std::optional(planes[best]);
 }
 
