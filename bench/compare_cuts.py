@@ -29,10 +29,11 @@ from which_commit import commit
 
 TARGETS = (0.5, 0.25, 0.1, 0.05)  # strains: OptCuts leaves about 0.5; 0.05 is the default target of cut sets
 LADDER = 60  # number of requested proposals, more than any cut set has
-FEWEST = 5  # number of sets to which darts are added, the shortest ones
-SHARE = 0.5  # of the time limit, after which seams are removed from no other set
-STRAINS = 0.1, 0.1, 0.02  # limits while seams are removed: the first one, and the largest and smallest increase
-MOST_STRAIN = 1.2  # largest of these limits; OptCuts leaves about 0.5
+FEWEST = 5  # number of the shortest sets to which darts are added; on caesar1, the third gave the shortest
+SHARE = 0.5  # of the time limit, after which seams are removed from no other set, because one may take minutes
+LEAST_LIMIT = 0.2  # first limit of strain while seams are removed: that of plush
+LARGE_STEP, SMALL_STEP = 0.1, 0.02  # increases of this limit: large ones first, to save time
+MOST_LIMIT = 1.2  # the largest; OptCuts leaves about 0.5
 DARTS = 20  # maximum number of darts: half the largest number of cuts in a set
 CHOICE = 5  # number of proposed darts, the default of propose_darts()
 KEPT = "\n## The price of exactness\n"  # heading of the first section by other programs; it and all below are kept
@@ -83,14 +84,15 @@ def cut(vertices: np.ndarray, faces: np.ndarray, bound: float) -> tuple[CutFigur
 
 def simplified(vertices: np.ndarray, faces: np.ndarray, cuts: Cuts, bound: float) -> CutFigures:
     """Remove seams with increasing limits of strain as long as the energy stays below the bound."""
-    limit, step = STRAINS[0], STRAINS[1]
-    while step >= STRAINS[2]:
-        found = wirewarp.simplify_seams(vertices, faces, seams=cuts[0], strain=limit + step)
+    limit, step = LEAST_LIMIT, LARGE_STEP
+    while step >= SMALL_STEP and limit <= MOST_LIMIT:
+        found = wirewarp.simplify_seams(vertices, faces, seams=cuts[0], strain=limit)
         figures = flat(vertices, faces, found.edges)
-        if figures and figures.energy <= bound and limit + step <= MOST_STRAIN:
-            limit, cuts = limit + step, (found.edges, figures)
+        if figures and figures.energy <= bound:
+            cuts = found.edges, figures
         else:
-            step /= 2
+            limit, step = limit - step, step / 2
+        limit += step
     return cuts[1]
 
 
@@ -265,8 +267,8 @@ shorter than the one before, for target strains of {", ".join(f"{100 * target:.0
 column *as proposed* has the shortest set below the bound. Darts are added to a surface that is flat without cuts, and
 to the {FEWEST} shortest sets, until the energy is below the bound. Each dart is chosen from {CHOICE} of
 `propose_darts`: the one with the largest decrease of energy for its length. Then `simplify_seams` removes seams from
-each of the results and sets below the bound. Its limit of strain increases from {100 * sum(STRAINS[:2]):.0f}% as long
-as the energy stays below the bound, in steps of {100 * STRAINS[1]:.0f} to {100 * STRAINS[2]:.0f} points. The shorter
+each of the results and sets below the bound. Its limit of strain increases from {100 * LEAST_LIMIT:.0f}% as long
+as the energy stays below the bound, in steps of {100 * LARGE_STEP:.0f} to {100 * SMALL_STEP:.0f} points. The shorter
 sets come first, and none is begun after {SHARE * LIMIT:.0f} s. The shortest result counts. WireWarp keeps the length of
 every cut and outline, so that the sides of a
 cut can be sewn together. OptCuts does not; it only limits the distortion over the area. The section on the price of

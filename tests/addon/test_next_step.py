@@ -10,7 +10,7 @@ from everything import draw_panels
 from surfaces import bump, flat_of, flatten_fails, grid, make_object, mark, on_line, read, select_only, tube
 from test_proposals import CUT, inside, joined, seams_of
 
-MEND = bpy.ops.object.wirewarp_mend
+FIX = bpy.ops.object.wirewarp_mend
 
 
 def step_of(addon, source, left_out=()):
@@ -37,7 +37,7 @@ def test_proposed_seams_are_marked_and_flattened_with_one_click(addon, mode):
     assert "object.wirewarp_mend" in buttons(addon)
     step = step_of(addon, source)
     assert (step.text, step.settings) == ("Mark and Flatten", {"what": "SEAMS"})
-    assert MEND(**step.settings) == {"FINISHED"}
+    assert FIX(**step.settings) == {"FINISHED"}
     assert (source.mode, ready(addon, source), step_of(addon, source)) == (mode, True, None)
     assert "object.wirewarp_mend" not in buttons(addon)
 
@@ -86,15 +86,15 @@ def test_a_fault_is_fixed_and_the_model_flattened_with_one_click(addon, make, sa
     fault = issue.sentence.partition(". ")[0]
     # below the verdict and in the report, in a narrow and in a wide sidebar
     assert draw_panels(addon).count(fault) == 4
-    assert MEND(**step.settings) == {"FINISHED"}
+    assert FIX(**step.settings) == {"FINISHED"}
     assert len(source.data.polygons) == faces and ready(addon, source)
     assert len(source.data.vertices) == (49 * 49 if make is loose_faces else len(source.data.vertices))
     with pytest.raises(RuntimeError, match=again):
-        MEND(**step.settings)
+        FIX(**step.settings)
 
 
 def test_tooltips_of_fixes_are_one_sentence(addon):
-    rna = MEND.get_rna_type()
+    rna = FIX.get_rna_type()
     for item in rna.properties["what"].enum_items:
         shown = SimpleNamespace(what=item.identifier, rna_type=rna)
         tooltip = addon.report_panel.fix.OBJECT_OT_wirewarp_mend.description(bpy.context, shown)
@@ -108,7 +108,7 @@ def test_ignored_modifiers_turn_the_verdict_amber_and_are_used_afterwards(addon)
     assert "so sizes differ from what you see" in draw_panels(addon) and "Lengths are exact" not in draw_panels(addon)
     step = step_of(addon, source, ["modifiers"])
     assert step.text == "Flatten with Modifiers"
-    assert MEND(**step.settings) == {"FINISHED"}
+    assert FIX(**step.settings) == {"FINISHED"}
     assert len(flat_of(source).data.polygons) == 64
     assert bpy.context.scene.wirewarp.use_modifiers
     assert "Lengths are exact" in draw_panels(addon) and "Flatten with Modifiers" not in draw_panels(addon)
@@ -151,10 +151,10 @@ def test_an_evenly_strained_piece_gets_a_suggested_cut(addon):
 def test_the_button_is_refused_without_a_fault(addon):
     source = grid("Bump", bump)
     with pytest.raises(RuntimeError, match="has not been flattened yet"):
-        MEND(what="SEAMS")
+        FIX(what="SEAMS")
     bpy.ops.object.wirewarp_flatten()
     with pytest.raises(RuntimeError, match="has no suggested seam"):
-        MEND(what="SEAMS")
+        FIX(what="SEAMS")
     assert len(seams_of(source)) == 0
 
 
@@ -185,7 +185,7 @@ def test_refusals_of_flatten_are_reported(addon):
     bpy.ops.object.wirewarp_flatten()
     source.hide_set(True)
     with pytest.raises(RuntimeError, match='"Bump" is hidden'):
-        MEND(what="MODIFIERS")
+        FIX(what="MODIFIERS")
     assert not bpy.context.scene.wirewarp.use_modifiers
 
 
@@ -200,14 +200,14 @@ def test_modifiers_are_applied_so_that_proposed_edges_can_be_marked(addon, mode)
     assert step.text == "Apply Modifiers and Flatten"
     coarse = len(source.data.vertices)
     with pytest.raises(RuntimeError, match="mark a seam"):
-        MEND(**step.settings, use_modifiers=True)
+        FIX(**step.settings, use_modifiers=True)
     assert not source.modifiers and source.mode == mode
     assert not bpy.context.scene.wirewarp.use_modifiers
     bpy.ops.object.mode_set(mode="OBJECT")
     assert len(source.data.vertices) > coarse
     step = step_of(addon, source)
     assert step.text == "Mark and Flatten"
-    assert MEND(**step.settings) == {"FINISHED"}
+    assert FIX(**step.settings) == {"FINISHED"}
     assert ready(addon, source)
 
 
@@ -216,7 +216,7 @@ def test_modifiers_of_a_shared_mesh_are_not_applied(addon):
     source.modifiers.new("Finer", "SUBSURF").levels = 1
     twin = source.copy()
     with pytest.raises(RuntimeError, match="shares its mesh with other objects"):
-        MEND(what="APPLY")
+        FIX(what="APPLY")
     assert source.modifiers and twin.data == source.data
 
 
@@ -256,7 +256,7 @@ def test_amber_offers_fabrics_and_one_click_flattens_for_one(addon):
     assert "Flatten for" not in draw_panels(addon)
     bpy.context.scene.wirewarp.cloth = "NONE"
     bpy.context.scene.wirewarp.gives_along = 2.0  # left from another fabric
-    assert MEND(what="FABRIC", cloth=offered[0].upper()) == {"FINISHED"}
+    assert FIX(what="FABRIC", cloth=offered[0].upper()) == {"FINISHED"}
     assert bpy.context.scene.wirewarp.cloth == offered[0].upper()
     assert addon.core.verdict(addon.state.reports.last_report(source)).is_ready
     assert labels[-1] not in draw_panels(addon) and one_click not in draw_panels(addon)

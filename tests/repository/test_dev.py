@@ -50,7 +50,7 @@ def work_named(name: str):
     def work() -> None:
         if name.startswith("bad"):
             raise StepError("it is bad")
-        if name.startswith("lacking"):
+        if name.startswith("missing"):
             raise NotTestedError("there is no such Python")
 
     return work
@@ -62,7 +62,7 @@ def table(output: str) -> list[tuple[str, str]]:
     return [(row[:24].strip(), row[24:35].strip()) for row in rows if row.endswith(" s") and not row.startswith("all ")]
 
 
-NOT_HERE = "lacking is NOT TESTED: there is no such Python"
+NOT_HERE = "missing is NOT TESTED: there is no such Python"
 
 
 @pytest.mark.parametrize(
@@ -72,9 +72,9 @@ NOT_HERE = "lacking is NOT TESTED: there is no such Python"
         ("window windows-3.11 windows-3.13", "window", "window passed", 0, ""),
         ("lint window", "macos", "", 1, "no step starts with macos; there are: lint, window"),
         ("bad good", "bad good", "bad FAILED, good passed", 1, "dev: failed: bad"),
-        ("lacking", "lacking", "lacking NOT TESTED", 0, NOT_HERE),  # which is no failure
+        ("missing", "missing", "missing NOT TESTED", 0, NOT_HERE),  # which is no failure
         ("good bad", "", "good passed, bad FAILED", 1, "dev: it is bad"),
-        ("good lacking", "", "good passed, lacking NOT TESTED", 0, NOT_HERE),
+        ("good missing", "", "good passed, missing NOT TESTED", 0, NOT_HERE),
         ("seldom extra good", "", "good passed", 0, ""),
         ("seldom extra good", "--all", "extra passed, good passed", 0, ""),
         ("seldom extra good", "seldom extra", "seldom passed, extra passed", 0, ""),

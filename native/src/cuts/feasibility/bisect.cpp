@@ -74,11 +74,15 @@ void shorten_border(const HalfEdgeMesh& mesh, const Prices& prices, Sides& side)
   }
 }
 
+/// Distances that differ by less than this share of the distance between both vertices count as equal, so that rounding
+/// errors do not choose sides.
+constexpr double kSameDistance = 1e-9;
+
 /// Returns 1 for faces that are nearer to the second vertex than to the first, by more than rounding errors.
 Sides nearer_to(const HalfEdgeMesh& mesh, VertexHandle first, VertexHandle second) {
   const std::vector<double> from_first = shortest_paths(mesh, {first}).distance;
   const std::vector<double> from_second = shortest_paths(mesh, {second}).distance;
-  const double same = 1e-9 * from_first[second.idx()];
+  const double same = kSameDistance * from_first[second.idx()];
   Sides side(mesh.n_faces(), 0);
   for (const FaceHandle f : mesh.faces()) {
     double lead = 0;
