@@ -3,8 +3,8 @@
 
 PYTHONPATH=results python bench/compare_cuts.py PAGE [--most-triangles N]
 
-Environment: OPTCUTS_MESHES is a folder of OBJ files, OPTCUTS_PROGRAM the executable built from OptCuts' public sources,
-and OPTCUTS_RESULTS a folder that keeps every result of both, so that none is computed twice.
+Environment: OPTCUTS_MESHES is a folder of OBJ files. OPTCUTS_PROGRAM is the executable built from OptCuts' public
+sources. OPTCUTS_RESULTS is a folder that keeps every result of both programs, so that no result is computed twice.
 """
 
 import argparse
@@ -12,6 +12,7 @@ import json
 import os
 import resource
 import time
+from collections.abc import Iterator
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from statistics import median
@@ -29,31 +30,32 @@ from which_commit import commit
 
 TARGETS = (0.5, 0.25, 0.1, 0.05)  # strains: OptCuts leaves about 0.5; 0.05 is the default target of cut sets
 LADDER = 60  # number of requested proposals, more than any cut set has
-FEWEST = 5  # number of the shortest sets to which darts are added; on caesar1, the third gave the shortest
-SHARE = 0.5  # of the time limit, after which seams are removed from no other set, because one may take minutes
-LEAST_LIMIT = 0.2  # first limit of strain while seams are removed: that of plush
-LARGE_STEP, SMALL_STEP = 0.1, 0.02  # increases of this limit: large ones first, to save time
-MOST_LIMIT = 1.2  # the largest; OptCuts leaves about 0.5
+FEWEST = 5  # number of the shortest sets to which darts are added; on caesar1, the third set gave the shortest cuts
+SHARE = 0.5  # share of LIMIT; later, no more seams are removed, because this may take minutes for a set
+LEAST_LIMIT = 0.2  # first limit of strain while seams are removed: the maximum stretch of plush
+LARGE_STEP, SMALL_STEP = 0.1, 0.02  # first and least increase of the limit of strain; large steps save time
+MOST_LIMIT = 1.2  # largest limit of strain; OptCuts leaves about 0.5
 DARTS = 20  # maximum number of darts: half the largest number of cuts in a set
 CHOICE = 5  # number of proposed darts, the default of propose_darts()
-KEPT = "\n## The price of exactness\n"  # heading of the first section by other programs; it and all below are kept
+KEPT = "\n## The price of exactness\n"  # heading of the first section that this program keeps, with all sections below
 CLOCK_LIMIT = 10 * LIMIT  # seconds of wall time; more than LIMIT, because other processes may use the core
 
 
 @dataclass(frozen=True)
 class Outcome:
     seconds: float  # processor time
-    without: str  # why there are no figures, or empty
+    without: str  # reason why there are no figures, or empty
     figures: CutFigures | None
-    set_length: float | None = None  # CutFigures.length of the shortest proposed set
+    set_length: float | None = None  # CutFigures.length of the shortest proposed set that keeps the bound
 
 
 Cuts = tuple[np.ndarray, CutFigures]  # edges, and the figures with them
 
 
 def flat(vertices: np.ndarray, faces: np.ndarray, seams: np.ndarray) -> CutFigures | None:
-    """Return the figures, or None if a part has no flat shape with these seams or overlaps itself; OptCuts has no
-    overlaps.
+    """Return the figures with these seams, or None if a piece has no flat shape or overlaps itself.
+
+    Overlaps are refused because OptCuts allows none.
     """
     flattening = wirewarp.flatten(vertices, faces, seams=seams)
     if any(piece.error or len(piece.metrics.overlapping_faces) for piece in flattening.pieces):
@@ -68,24 +70,40 @@ def cut(vertices: np.ndarray, faces: np.ndarray, bound: float) -> tuple[CutFigur
     if uncut and (darts := with_darts(vertices, faces, (nothing, uncut), np.inf, bound)):
         return simplified(vertices, faces, darts, bound), None
     sets = flat_sets(vertices, faces)
-    starts = [cuts for cuts in sets if cuts[1].energy <= bound]
-    set_length = starts[0][1].length if starts else None
-    for first in sets[:FEWEST]:
-        if darts := with_darts(vertices, faces, first, set_length or np.inf, bound):
-            starts.append(darts)
-    if not starts:
-        raise ValueError(f"{DARTS} darts more leave an energy over {bound}")
+    below = [cuts for cuts in sets if cuts[1].energy <= bound]
+    set_length = below[0][1].length if below else None
     found = []
-    for cuts in starts:
-        is_late = time.process_time() > SHARE * LIMIT
-        found.append(cuts[1] if is_late else simplified(vertices, faces, cuts, bound))
+    for start in starts(vertices, faces, sets, below, bound):
+        found.append(simplified(vertices, faces, start, bound))
+        if is_late():
+            break
+    if not found:
+        raise ValueError(f"{DARTS} darts more leave an energy over {bound}")
     return min(found, key=lambda figures: figures.length), set_length
 
 
+def starts(
+    vertices: np.ndarray, faces: np.ndarray, sets: list[Cuts], below: list[Cuts], bound: float
+) -> Iterator[Cuts]:
+    """Return cuts below the bound from which seams may be removed, the most promising first. below: the sets that are
+    below the bound without darts.
+    """
+    longest = below[0][1].length if below else np.inf
+    yield from below[:1]
+    for first in sets[:FEWEST]:
+        if darts := with_darts(vertices, faces, first, longest, bound):
+            yield darts
+    yield from below[1:]
+
+
+def is_late() -> bool:
+    return time.process_time() > SHARE * LIMIT
+
+
 def simplified(vertices: np.ndarray, faces: np.ndarray, cuts: Cuts, bound: float) -> CutFigures:
-    """Remove seams with increasing limits of strain as long as the energy stays below the bound."""
+    """Remove seams with increasing limits of strain, as long as the energy keeps the bound. Return the figures."""
     limit, step = LEAST_LIMIT, LARGE_STEP
-    while step >= SMALL_STEP and limit <= MOST_LIMIT:
+    while step >= SMALL_STEP and limit <= MOST_LIMIT and not is_late():
         found = wirewarp.simplify_seams(vertices, faces, seams=cuts[0], strain=limit)
         figures = flat(vertices, faces, found.edges)
         if figures and figures.energy <= bound:
@@ -97,7 +115,7 @@ def simplified(vertices: np.ndarray, faces: np.ndarray, cuts: Cuts, bound: float
 
 
 def flat_sets(vertices: np.ndarray, faces: np.ndarray) -> list[Cuts]:
-    """Return the different cut sets of all targets with which everything is flat, the shortest first."""
+    """Return the different cut sets of all targets with which every piece is flat, the shortest first."""
     sets = {}
     for target in TARGETS:
         for proposal in wirewarp.propose_seams(vertices, faces, strain=target, count=LADDER):
@@ -110,8 +128,9 @@ def flat_sets(vertices: np.ndarray, faces: np.ndarray) -> list[Cuts]:
 
 
 def with_darts(vertices: np.ndarray, faces: np.ndarray, cuts: Cuts, longest: float, bound: float) -> Cuts | None:
-    """Add darts one by one, each with the largest decrease of energy for its length. Return None if this gives cuts
-    longer than `longest`, or an energy over the bound.
+    """Return the cuts with added darts, each the one with the largest decrease of energy for its length.
+
+    Returns None if the cuts would be longer than `longest`, or if the energy stays above the bound.
     """
     seams, figures = cuts
     for _ in range(DARTS):
@@ -205,7 +224,7 @@ def verdict(peer: Outcome, own: Outcome) -> str:
 
 
 def in_brief(rows: list[tuple[Outcome, Outcome]]) -> str:
-    """Return how often each has the shorter cuts, and medians, over the surfaces that both can cut."""
+    """Return a paragraph: how often each program has the shorter cuts, and medians over surfaces that both can cut."""
     both = [(peer, own) for peer, own in rows if peer.figures and own.figures]
     if not both:
         return "Neither cut the surfaces that the other did."
@@ -266,12 +285,12 @@ flat shape, or one for which darts alone do not reach the bound, is cut by `prop
 shorter than the one before, for target strains of {", ".join(f"{100 * target:.0f}%" for target in TARGETS)}. The
 column *as proposed* has the shortest set below the bound. Darts are added to a surface that is flat without cuts, and
 to the {FEWEST} shortest sets, until the energy is below the bound. Each dart is chosen from {CHOICE} of
-`propose_darts`: the one with the largest decrease of energy for its length. Then `simplify_seams` removes seams from
-each of the results and sets below the bound. Its limit of strain increases from {100 * LEAST_LIMIT:.0f}% as long
-as the energy stays below the bound, in steps of {100 * LARGE_STEP:.0f} to {100 * SMALL_STEP:.0f} points. The shorter
-sets come first, and none is begun after {SHARE * LIMIT:.0f} s. The shortest result counts. WireWarp keeps the length of
-every cut and outline, so that the sides of a
-cut can be sewn together. OptCuts does not; it only limits the distortion over the area. The section on the price of
+`propose_darts`: the dart with the largest decrease of energy for its length. `simplify_seams` removes seams from the
+shortest set below the bound, then from the results with darts, and then from the other sets below the bound. Its limit
+of strain increases from {100 * LEAST_LIMIT:.0f}% as long as the energy stays below the bound, in steps of
+{100 * LARGE_STEP:.0f} to {100 * SMALL_STEP:.0f} points. After {SHARE * LIMIT:.0f} s, no more seams are removed. The
+shortest result counts. WireWarp keeps the length of every cut and outline, so that the sides of a cut can be sewn
+together. OptCuts does not; it only limits the distortion over the area. The section on the price of
 exactness measures the effect of this on the length of cuts.
 
 ## Surfaces
@@ -295,8 +314,8 @@ exactness measures the effect of this on the length of cuts.
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("page", type=Path)
-    parser.add_argument("--most-triangles", type=int, help="only surfaces of so many")
-    parser.add_argument("--commit", default=commit(), help="another one, with which kept results were computed")
+    parser.add_argument("--most-triangles", type=int, help="only surfaces of at most N triangles")
+    parser.add_argument("--commit", default=commit(), help="commit with which kept results were computed")
     arguments = parser.parse_args()
 
     results, program = Path(os.environ["OPTCUTS_RESULTS"]), Path(os.environ["OPTCUTS_PROGRAM"])
