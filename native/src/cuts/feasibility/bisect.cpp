@@ -31,7 +31,7 @@ VertexHandle farthest_from(const HalfEdgeMesh& mesh, const std::vector<VertexHan
   return farthest_vertex(shortest_paths(mesh, sources));
 }
 
-/// A far end of the surface, seen from its boundary.
+/// Returns the vertex farthest from the boundary, or from the first vertex if the surface is closed.
 VertexHandle far_end(const HalfEdgeMesh& mesh) {
   const std::vector<VertexHandle> boundary = boundary_vertices(mesh);
   return farthest_from(mesh, boundary.empty() ? std::vector<VertexHandle>{VertexHandle(0)} : boundary);
@@ -74,7 +74,7 @@ void shorten_border(const HalfEdgeMesh& mesh, const Prices& prices, Sides& side)
   }
 }
 
-/// Distances that differ by less than this share of the distance between both vertices count as equal, so that rounding
+/// Distances that differ by less than this share of the distance between the two ends count as equal, so that rounding
 /// errors do not choose sides.
 constexpr double kSameDistance = 1e-9;
 
@@ -92,8 +92,8 @@ Sides nearer_to(const HalfEdgeMesh& mesh, VertexHandle first, VertexHandle secon
   return side;
 }
 
-/// For each face with corners a, b, c: the mean of its corners, and half the cross product of b - a and c - a. #faces
-/// by 3.
+/// middle: centroid of each face. area: half the cross product of b - a and c - a for each face with corners a, b, c.
+/// Both are #faces by 3.
 struct FaceGeometry {
   explicit FaceGeometry(const HalfEdgeMesh& mesh) {
     const Positions3 points = points_of(mesh);
@@ -110,8 +110,8 @@ struct FaceGeometry {
   Positions3 middle, area;
 };
 
-/// Divides faces by their position along an axis. All faces in the middle are put on the same side, for either
-/// direction of the axis. The tolerance covers the small rotation of axes that principal_axes() allows.
+/// Divides faces by their values along an axis. Faces with values near 0 are always put on the same side, even if the
+/// axis is reversed. The tolerance covers the small rotation of axes that principal_axes() allows.
 Sides sides_along(Eigen::VectorXd along) {
   const double middle = 1e-5 * along.cwiseAbs().maxCoeff();
   const auto first = std::find_if(along.begin(), along.end(), [&](double place) { return std::abs(place) > middle; });
@@ -139,7 +139,8 @@ std::vector<Sides> sides_of_axes(const HalfEdgeMesh& mesh) {
   return result;
 }
 
-/// Divides the faces by the nearer of two far ends, and again by the nearer of two more ends, across the first two.
+/// Returns two divisions. In each, a face belongs to the nearer of two far ends of the surface. The ends of the second
+/// division are far from the ends of the first.
 std::vector<Sides> sides_of_ends(const HalfEdgeMesh& mesh) {
   const VertexHandle first = far_end(mesh);
   const VertexHandle second = farthest_from(mesh, {first});
@@ -148,7 +149,7 @@ std::vector<Sides> sides_of_ends(const HalfEdgeMesh& mesh) {
   return {nearer_to(mesh, first, second), nearer_to(mesh, third, fourth)};
 }
 
-/// Moves each group of faces that share forbidden edges to the side that has most of them.
+/// Moves each group of faces that share forbidden edges to the side that has most faces of the group.
 void keep_together(const HalfEdgeMesh& mesh, const CutMask& forbidden, Sides& side) {
   DisjointSets groups(mesh.n_faces());
   for (const EdgeHandle e : mesh.edges()) {
@@ -182,8 +183,8 @@ std::vector<CutMask> bisections(const HalfEdgeMesh& mesh, const CutMask& forbidd
     if (!is_known && length_of_cut(mesh, cut) > 0) cuts.push_back(std::move(cut));
   };
   // On a box with few faces, shortening may reduce a border to nothing, so the original border is a candidate, too. On
-  // fine meshes, original borders are jagged: without this limit, 43 garments, shoes, cushions and toys are cut into
-  // 154 pieces instead of 93.
+  // fine meshes, original borders are jagged: without the limit kCoarse, 43 garments, shoes, cushions and toys are cut
+  // into 154 pieces instead of 93.
   constexpr std::size_t kCoarse = 1000;
   for (Sides& side : all_sides) {
     keep_together(mesh, forbidden, side);

@@ -6,10 +6,11 @@
 
 namespace wirewarp {
 
-/// Returns cuts that divide the faces by three planes through the center, by the direction of their normals along the
-/// same three axes, and by the nearer of two far ends of the surface, for two pairs of ends. Each cut is shortened by
-/// moving it over single vertices. On coarse meshes, the original cut is returned, too. No cut runs along a forbidden
-/// edge: faces at a forbidden edge stay together. Empty cuts and duplicates are dropped.
+/// Returns cuts, each between two sets of faces. Three cuts follow planes through the center, perpendicular to the
+/// principal axes. Three cuts separate the faces whose normals point along a principal axis from the other faces. Two
+/// cuts separate the faces nearer to one far end of the surface from the faces nearer to another far end. Each cut is
+/// shortened by moving it over single vertices. On coarse meshes, the cuts before shortening are returned, too. No cut
+/// runs along a forbidden edge: faces at a forbidden edge stay together. Empty cuts and duplicates are dropped.
 std::vector<CutMask> bisections(const HalfEdgeMesh& mesh, const CutMask& forbidden);
 
 }  // namespace wirewarp

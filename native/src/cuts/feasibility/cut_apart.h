@@ -8,7 +8,7 @@
 
 namespace wirewarp {
 
-/// Cuts a chart along edges, and returns the charts between them with their parts of its wires. The sources of these
+/// Cuts a chart along edges, and returns the resulting charts, each with its parts of the wires. The sources of these
 /// charts are the vertices, faces and wire parts of the given chart.
 std::vector<Chart> cut_apart(const Chart& chart, const CutMask& cut);
 

@@ -16,19 +16,19 @@ CutMask cut_along(const HalfEdgeMesh& mesh, const std::vector<HalfedgeHandle>& h
 
 bool is_empty(const CutMask& cut);
 
-/// Adds the edges of another cut.
+/// Adds the edges of the cut `other` to the cut `cut`.
 void unite(CutMask& cut, const CutMask& other);
 
-/// Returns the ends of the cut edges in the input, in the order of the mesh.
+/// Returns the input vertices at the ends of each cut edge, in the order of the mesh's edges.
 std::vector<VertexPair> edges_of(const Chart& chart, const CutMask& cut);
 
-/// Returns the ends of the outline's edges in the input, sorted.
+/// Returns the input vertices at the ends of each outline edge, sorted.
 std::vector<VertexPair> outline_of(const Chart& chart);
 
 /// Returns the length of all cut edges in scene units.
 double length_of_cut(const HalfEdgeMesh& mesh, const CutMask& cut);
 
-/// Rules for paths that avoid the edges of this mask; the mask is kept by reference.
+/// Returns rules for paths that avoid forbidden edges. The rules keep references to the mesh and the mask.
 PathRules around(const HalfEdgeMesh& mesh, const CutMask& forbidden);
 
 }  // namespace wirewarp

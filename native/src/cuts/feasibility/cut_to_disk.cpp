@@ -13,17 +13,20 @@
 namespace wirewarp {
 namespace {
 
-/// Number of base points on a closed surface. The cut passes through one of them, so they are spread out.
+/// Number of base points on a closed surface. Each cut that is tried passes through one base point, so the points are
+/// spread out.
 constexpr int kBasePoints = 8;
 
-/// Cuts and detours whose lengths differ by less than this share of a cut, or of the longest path, count as equally
-/// long, so that rotating the mesh does not change the choice.
+/// Cuts count as equally long if their lengths differ by less than this share. Detours (see edges_left_over) count as
+/// equally long if they differ by less than this share of the longest path. So rotating the mesh does not change the
+/// choice.
 constexpr double kTie = 1e-9;
 
-/// Returns the edges that are neither crossed by the tree of faces nor in the tree of paths: two for each handle, and
-/// one for each boundary loop except one. The detour of an edge is the path from the sources to one end, along the
-/// edge, and back from the other end. The tree of faces crosses edges with long detours first, so that edges with short
-/// detours remain. It crosses forbidden and unreachable edges before all others, so that these are never returned.
+/// Returns the edges that are neither crossed by the tree of faces nor in the tree of paths. There are two such edges
+/// for each handle, and one for each boundary loop except one. The detour of an edge is the path from the sources to
+/// one end, along the edge, and back from the other end. The tree of faces crosses edges with long detours first, so
+/// that edges with short detours remain. It crosses forbidden and unreachable edges before all others, so that these
+/// are never returned.
 std::vector<EdgeHandle> edges_left_over(const HalfEdgeMesh& mesh, const CutMask& forbidden,
                                         const ShortestPaths& paths) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -51,7 +54,7 @@ std::vector<EdgeHandle> edges_left_over(const HalfEdgeMesh& mesh, const CutMask&
   return left_over;
 }
 
-/// Removes cuts that end inside the surface, because they open nothing.
+/// Removes cuts that end inside the surface, because such cuts open nothing.
 void prune(const HalfEdgeMesh& mesh, CutMask& cut) {
   std::vector<VertexHandle> queue;
   for (const VertexHandle v : mesh.vertices()) queue.push_back(v);

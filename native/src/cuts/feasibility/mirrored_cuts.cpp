@@ -9,7 +9,7 @@
 namespace wirewarp {
 namespace {
 
-/// Returns twice the signed distance of each vertex from the plane, in scene units.
+/// Returns twice the signed distance of each vertex from the mirror plane, in scene units.
 std::vector<double> distances_across(const HalfEdgeMesh& mesh, const std::vector<VertexHandle>& image) {
   OpenMesh::Vec3d across(0, 0, 0);
   std::vector<double> distances;

@@ -11,8 +11,8 @@ namespace wirewarp {
 /// Makes cuts symmetric if a plane mirrors their chart onto itself.
 class MirroredCuts {
  public:
-  /// image: the mirror image of each vertex; empty if there is no such plane, and then cuts do not change. An edge
-  /// without a mirror image counts as its own image.
+  /// image: mirror image of each vertex; empty if no plane mirrors the chart. Without a plane, cuts do not change. An
+  /// edge without a mirror image counts as its own image.
   MirroredCuts(const Chart& chart, const std::vector<VertexHandle>& image);
 
   CutMask with_image(const CutMask& cut) const;
@@ -24,13 +24,13 @@ class MirroredCuts {
   /// Without a plane, returns the cut alone.
   std::vector<CutMask> both_ways(const CutMask& cut) const;
 
-  /// Returns all edges in the plane as one cut, then each connected run of these edges.
+  /// Returns one cut along all edges in the plane, then one cut along each connected run of these edges.
   std::vector<CutMask> lines_in_plane() const;
 
  private:
   const HalfEdgeMesh& mesh_;
   std::vector<EdgeHandle> image_;  // image of each edge; empty: there is no plane
-  std::vector<int> side_;          // side of each edge: -1 or 1; 0 if it is its own image
+  std::vector<int> side_;          // side of each edge: -1 or 1; 0 if the edge is its own image
   CutMask has_image_, is_in_plane_;
 };
 

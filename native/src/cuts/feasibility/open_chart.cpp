@@ -24,23 +24,26 @@
 namespace wirewarp {
 namespace {
 
-/// Number of times that parts are cut again. Of 64 meshes of garments, shoes, cushions, toys and figures, 41 were flat
-/// after one cut, 8 needed one more level, and none needed two.
+/// Number of times that parts may be cut again. Of 64 meshes of garments, shoes, cushions, toys and figures, 41 were
+/// flat after one cut, and 8 after their parts were cut once more. None needed a third cut.
 constexpr int kMostDepth = 3;
 
-/// Number of cuts of one chart that lies_flat() judges. With 2, garments are cut into more pieces; 5 are no better.
+/// Number of cuts of one chart that lies_flat() judges. With 2, garments are cut into more pieces. With 5, the cuts are
+/// no better.
 constexpr int kMostJudged = 3;
 
-/// Cost of distortion, as length of cut over the square root of the area. With this value, a cushion is cut around its
-/// edge (length 2.8, distortion 0.02), not along one line (1.2, 0.3), but a skirt is cut along one line (0.7, 0.014),
-/// not into two pieces (1.3, 0.01). With any value, all of 43 garments, shoes, cushions and toys become flat. With 3,
-/// 10, 30 and 100, the total length of the cuts is 86, 97, 100 and 103, and the total distortion 3.5, 0.9, 0.6 and 0.5.
+/// Cost of distortion over area, beside a cost of 1 for the length of cuts over √area. With this value, a cushion is
+/// cut around its edge (length 2.8, distortion 0.02), not along one line (1.2, 0.3). A skirt is cut along one line
+/// (0.7, 0.014), not into two pieces (1.3, 0.01). With each of the values 3, 10, 30 and 100, all 43 garments, shoes,
+/// cushions and toys become flat. The cuts of all models together have the length 86, 97, 100 and 103, over √area, and
+/// the distortion 3.5, 0.9, 0.6 and 0.5.
 constexpr double kPriceOfDistortion = 10;
 
-/// Shares of the area, and costs, that differ by less count as equal, because free maps have errors of about this size.
+/// Two shares of the area, or two costs, count as equal if they differ by less than this value. Free maps have errors
+/// of about this size.
 constexpr double kSamePrice = 1e-6;
 
-/// The free map of a chart, which has no fixed lengths.
+/// Quality of the free map of a chart, in which no lengths are fixed.
 struct Proxy {
   double covered = 0;     // area of faces that are flipped or overlap others, scene units squared
   double distortion = 0;  // E of Eq. (4), scene units squared
@@ -64,12 +67,13 @@ Proxy evaluate_proxy(const Chart& chart, const StopToken& stop) {
 struct Division {
   CutMask cut;
   std::vector<Chart> pieces;
-  std::vector<Proxy> proxies;  // of the pieces
+  std::vector<Proxy> proxies;  // one per piece
   double price = 0;            // lower is better
-  double covered = 0;          // share of the area
+  double covered = 0;          // share of the area that is flipped or overlaps other faces
 };
 
-/// Returns the cut from the boundary (on a closed surface, from a far end) to the vertex farthest from there.
+/// Returns the cut along the shortest path from the boundary to the vertex farthest from the boundary. On a closed
+/// surface, the path starts at a far end.
 CutMask slit_to_far_end(const HalfEdgeMesh& mesh, const CutMask& forbidden) {
   std::vector<VertexHandle> starts = boundary_vertices(mesh);
   const bool is_closed = starts.empty();
@@ -83,7 +87,8 @@ CutMask slit_to_far_end(const HalfEdgeMesh& mesh, const CutMask& forbidden) {
   return cut;
 }
 
-/// Searches for a cut of a chart. Cuts are masks of the whole chart's edges, and parts keep the chart's sources.
+/// Searches for a cut of a chart. Each cut is a mask of the whole chart's edges. The sources of parts are in the input,
+/// like the sources of the whole chart.
 class OpeningSearch {
  public:
   OpeningSearch(const Chart& whole, const std::function<bool(const Chart&)>& lies_flat, const StopToken& stop,
@@ -121,7 +126,7 @@ std::vector<Chart> OpeningSearch::pieces_of(const Chart& piece, const CutMask& c
   return pieces;
 }
 
-/// Cuts a piece, and opens its folded parts.
+/// Cuts a piece, then opens the tubes and handles of parts whose free maps are flipped or overlap themselves.
 Division OpeningSearch::divide(const Chart& piece, CutMask cut) const {
   Division division{std::move(cut), {}, {}, 0, 0};
   bool opens_more = false;
@@ -154,7 +159,7 @@ Division OpeningSearch::divide(const Chart& piece, CutMask cut) const {
   return division;
 }
 
-/// Returns candidates for cuts. They are symmetric if the whole chart is.
+/// Returns candidates for cuts. The cuts are symmetric if the whole chart is symmetric.
 std::vector<CutMask> OpeningSearch::cuts_through(const Chart& piece) const {
   const CutMask forbidden = map_.on_part(piece, places_.forbidden);
   std::vector<CutMask> drawn = bisections(piece.mesh, forbidden);
@@ -225,7 +230,7 @@ CutMask OpeningSearch::open(const Chart& piece, int depth) const {
   CutMask cut = best->cut;
   for (const std::size_t p : failing) {
     const Chart& part = best->pieces[p];
-    const bool is_cut = !is_empty(map_.on_part(part, cut));  // the mirror image of an earlier cut already divides it
+    const bool is_cut = !is_empty(map_.on_part(part, cut));  // a mirrored earlier cut already divides the part
     if (depth > 0 && !is_cut && part.mesh.n_faces() > 1) unite(cut, open(part, depth - 1));
   }
   return cut;

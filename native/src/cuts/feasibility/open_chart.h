@@ -11,17 +11,17 @@
 
 namespace wirewarp {
 
-/// Rules for the course of cuts.
+/// Edges that cuts must avoid, and the symmetry that cuts must have.
 struct CutPlaces {
   CutMask forbidden;                // edges that no cut may follow; empty: none
   std::vector<VertexHandle> image;  // mirror image of each vertex, to make cuts symmetric; empty: none
 };
 
-/// Returns a cut of a chart without a good flat shape, so that the parts have good flat shapes. Tubes and handles are
-/// opened, and charts are slit or cut in two; parts without a flat shape are cut again. All candidates are flattened
-/// without fixed lengths; then lies_flat() judges the best few for each chart. Returns the successful cut with the
-/// least cost of length and distortion, or the best cut if all fail. The result is empty if the search is stopped, or
-/// if no edge can be cut, for example because all are forbidden.
+/// Returns a cut that divides a chart without a good flat shape into parts with good flat shapes. Tubes and handles are
+/// opened, and charts are slit or cut in two. Parts without a flat shape are cut again. All candidates are flattened
+/// without fixed lengths, then lies_flat() judges the best few for each chart. Of the successful cuts, the cut with the
+/// least cost of length and distortion is returned. If all cuts fail, the best of them is returned. The result is empty
+/// if the search is canceled, or if no edge can be cut, for example because all edges are forbidden.
 CutMask open_chart(const Chart& chart, const std::function<bool(const Chart& part)>& lies_flat, const StopToken& stop,
                    CutPlaces places = {});
 

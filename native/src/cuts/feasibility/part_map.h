@@ -14,21 +14,22 @@ class PartMap {
  public:
   explicit PartMap(const Chart& chart);
 
-  /// Returns the inner edge of the chart between two source vertices, in either order; not valid if there is none.
+  /// Returns the inner edge of the chart between two source vertices, in either order. The handle is invalid if there
+  /// is no such edge.
   EdgeHandle edge_between(const VertexPair& ends) const;
 
-  /// Returns the inner edges of the chart among these edges, given by their source vertices.
+  /// Returns the mask of all given edges that are inner edges of the chart. edges: source vertices of each edge.
   CutMask mask_of(const std::vector<VertexPair>& edges) const;
 
   /// Converts a cut of a part to a cut of the chart.
   CutMask on_chart(const Chart& part, const CutMask& cut) const;
 
-  /// Returns the part of the chart's cut that is inside a part.
+  /// Converts a cut of the chart to a cut of a part. Edges of the cut outside the part are left out.
   CutMask on_part(const Chart& part, const CutMask& cut) const;
 
  private:
   std::vector<std::pair<VertexPair, EdgeHandle>> edges_;  // inner edges, sorted
-  std::size_t num_edges_;                                 // of the chart
+  std::size_t num_edges_;                                 // number of the chart's edges
 };
 
 }  // namespace wirewarp

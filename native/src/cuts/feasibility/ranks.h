@@ -7,10 +7,10 @@
 namespace wirewarp {
 
 /// Returns the rank of each value, from 0 for the lowest. A value that exceeds the next lower value by at most `same`
-/// has the same rank, so that rounding errors do not decide the order. Values must not be NaN.
+/// has the rank of this lower value. So rounding errors do not decide the order. Values must not be NaN.
 std::vector<int> ranks_of(const std::vector<double>& values, double same);
 
-/// Returns the indices of the values, those of the highest rank first. Values of one rank keep their order.
+/// Returns the indices of the values, highest rank first. Values of one rank keep their order.
 std::vector<std::size_t> highest_first(const std::vector<double>& values, double same);
 
 }  // namespace wirewarp

@@ -14,21 +14,21 @@
 namespace wirewarp {
 namespace {
 
-/// The ends of the band, in radii of the loop. A limb whose axis meets the body at 45 degrees has its crease within two
-/// radii.
+/// Distances of the band's two ends from the loop, in radii of the loop. A limb whose axis meets the body at 45 degrees
+/// has its crease within two radii.
 constexpr double kTowardsTip = 1, kTowardsBody = 2;
 
-/// A concave curvature of this number divided by the radius halves the conductance. For larger curvatures, the
-/// conductance falls with the square of the curvature.
+/// A concave curvature of kConcave / radius halves the conductance. For much larger curvatures, the conductance falls
+/// with the square of the curvature.
 constexpr double kConcave = 0.5;
 
-/// Number of times that normals are averaged with those of their neighbors. Without this, lines in the shallow creases
-/// of a star follow single edges.
+/// Number of times that each normal is averaged with the normals of the neighboring vertices. Without this, lines in
+/// the shallow creases of a star follow single edges.
 constexpr int kSmoothings = 2;
 
 using Point = HalfEdgeMesh::Point;
 
-/// Returns a normal for each vertex.
+/// Returns a smoothed normal of length 1 for each vertex.
 std::vector<Point> smooth_normals(const HalfEdgeMesh& mesh) {
   std::vector<Point> normals(mesh.n_vertices(), Point(0, 0, 0));
   for (const HalfedgeHandle h : mesh.halfedges()) {

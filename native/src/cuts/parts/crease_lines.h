@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Finds the crease between a limb and the body, in which the two sides of a loop are easiest to flatten.
+// Finds the crease between a limb and the body. Both are easiest to flatten if the loop between them follows the
+// crease.
 //
 //   u      potential: 0 at the limb's end of a band, 1 at the body's end
 //   w_ij   conductance of the edge from vertex i to vertex j, low where the surface is concave along the edge
 //
-// Σ_j w_ij (u_i - u_j) = 0 inside the band. Most of u changes at the crease, so lines of equal u follow it. From O.
-// K.-C. Au, Y. Zheng, M. Chen, P. Xu, C.-L. Tai, Mesh segmentation with concavity-aware fields, IEEE Transactions on
-// Visualization and Computer Graphics 18, 2012; the conductances are ours.
+// Σ_j w_ij (u_i - u_j) = 0 inside the band. u changes most at the crease, so lines of equal u follow the crease. The
+// method is from O. K.-C. Au, Y. Zheng, M. Chen, P. Xu, C.-L. Tai, Mesh segmentation with concavity-aware fields, IEEE
+// Transactions on Visualization and Computer Graphics 18, 2012. The conductances are WireWarp's own.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,8 +16,8 @@
 
 namespace wirewarp {
 
-/// Returns u for the band around a loop. distance: distance of each vertex from the tip of the limb. level: distance of
-/// the loop. length: length of the loop. All are in scene units.
+/// Returns u at each vertex for the band around a loop. distance: distance of each vertex from the tip of the limb.
+/// level: distance of the loop from the tip. length: length of the loop. All are in scene units.
 Eigen::VectorXd potential_across(const HalfEdgeMesh& mesh, const Eigen::VectorXd& distance, double level,
                                  double length);
 

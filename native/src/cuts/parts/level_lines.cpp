@@ -6,13 +6,14 @@
 namespace wirewarp {
 namespace {
 
-/// The level set of a function in the triangles of a mesh. Lines lead so that larger values are on their left.
+/// The level set of a function in the triangles of a mesh. Each line has larger values on its left.
 class LevelSet {
  public:
   LevelSet(const HalfEdgeMesh& mesh, const Eigen::VectorXd& values, double level)
       : mesh_(mesh), values_(values), level_(level) {}
 
-  /// Returns whether the function rises through the level along a half-edge. There, a line leaves the half-edge's face.
+  /// Returns whether the function rises through the level along a half-edge. If so, a line leaves the half-edge's face
+  /// there.
   bool rises(HalfedgeHandle h) const {
     return values_[mesh_.from_vertex_handle(h).idx()] < level_ && values_[mesh_.to_vertex_handle(h).idx()] >= level_;
   }
@@ -40,7 +41,7 @@ std::vector<MeshPath> level_lines(const HalfEdgeMesh& mesh, const Eigen::VectorX
   const LevelSet set(mesh, values, level);
   std::vector<char> is_done(mesh.n_halfedges(), 0);
   std::vector<MeshPath> lines;
-  /// Follows a line from a half-edge at which it enters a face.
+  /// Follows a line that enters a face through the half-edge `in`. line: the line's first point.
   const auto follow = [&](HalfedgeHandle in, MeshPath line) {
     while (true) {
       const HalfedgeHandle out = set.way_out(in);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lines on a mesh along which a function has one value. Functions have one value per vertex and are linear in each
-// triangle; a value at the level counts as above it.
+// Finds lines on a mesh along which a function equals a value, the level. The function has one value per vertex and is
+// linear in each triangle. A value equal to the level counts as above the level.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,10 +11,10 @@
 
 namespace wirewarp {
 
-/// Returns the lines: first those from outline to outline, then closed ones, which repeat their first point.
+/// Returns first the lines from outline to outline, then the closed lines, which repeat their first point.
 std::vector<MeshPath> level_lines(const HalfEdgeMesh& mesh, const Eigen::VectorXd& values, double level);
 
-/// Returns the length of all these lines, scene units.
+/// Returns the total length of the lines that level_lines() returns, in scene units.
 double level_length(const HalfEdgeMesh& mesh, const Eigen::VectorXd& values, double level);
 
 }  // namespace wirewarp

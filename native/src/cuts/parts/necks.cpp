@@ -16,34 +16,36 @@
 namespace wirewarp {
 namespace {
 
-/// Number of points over which the average distance is taken. With 40, it differs from the average over all vertices by
-/// about 1%, less than between a tip and its surroundings.
+/// Number of points over which the average distance is taken. With 40, the result differs from the average over all
+/// vertices by about 1%. The difference between a tip and its surroundings is larger.
 constexpr std::size_t kSamples = 40;
 
-/// Radius around a tip in which no other vertex is farther from the rest, and the least distance between two tips; over
-/// the root of the area. The ears of a bear of 30 cm are four times as far apart.
+/// kAroundTip: radius around a tip in which no other vertex has a larger average distance. kBetweenTips: least distance
+/// between two tips. Both are over √area. The ears of a bear of 30 cm are four times kBetweenTips apart.
 constexpr double kAroundTip = 0.12, kBetweenTips = 0.06;
 
-/// Largest number of tips: those of two hands.
+/// Largest number of tips. A figure with ten fingers has fewer.
 constexpr std::size_t kMostTips = 24;
 
-/// Number of distances at which lines are measured, and of those on each side among which a neck has the least L / √A.
+/// kLevels: number of distances from a tip at which lines are measured. At a neck, L / √A is the least among kAround of
+/// these distances on each side.
 constexpr int kLevels = 120, kAround = 6;
 
-/// Least and largest share of the area at a tip: a bear's ear has 0.024, its head 0.4.
+/// Least and largest area of the part at a tip, as a share of the surface's area. A bear's ear has 0.024, its head 0.4.
 constexpr double kSmallest = 0.006, kLargest = 0.55;
 
-/// A neck has L / √A of at most kShort: a bear's ears have 2.27, and the arms of a star 2. If it separates more than
-/// the share kLarge of the area, it has at most kShortIfLarge: a bear's head has 1.16, a rabbit's 1.46, and a loop
-/// around the middle of a star 2.3.
+/// At a neck, L / √A is at most kShort. A bear's ears have 2.27, and the arms of a star 2. If the part at the tip has
+/// more than the share kLarge of the area, L / √A is at most kShortIfLarge. A bear's head has 1.16, a rabbit's head
+/// 1.46, but a loop around the middle of a star has 2.3.
 constexpr double kShort = 2.4, kShortIfLarge = 1.5, kLarge = 0.25;
 
-/// Beyond a neck, L grows by a factor kWidens before the area grows by a factor kSoon. On a cone, L grows by 1.34 while
-/// the area grows by 1.8, but L / √A is constant.
+/// Beyond a neck, L grows by a factor kWidens before the area grows by a factor kSoon. On a cone, L grows by a factor
+/// 1.34 while the area grows by a factor 1.8, but L / √A is constant.
 constexpr double kWidens = 1.12, kSoon = 1.8;
 
-/// Two parts are the same if their common area is more than kSame of their union, nested if it is more than kNested of
-/// the smaller part, and disjoint if it is less than kDisjoint of the smaller part.
+/// Two parts are the same if their common area is more than the share kSame of their union. They are nested if the
+/// common area is more than the share kNested of the smaller part. They are disjoint if it is less than the share
+/// kDisjoint of the smaller part.
 constexpr double kSame = 0.6, kNested = 0.97, kDisjoint = 0.03;
 
 /// Two parts have the same neck if more than this share of the surface is in exactly one of them.
@@ -52,12 +54,12 @@ constexpr double kWhole = 0.75;
 /// Distances that differ by less than this share are equal except for rounding errors.
 constexpr double kRounding = 1e-9;
 
-/// The potential in the middle of the change across a crease.
+/// Potential along a crease: the mean of the potentials at both ends of the band.
 constexpr double kCrease = 0.5;
 
 using Distances = Eigen::VectorXd;
 
-/// Returns the index of the first of the largest values.
+/// Returns the index of the first value that equals the largest value, except for rounding errors.
 int first_of_largest(const Eigen::VectorXd& values) {
   const double least = (1 - kRounding) * values.maxCoeff();
   return static_cast<int>(std::find_if(values.begin(), values.end(), [&](double value) { return value >= least; }) -
@@ -91,10 +93,10 @@ class NeckSearch {
   }
 
  private:
-  using Faces = Eigen::VectorXd;  // per face: 1 if it is at the tip, otherwise 0
+  using Faces = Eigen::VectorXd;  // per face: 1 if the face is in the part at the tip, otherwise 0
 
   struct Candidate {
-    double ratio;  // of its length to the root of the smaller area
+    double ratio;  // L / √A
     Neck neck;
     Faces is_inside;
   };
@@ -105,7 +107,8 @@ class NeckSearch {
     return result;
   }
 
-  /// Returns the mean distance of each vertex from the whole surface. Each sample is weighted by the area around it.
+  /// Returns the mean distance of each vertex from sample points on the surface. Each sample is weighted by the area
+  /// around it.
   Distances average_distance() const;
   std::vector<Distances> distances_from_tips() const;
   void add_candidates(const Distances& distance, std::vector<Candidate>& found) const;
@@ -153,8 +156,8 @@ Distances NeckSearch::average_distance() const {
   return image_.empty() ? average : Distances((average + mirrored(average)) / 2);
 }
 
-/// Returns the distances from each tip; of a mirrored pair, from one of them. A tip in the mirror plane has symmetric
-/// distances.
+/// Returns the distances of all vertices from each tip, but only from one tip of each mirrored pair. The distances from
+/// a tip in the mirror plane are symmetric.
 std::vector<Distances> NeckSearch::distances_from_tips() const {
   const Distances average = average_distance();
   const double size = std::sqrt(area_);
@@ -193,7 +196,7 @@ Eigen::VectorXd NeckSearch::of_faces(const Distances& distance) const {
   return means;
 }
 
-/// Adds the distances at which the surface around a tip is narrower than before and beyond.
+/// Adds a candidate for each distance from a tip at which the surface is narrower than before and beyond this distance.
 void NeckSearch::add_candidates(const Distances& distance, std::vector<Candidate>& found) const {
   const double farthest = distance.maxCoeff(), first = kBetweenTips * std::sqrt(area_);
   const Eigen::VectorXd face_distance = of_faces(distance);
@@ -220,14 +223,14 @@ void NeckSearch::add_candidates(const Distances& distance, std::vector<Candidate
   }
 }
 
-/// Returns whether two parts are clearly nested or disjoint.
+/// Returns whether two parts are clearly different, and clearly nested or disjoint.
 bool NeckSearch::fits(const Faces& one, const Faces& other) const {
   const double both = common_area(one, other), a = area_of(one), b = area_of(other), least = std::min(a, b);
   if (both > kSame * (a + b - both) || a + b - 2 * both > kWhole * area_) return false;
   return both > kNested * least || both < kDisjoint * least;
 }
 
-/// Returns the neck with its loop in the crease around it, if it is shorter there.
+/// Returns the candidate with its loop in the nearest crease, or unchanged if the loop would be longer there.
 NeckSearch::Candidate NeckSearch::in_crease(const Candidate& candidate) const {
   const auto& [distance, level] = candidate.neck;
   const double length = level_length(mesh_, distance, level);
@@ -238,7 +241,7 @@ NeckSearch::Candidate NeckSearch::in_crease(const Candidate& candidate) const {
   return moved;
 }
 
-/// Accepts a neck, together with its mirror image, if it fits all others. Returns whether it does.
+/// Accepts a neck, together with its mirror image, if both fit all accepted necks. Returns whether they fit.
 bool NeckSearch::accept(const Candidate& candidate) {
   std::vector<Candidate> added{candidate};
   if (!image_.empty()) {

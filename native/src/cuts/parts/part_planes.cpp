@@ -12,20 +12,21 @@
 namespace wirewarp {
 namespace {
 
-/// The weight of a part's centroid beside one for the middle of each of its outlines: it decides if all outlines are on
-/// one line.
+/// Weight of a part's centroid in the choice of the plane nearest to the middles of its outlines, which have the weight
+/// 1. The centroid decides if all middles are on one line.
 constexpr double kCentroid = 0.1;
 
-/// The cosine between normals above which two planes are the same.
+/// Two planes are the same if the cosine between their normals is above this value.
 constexpr double kSameNormal = 0.98;
 
-/// Parallel planes are the same if they are apart by less than this share of the root of the area.
+/// Parallel planes are the same if their distance is less than this share of √area.
 constexpr double kSamePlace = 1e-9;
 
-/// A normal with less than this length in the mirror plane is turned into the mirror's own.
+/// If the component of a normal in the mirror plane is shorter than this, the normal of the mirror plane replaces the
+/// normal.
 constexpr double kInPlane = 0.3;
 
-/// Returns the sum of areas times x xᵀ, with x the centroid of a face relative to a point.
+/// Returns the sum of area times x xᵀ over all faces, where x is the face's centroid relative to a point.
 Eigen::Matrix3d spread_around(const HalfEdgeMesh& mesh, const Eigen::Vector3d& point) {
   Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
   for (const FaceHandle f : mesh.faces()) {
@@ -100,7 +101,7 @@ std::vector<Plane> planes_through(const Chart& part, const std::optional<Eigen::
     });
     if (!is_known) planes.push_back(plane);
   };
-  /// Adds planes that contain a line: along the least and along the largest spread across it.
+  /// Adds two planes that contain a line. Their normals point along the least and the largest spread across the line.
   const auto add_along = [&](const Eigen::Vector3d& point, const Eigen::Vector3d& direction) {
     const Eigen::Matrix3d across = Eigen::Matrix3d::Identity() - direction * direction.transpose();
     const Eigen::Matrix3d frame = principal_axes(mesh, across * spread * across);

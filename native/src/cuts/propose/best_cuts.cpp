@@ -30,15 +30,15 @@ constexpr double kClearlyLarger = 1 + 1e-9;
 /// Progress once the sets are found, before they are smoothed.
 constexpr double kSearched = 0.7;
 
-/// Progress once the piece is divided into parts. For most models, the search then ends. If it continues along edges,
-/// the division has taken a quarter of the time.
+/// Progress once the piece is divided into parts. For most models, the search then ends. If the search continues along
+/// edges, the division took a quarter of the whole time.
 constexpr double kDivided = 0.5;
 
-/// The decrease of the largest strain of all pieces by a cut, then the decrease of the strain of its own piece.
+/// Two decreases of strain by a cut: of the largest strain of all pieces, and of the strain of the piece that it cuts.
 using Gain = std::pair<double, double>;
 
-/// Returns the cuts with the largest gains, with DartProposal::twin as an index into this list. A mirrored pair counts
-/// as one.
+/// Returns the `count` cuts with the largest gains. A mirrored pair counts as one cut. DartProposal::twin becomes an
+/// index into the returned list.
 std::vector<DartProposal> best_of(const std::vector<DartProposal>& proposals, const std::vector<Gain>& gains,
                                   int count) {
   std::vector<int> order(proposals.size());
@@ -61,7 +61,7 @@ std::vector<DartProposal> best_of(const std::vector<DartProposal>& proposals, co
 /// Returns the strain of a piece, or -1 if it has an error.
 double strain_of(const FlatPiece& piece) { return piece.error ? -1 : piece.strain; }
 
-/// Returns the gain of a cut that leaves this strain in its piece.
+/// Returns the gain of a cut that leaves the strain `left` in its piece.
 Gain gain_of(const FlatPieces& pieces, int piece, double left) {
   double others = 0;
   for (std::size_t c = 0; c < pieces.size(); ++c) {
@@ -77,8 +77,9 @@ bool is_second_of_pair(const std::vector<DartProposal>& proposals, std::size_t i
 
 double strain_left(const DartProposal& dart) { return dart.strain_with_twin.value_or(dart.strain); }
 
-/// A dart along edges has elbows, which are hard to sew. It is listed only if it leaves less strain by this share. A
-/// smaller gain is not noticeable in fabric (0.5% of stretch for a piece that needs 10%).
+/// A dart along edges has elbows, which are hard to sew. It is listed only if it leaves less strain than all smooth
+/// darts by at least this share. A smaller gain is not noticeable in fabric (0.5% of stretch for a piece that needs
+/// 10%).
 constexpr double kWorthElbows = 0.05;
 
 /// Returns smooth darts, and the best dart along edges if it leaves clearly less strain than all smooth darts.
@@ -108,8 +109,8 @@ std::vector<DartProposal> search_piece(const FlatPieces& pieces, int piece, CutK
   return darts;
 }
 
-/// Searches the pieces, the most strained first, until the remaining pieces cannot gain more than the cuts found so
-/// far.
+/// Searches the pieces for cuts, the most strained piece first. Ends when no cut of the remaining pieces can gain more
+/// than the cuts found so far.
 std::vector<DartProposal> search_pieces(const FlatPieces& pieces, CutKind kind, const CutOptions& cut_options,
                                         const ExactEvaluation& exact) {
   std::vector<int> order(pieces.size());
@@ -138,7 +139,7 @@ std::vector<DartProposal> search_pieces(const FlatPieces& pieces, CutKind kind, 
     if (!first_refusal) first_refusal = std::move(refusal);
   }
   if (!proposals.empty()) return best_of(proposals, gains, cut_options.count);
-  if (!first_refusal) throw std::logic_error("A flat piece was searched: it has proposals or a reason for none.");
+  if (!first_refusal) throw std::logic_error("The search of a flat piece returned neither cuts nor an error.");
   throw *first_refusal;
 }
 
@@ -156,7 +157,7 @@ std::optional<std::size_t> without_shape(const FlatPieces& pieces, const CutOpti
   return largest;
 }
 
-/// Returns cut sets along edges, then smoothed if the caller wants smooth sets. begin: the progress so far.
+/// Returns cut sets along edges. Smooths them if the caller wants smooth sets. begin: the progress so far.
 std::vector<DartProposal> sets_along_edges(const FlatPieces& pieces, std::size_t piece, const CutOptions& cut_options,
                                            const ExactEvaluation& exact, CutProgress& progress, double begin) {
   const double searched = cut_options.is_smooth ? begin + (1 - begin) * kSearched : 1;
@@ -172,13 +173,14 @@ std::vector<DartProposal> sets_along_edges(const FlatPieces& pieces, std::size_t
       if (smooth.strain < kMostStrain && smooth.length <= cut_options.longest) sets[i] = std::move(smooth);
     }
   };
-  if (cut_options.is_smooth) was_stopped(smooth_all);  // if stopped, the other sets keep their edges
+  if (cut_options.is_smooth) was_stopped(smooth_all);  // if canceled, the remaining sets keep their edges
   progress.begin_part(0, 1);
   return sets;
 }
 
-/// Returns the sets along parts of the piece. Adds the sets along edges if no set along parts is easy to sew. For soft
-/// shapes such as a goat's head, sets along edges often have half as many pieces, but take two or three times as long.
+/// Returns the cut sets that divide the piece into its parts. Adds cut sets along edges if no set of parts is easy to
+/// sew. For soft shapes such as a goat's head, sets along edges often have half as many pieces, but take two or three
+/// times as long to find.
 std::vector<DartProposal> cut_sets(const FlatPieces& pieces, std::size_t piece, const CutOptions& cut_options,
                                    const ExactEvaluation& exact, CutProgress& progress) {
   if (!cut_options.is_smooth || !can_be_divided(*pieces[piece], exact))

@@ -13,12 +13,14 @@ namespace wirewarp {
 /// Throws invalid_option if an option is out of range.
 void check_cut_options(const CutOptions& cut_options, const FlattenInput& input, std::size_t num_pieces);
 
-/// Returns whether the piece lacks seams: it is closed, has handles, its outline cannot enclose it, it is flipped or
-/// overlaps itself, or, without wires inside, its lengths are infeasible or its flat shape needs a strain of 1 or more.
+/// Returns whether a piece lacks seams. A piece lacks seams if it is closed, has handles, has an outline that is too
+/// short to enclose it, is flipped or overlaps itself. A piece without wires inside also lacks seams if its lengths are
+/// infeasible, or if its flat shape needs a strain of 1 or more.
 bool lacks_seams(const FlatPiece& piece);
 
-/// Returns what propose_darts() and propose_seams() propose for these pieces. If a search for cut sets is stopped,
-/// returns the sets found by then. Throws their errors, and Stopped if nothing was found.
+/// Returns the darts of propose_darts() or the seams of propose_seams() for these pieces. If a search for cut sets is
+/// canceled, returns the sets found by then. Throws the errors of these functions, and Stopped if nothing was found by
+/// then.
 std::vector<DartProposal> best_cuts(const FlatPieces& pieces, CutKind kind, const CutOptions& cut_options,
                                     const ExactEvaluation& exact, CutProgress& progress);
 

@@ -14,8 +14,8 @@
 namespace wirewarp {
 namespace {
 
-/// Lengths (over the root of the area) and angles (in radians) that differ by less count as equal. This is a thousand
-/// times the rounding when the input is rotated, and far below the differences between edges of a large outline.
+/// Lengths (over √area) and angles (in radians) that differ by less than this value count as equal. It is a thousand
+/// times the rounding error of rotated input, and far below the differences between edges of a large outline.
 constexpr double kSame = 1e-9;
 
 /// The first half-edge of a numbering, and whether the numbering goes clockwise around vertices.
@@ -24,8 +24,8 @@ struct Start {
   bool backwards = false;
 };
 
-/// Describes a vertex of the outline and the edge after it without positions: the rank of the edge's length, the rank
-/// of the angle inside, and the number of edges.
+/// Describes a vertex of the outline and the edge after it, without positions. It contains the rank of the edge's
+/// length, the rank of the angle inside, and the number of edges at the vertex.
 using OutlineStep = std::array<int, 3>;
 
 /// Returns the walk around the outer loop with the chart on the left, and the walk in the opposite direction, both from
@@ -52,7 +52,7 @@ std::array<std::vector<OutlineStep>, 2> walk_outline(const Chart& chart) {
   return walks;
 }
 
-/// Returns the start of the lexicographically least rotation, in linear time: compares two candidates, and at the first
+/// Returns the start of the lexicographically least rotation, in linear time. Compares two candidates, and at the first
 /// difference drops the greater candidate with all starts in its compared section (J. P. Duval, Factorizing words over
 /// an ordered alphabet, 1983).
 std::size_t least_rotation(const std::vector<OutlineStep>& ring, WorkMeter& work) {
@@ -83,7 +83,7 @@ Start start_on_outline(const Chart& chart, WorkMeter& work) {
   return {mesh.opposite_halfedge_handle(loop[loop.size() - 1 - backwards]), true};
 }
 
-/// Numbers vertices breadth first; the neighbors of each follow in their order around it.
+/// Numbers vertices breadth first. The neighbors of a vertex are numbered in their order around it.
 class SurfaceWalk {
  public:
   /// rank: -1 for each vertex. It contains the vertices' numbers during the walk, and is reset to -1 afterwards.
@@ -97,7 +97,8 @@ class SurfaceWalk {
   SurfaceWalk(const SurfaceWalk&) = delete;
   SurfaceWalk& operator=(const SurfaceWalk&) = delete;
 
-  /// Returns the next half-edge around one vertex after the other; not valid at the end.
+  /// Returns the next half-edge of the walk around one vertex after the other, or an invalid one at the end of the
+  /// walk.
   HalfedgeHandle step() {
     if (!next_.is_valid()) {
       if (at_ == order_.size()) return next_;
@@ -141,8 +142,8 @@ std::vector<VertexHandle> breadth_first(const HalfEdgeMesh& mesh, Start start) {
 }
 
 /// Returns the start of the numbering at one of the longest edges. Usually there are few longest edges, and their walks
-/// differ after a few steps. A surface of revolution has one longest edge per segment, and each needs a walk over the
-/// whole surface.
+/// differ after a few steps. A surface of revolution has one longest edge per segment, and each of these edges needs a
+/// walk over the whole surface.
 Start start_on_closed(const HalfEdgeMesh& mesh, const StopToken& stop) {
   double longest = 0;
   for (const EdgeHandle e : mesh.edges()) longest = std::max(longest, edge_length(mesh, mesh.halfedge_handle(e, 0)));

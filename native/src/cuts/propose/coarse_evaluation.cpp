@@ -18,19 +18,20 @@ namespace {
 
 constexpr double kHasNoFlatShape = std::numeric_limits<double>::infinity();
 
-/// Good cuts take 3 to 8 factorizations. Pieces with more have wires that almost contradict one another.
+/// Largest number of factorizations per piece. Good cuts take 3 to 8. Pieces that take more have wires that almost
+/// contradict one another.
 constexpr int kMaxFactorizations = 20;
 
-/// Cut pieces start from the uncut shape if its energy over its area is below this value, which takes half the time of
-/// refine_chart(). On a hat (0.04) and a cushion (0.26), this start leads to folds in every third evaluation. On seven
-/// panels of garments (0.0006 to 0.01), it leads to no folds for the best cuts.
+/// Cut pieces start from the uncut shape if its energy over its area is below this value. This start takes half the
+/// time of refine_chart(). On a hat (value 0.04) and a cushion (0.26), it leads to folds in every third evaluation. On
+/// seven panels of garments (0.0006 to 0.01), the best cuts lead to no folds.
 constexpr double kNearFlat = 0.02;
 
 InternalOptions brief(InternalOptions options) {
   options.max_factorizations = kMaxFactorizations;
-  options.makes_injective = false;  // a cut that folds the piece is bad, and fixing folds takes as long as ten cuts
+  options.makes_injective = false;  // cuts that fold a piece are bad, and fixing folds takes as long as ten trials
   options.target = Target::rough;
-  options.cloth.reset();  // without the fabric, which takes about twice as long; exact evaluations follow
+  options.cloth.reset();  // a fabric doubles the time of an evaluation, and exact evaluations use it later
   return options;
 }
 

@@ -14,10 +14,11 @@ namespace wirewarp {
 /// A chart with few faces, for quick evaluations of cuts. It has no super-elastic wires.
 struct CoarseCopy {
   Chart chart;
-  std::vector<VertexHandle> fine_vertex;  // of each coarse vertex
+  std::vector<VertexHandle> fine_vertex;  // vertex of the original chart at each coarse vertex
 };
 
-/// Returns a copy with about half as many faces as requested, or the chart itself if it has few. Throws Stopped.
+/// Returns a copy with about half as many faces as requested, or the chart itself if it has few faces or cannot be
+/// coarsened. faces: requested number. Throws Stopped.
 CoarseCopy coarse_copy(const Chart& chart, double faces, const StopToken& stop);
 
 /// Evaluates cuts of a chart, which is usually a coarse copy, by a few Newton steps. May be used in any thread.
@@ -26,11 +27,11 @@ class CoarseEvaluation {
   /// The chart must outlive this object. Throws Stopped.
   CoarseEvaluation(const Chart& chart, const InternalOptions& options, const StopToken& stop);
 
-  /// Returns E of Eq. (4) of the uncut chart by the refined method, in scene units squared; infinite if it has no flat
-  /// shape.
+  /// Returns the energy of the uncut chart: E of Eq. (4) by the refined method, in scene units squared. Infinite if the
+  /// chart has no flat shape.
   double energy_uncut() const { return uncut_; }
 
-  /// Returns this energy for the chart with a cut. Throws Stopped.
+  /// Returns the energy of the chart with a cut, measured like energy_uncut(). Throws Stopped.
   double energy_when_cut(const CutMask& cut, const StopToken& stop) const;
 
  private:

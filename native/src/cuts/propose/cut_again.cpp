@@ -14,7 +14,7 @@
 namespace wirewarp {
 namespace {
 
-/// The default of cut_mesh(), which callers use to cut along the lines of a set.
+/// Default of the parameter `snap` of cut_mesh(). Callers use it to cut along the lines of a set.
 constexpr double kCutSnap = 0.05;
 
 }  // namespace
@@ -70,7 +70,7 @@ std::vector<char> not_collapsed(const Triangles& faces, int num_vertices, const 
       kept[p] = 0;
       is_fewer = true;
     }
-    if (!is_fewer) return kept;  // otherwise points may move elsewhere without the collapsed paths
+    if (!is_fewer) return kept;  // tries again, because points may move elsewhere without the collapsed paths
   }
 }
 

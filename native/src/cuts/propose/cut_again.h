@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Cuts a mesh along lines, then the result along more lines, as one cut of the first mesh.
+// Cuts a mesh along lines, then cuts the result along more lines. Both cuts together become one cut of the first mesh.
 #pragma once
 
 #include <vector>
@@ -9,15 +9,15 @@
 
 namespace wirewarp {
 
-/// Returns a mesh without cuts.
+/// Returns the input's mesh as a cut mesh without any cut.
 CutMesh uncut(const FlattenInput& input);
 
-/// Cuts a cut mesh along more paths on it, without those that collapse. The edges are those of all cuts. The sources
-/// of faces and corners are in the first mesh; the other sources are in the mesh before.
+/// Returns a cut mesh with more cuts along paths on it. Paths that collapse are left out. The edges include the edges
+/// of earlier cuts. The sources of faces and corners are in the first mesh. The other sources are in the mesh `before`.
 CutMesh cut_again(const CutMesh& before, const std::vector<SurfacePath>& paths);
 
-/// Returns one flag per path: 0 if cut_mesh() moves all its points to one point, because it refuses such paths. Other
-/// paths that end there then meet in that point.
+/// Returns one flag per path: 0 if cut_mesh() refuses the path because all its points move to one point. Other paths
+/// that end at such a path then meet in this point.
 std::vector<char> not_collapsed(const Triangles& faces, int num_vertices, const std::vector<SurfacePath>& paths);
 
 /// Returns the paths whose flag is not 0.

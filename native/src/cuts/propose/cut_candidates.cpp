@@ -18,15 +18,16 @@ namespace {
 /// together are about as long as the distance between two of the points spread along the outline.
 constexpr double kWindow = 1.0 / 24;
 
-/// The outline has a corner if it turns by more (radians). A ring of twelve edges turns by this much at each vertex.
+/// The outline has a corner at a vertex if it turns there by more than this angle, in radians. A ring of twelve edges
+/// turns by this much at each vertex.
 constexpr double kCorner = kPi / 6;
 
 /// A value counts as larger only if it exceeds the other value by this factor, so that rounding errors in rotated input
 /// do not decide.
 constexpr double kClearly = 1 + 1e-9;
 
-/// Largest distance, over the root of the area, between ends of cuts that count as near each other. It is slightly less
-/// than 0.2, the distance between points inside.
+/// Largest distance, over √area, between ends of cuts that count as near each other. It is slightly less than 0.2, the
+/// typical distance between the points spread over the inside.
 constexpr double kApart = 0.15;
 
 struct OutlinePoint {
@@ -67,7 +68,7 @@ void add_landings(const OutlineLoop& loop, double length, const SmoothPaths& pat
   }
 }
 
-/// Returns at most `count` vertices, each as far as possible from the sources and the earlier ones.
+/// Returns at most `count` vertices, each as far as possible from the sources and from the vertices before it.
 std::vector<VertexHandle> spread(const Chart& chart, std::vector<VertexHandle> sources,
                                  const std::vector<char>& may_take, int count) {
   std::vector<VertexHandle> taken;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Candidates for cuts of a chart.
+// Finds candidates for cuts of a chart.
 #pragma once
 
 #include <vector>
@@ -25,20 +25,20 @@ struct CutEnds {
 /// Numbers of points at which cuts start and end.
 struct CandidatePoints {
   int inside;
-  int on_outline;  // half of them at corners, if there are enough
+  int on_outline;  // half of them at corners, if there are enough corners
 };
 
-/// Returns candidates. Darts lead from points spread over the inside to points spread along the outline, and to
-/// landings, which are the points of the outline with the shortest path in their neighborhood. Seams start at points
-/// spread along the outline in the same way.
+/// Returns candidates for cuts. Darts connect points spread over the inside with points spread along the outline, and
+/// with landings. A landing is a point of the outline with a shorter path than all points nearby. Seams connect points
+/// spread along the outline with each other, and with landings.
 std::vector<CutEnds> list_candidates(const Chart& chart, const SmoothPathFinder& paths, CutKind kind,
                                      CandidatePoints count);
 
-/// Returns the cuts with one end moved to a neighboring vertex.
+/// Returns variants of a cut, each with one end moved to a neighboring vertex.
 std::vector<CutEnds> neighbors_of(const Chart& chart, const SmoothPathFinder& paths, CutEnds cut);
 
-/// Returns whether both ends of two cuts are so near each other that a tailor would see one cut. size: root of the
-/// chart's area.
+/// Returns whether both ends of two cuts are so near each other that a tailor would see one cut. size: √area of the
+/// chart, in scene units.
 bool are_beside(const HalfEdgeMesh& mesh, double size, CutEnds a, CutEnds b);
 
 /// Returns the edges of a cut from its start to its end; empty if no path exists.

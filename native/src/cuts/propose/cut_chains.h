@@ -6,11 +6,11 @@
 
 namespace wirewarp {
 
-/// Returns the sections of a cut: first those from one vertex where cuts end or meet to the next such vertex, then
-/// closed rings.
+/// Returns the sections of a cut. First come the sections that lead from one vertex at which cuts end or meet to the
+/// next such vertex. Closed rings follow.
 std::vector<HalfEdgeChain> sections_of(const HalfEdgeMesh& mesh, const CutMask& cut);
 
-/// Returns the ends of the cut edges in the input, section by section.
+/// Returns the input vertices at the ends of each cut edge, section by section.
 std::vector<VertexPair> edges_by_section(const Chart& chart, const CutMask& cut);
 
 }  // namespace wirewarp

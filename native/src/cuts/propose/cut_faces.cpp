@@ -11,8 +11,8 @@ namespace {
 
 /// Consecutive edges of a wire.
 struct WireRun {
-  int wire;   // of the whole input
-  int begin;  // its first edge
+  int wire;   // index in the whole input
+  int begin;  // first edge of the run, counted along the wire
 };
 
 /// Some faces of an input as a separate input, with vertices and faces in the same order.

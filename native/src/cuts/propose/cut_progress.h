@@ -34,14 +34,15 @@ class CutProgress {
     begin_part(0, 1);
   }
 
-  /// Begins a part of the round, between these shares of it.
+  /// Begins a part of the current round. from, to: range of the part, as shares of the round.
   void begin_part(double from, double to) {
     part_from_ = from;
     part_to_ = to;
     enter(0, 1);
   }
 
-  /// Maps the progress that follows to the range between these shares of the part. Reported progress never decreases.
+  /// Limits the following progress to a range of the current part. from, to: shares of the part. Reported progress
+  /// never decreases.
   void enter(double from, double to) {
     from_ = part_from_ + (part_to_ - part_from_) * from;
     to_ = part_from_ + (part_to_ - part_from_) * to;
@@ -58,7 +59,7 @@ class CutProgress {
   int num_done_ = 0;
   int num_polled_ = 0;
   double part_from_ = 0, part_to_ = 1;  // shares of the round
-  double from_ = 0, to_ = 1;            // the shares of enter(), as shares of the round
+  double from_ = 0, to_ = 1;            // range of enter(), as shares of the round
   double reached_ = 0;
 };
 

@@ -25,43 +25,44 @@
 namespace wirewarp {
 namespace {
 
-/// Largest number of cuts (with their mirror images) after the opening: two for each of the twenty parts of a plush
-/// animal.
+/// Largest number of cuts after the opening cut. A cut and its mirror image count as one. A plush animal may get two
+/// cuts for each of its twenty parts.
 constexpr std::size_t kMostCuts = 40;
 
-/// Number of places whose best cuts of each kind are candidates, and largest number of exact evaluations in a round. On
-/// a koala, the first candidate was good enough in each of forty rounds.
+/// kPlaces: number of seams, and of darts, that are candidates in a round. kMostTrials: largest number of exact
+/// evaluations in a round. On a koala, the first candidate was good enough in each of forty rounds.
 constexpr int kPlaces = 2;
 constexpr std::size_t kMostTrials = 5;
 
-/// A cut is worth sewing if it removes at least this share of its part's energy, and a set is listed if it lowers the
-/// strain by more than this share.
+/// A cut is worth sewing if it removes at least this share of its part's energy. A set is listed if it lowers the
+/// strain of a shorter set by more than this share.
 constexpr double kWorthSewing = 0.02;
 
 /// Lower strains count as this strain, because their ratios are meaningless.
 constexpr double kFlat = 1e-4;
 
-/// Progress once the piece is open, and once it is cut finely enough, as measured on models of a cow and a penguin.
+/// Progress when all parts have a flat shape, and when the last cut is added, measured on models of a cow and a
+/// penguin.
 constexpr double kOpened = 0.1, kCut = 0.5;
 
-/// Sets are merged for the target, then for strains in this ratio: 5% for woven fabric, then 10% and 20%. The number of
-/// merged sets is limited, which matters for low targets.
+/// kStrainStep: ratio of the strains for which sets are merged. With the default target, these are 5%, 10% and 20%.
+/// kMergedSets: largest number of merged sets. This limit matters for low targets.
 constexpr double kStrainStep = 2;
 constexpr std::size_t kMergedSets = 3;
 
-/// Pieces with smooth outlines are merged up to this share of the allowed strain, because they need more once the
-/// corners of their outlines are smooth. With 0.95, most corners of a whale remained. At last, pieces are merged up to
-/// the whole strain, because with this share alone a penguin has two pieces more.
+/// Pieces with smooth outlines are merged up to this share of the allowed strain, because they need more strain after
+/// the corners of their outlines are smoothed. With 0.95, most corners of a whale remained. In the end, pieces are
+/// merged up to the whole allowed strain. Without this last merge, a penguin has two more pieces.
 constexpr double kMergeShare = 0.85;
 
-/// Cuts that remove at least this share of the energy are tried first, even if shorter cuts remove more per length,
-/// because many small darts are slow to sew and to find. With 0 to 0.5, the sets of a ball, a head and a penguin differ
+/// Cuts that remove at least this share of the energy are tried first, even if shorter cuts remove more per length.
+/// Many small darts would be slow to sew and to find. With 0 to 0.5, the sets of a ball, a head and a penguin differ
 /// little in strain. With 0.5, the search takes two thirds of the time of 0, but the sets are 10% longer.
 constexpr double kLargeGain = 0.25;
 
-/// Least solidity of a piece that is made by joining others. With 0, arms, ears and half a body became one piece of a
-/// toy rabbit. With 0.6 instead of 0.45, a toy bear has 11 pieces instead of 8, and a koala 22 instead of 12; the sets
-/// of eleven other toys are the same.
+/// Least solidity of a joined piece. With 0, arms, ears and half a body became one piece of a toy rabbit. With 0.6
+/// instead of 0.45, a toy bear has 11 pieces instead of 8, and a koala 22 instead of 12; the sets of eleven other toys
+/// are the same.
 constexpr double kLeastSolidity = 0.45;
 
 FlattenError none_found(const Chart& chart, const CutOptions& cut_options) {
@@ -137,12 +138,12 @@ CutSetSearch::CutSet CutSetSearch::with_figures(CutMask cut, FlatPieces pieces) 
   return set;
 }
 
-/// Returns the set for this cut, with exact figures. before: the pieces with some of its cuts.
+/// Returns the set for this cut, with exact figures. before: the pieces with some edges of the cut.
 CutSetSearch::CutSet CutSetSearch::evaluate(const FlatPieces& before, const CutMask& cut) const {
   return with_figures(cut, exact_.with_cut(before, edges_by_section(chart_, cut)));
 }
 
-/// Returns the index of the most strained piece among the parts.
+/// Returns the index in set.pieces of the most strained part of the piece.
 std::size_t CutSetSearch::worst_part(const CutSet& set) const {
   const auto strain = [&](const auto& piece) { return is_part_of(piece->chart, input_chart_) ? piece->strain : -1; };
   const auto has_less = [&](const auto& a, const auto& b) { return strain(a) < strain(b); };
@@ -150,7 +151,7 @@ std::size_t CutSetSearch::worst_part(const CutSet& set) const {
   return static_cast<std::size_t>(worst - set.pieces.begin());
 }
 
-/// Adds candidates for one part of the set, given by its index: darts and seams.
+/// Adds darts and seams of one part as candidates. part: index in set.pieces.
 void CutSetSearch::add_lines(const CutSet& set, std::size_t part, std::vector<Candidate>& found) const {
   CutOptions cut_options;
   cut_options.count = kPlaces;
@@ -168,9 +169,9 @@ void CutSetSearch::add_lines(const CutSet& set, std::size_t part, std::vector<Ca
   }
 }
 
-/// Adds candidates for one part: bisections, which help if no single line does. If a part folds in the coarse
-/// evaluation, its energy without a cut is unknown. Then the shortest bisections come first, after them those whose
-/// parts fold, too, and exact evaluations measure their gain.
+/// Adds bisections of one part as candidates, which help if no single line does. part: index in set.pieces. If the part
+/// folds in the coarse evaluation, its energy without a cut is unknown. Then bisections without folds come first, the
+/// shortest before the others, and bisections with folds follow. Exact evaluations measure their gain.
 void CutSetSearch::add_bisections(const CutSet& set, std::size_t part, std::vector<Candidate>& found) const {
   const Chart& chart = set.pieces[part]->chart;
   const CoarseEvaluation trials(chart, exact_.options(), exact_.stop());
@@ -186,7 +187,8 @@ void CutSetSearch::add_bisections(const CutSet& set, std::size_t part, std::vect
                [](const Candidate& candidate) { return candidate.gain >= kWorthSewing; });
 }
 
-/// Returns the bisections of a part. If a plane mirrors the piece onto itself, each has two symmetric versions.
+/// Returns the bisections of a part. If a plane mirrors the piece onto itself, each bisection has two symmetric
+/// versions.
 std::vector<CutMask> CutSetSearch::bisections_of(const Chart& part) const {
   const Chart ordered = in_canonical_order(part, exact_.stop());
   std::vector<CutMask> cuts;
@@ -200,7 +202,7 @@ std::vector<CutMask> CutSetSearch::bisections_of(const Chart& part) const {
   return cuts;
 }
 
-/// Whether a set makes a narrow piece out of a part that is wide enough.
+/// Returns whether a set makes a narrow piece out of a part that is wide enough.
 bool CutSetSearch::makes_narrow(const CutSet& more, const FlatPiece& part) const {
   const double narrowest = cut_options_.narrowest;
   return !is_narrow(part, narrowest) && std::any_of(more.pieces.begin(), more.pieces.end(), [&](const auto& piece) {
@@ -208,7 +210,8 @@ bool CutSetSearch::makes_narrow(const CutSet& more, const FlatPiece& part) const
   });
 }
 
-/// Prefers cuts that leave every piece wide enough.
+/// Returns the set with one more cut of its worst part, or nullopt if no cut helps. Prefers cuts that leave every piece
+/// wide enough.
 std::optional<CutSetSearch::CutSet> CutSetSearch::cut_once_more(const CutSet& set) const {
   const std::size_t worst = worst_part(set);
   const FlatPiece& part = *set.pieces[worst];
@@ -240,8 +243,8 @@ std::optional<CutSetSearch::CutSet> CutSetSearch::cut_once_more(const CutSet& se
 }
 
 /// Selects the sets to propose, the longest first. sets: the shortest first. Drops sets that are hardly better than a
-/// shorter set, sets with more pieces than a less strained set, and sets longer than a set that meets the target. If
-/// there are too many, keeps sets with about equal ratios of consecutive strains.
+/// shorter set, and sets with more pieces than a less strained set. Drops sets that are longer than a set that meets
+/// the target. If too many sets are left, keeps sets with about equal ratios of consecutive strains.
 std::vector<DartProposal> CutSetSearch::best_of(const std::vector<CutSet>& sets) const {
   std::vector<DartProposal> best;
   for (const CutSet& set : sets) {
@@ -298,9 +301,9 @@ void CutSetSearch::add_merged(std::vector<CutSet>& sets) {
   }
 }
 
-/// Adds sets with smooth lines and fewer sections than the last set, which is dropped with all sets that have more
-/// pieces than these. Returns false, with the last set at the end again, if its lines cannot be smooth or if the merged
-/// set needs too much strain. Throws Stopped; sets added by then remain.
+/// Adds sets with smooth lines and fewer sections than the last set. Drops earlier sets with more pieces than the first
+/// added set. Returns false if the lines cannot be smooth, or if the last smooth set needs too much strain. In this
+/// case, the former last set is at the end again. Throws Stopped; sets added by then remain.
 bool CutSetSearch::add_smooth(std::vector<CutSet>& sets) {
   const CutSet fine = sets.back();
   double least = std::max(target_, kFlat);
@@ -309,8 +312,8 @@ bool CutSetSearch::add_smooth(std::vector<CutSet>& sets) {
   SmoothMerger merger(piece, kLeastSolidity, cut_options_, exact_);
   if (!merger.start(fine.proposal, fine.cut, least)) return false;
   struct Level {
-    double allowed;      // strain of the smooth set
-    double share = 1.0;  // of this strain, for which pieces are merged before their corners are smoothed
+    double allowed;      // allowed strain of the smooth set
+    double share = 1.0;  // share of this strain up to which pieces are merged before they are smoothed
   };
   std::vector<Level> levels;
   for (const double allowed : allowed_strains(least, target_)) levels.push_back({allowed, kMergeShare});
@@ -334,7 +337,7 @@ bool CutSetSearch::add_smooth(std::vector<CutSet>& sets) {
     merger.go_on(may_have_more ? merger.smooth(levels[i + 1].allowed, false) : smooth);
   }
   if (sets.back().proposal.strain <= levels.back().allowed) return true;
-  sets.push_back(fine);  // pieces are merged along edges, too
+  sets.push_back(fine);  // add_merged() merges its pieces along edges
   return false;
 }
 

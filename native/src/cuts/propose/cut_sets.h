@@ -17,32 +17,34 @@ namespace wirewarp {
 /// The largest strain that woven fabric allows. By default, pieces with at most this strain are not cut again.
 constexpr double kTargetStrain = 0.05;
 
-/// The largest strain of plush. Sets are merged up to about this strain, or to twice a larger target. Sets for more
-/// strain, which only stretchy knits allow, are the slowest to find.
+/// The largest strain of plush. Sets along edges are merged up to about this strain, or to twice a larger target. Sets
+/// for more strain, which only stretchy knits allow, are the slowest to find.
 constexpr double kSoftStrain = 0.2;
 
-/// Returns the allowed strains of up to three merged sets, each twice the strain before. The last strain is the one
-/// whose ratio to the largest useful strain is nearest to 1, if three sets are enough. least: the first strain.
+/// Returns the allowed strains of up to three merged sets, each twice the strain before. If three sets are enough, the
+/// ratio of the last strain to the largest useful strain is near 1. least: the first strain. target: accepted strain.
 std::vector<double> allowed_strains(double least, double target);
 
-/// Returns the sets that have fewer pieces, less strain or less length than each other set, the longest first.
+/// Drops each set if a shorter set has at most as many pieces and at most as much strain. Returns the other sets, the
+/// longest first.
 std::vector<DartProposal> without_worse(std::vector<DartProposal> sets);
 
-/// Returns the strain that the fabric of a set allows: the smallest of 1, 2, 4, 8, … times the target that the set
-/// keeps. With the default target, it is 5% for woven fabric, 10%, and 20% for plush.
+/// Returns the strain that the fabric of a set must allow. It is the smallest of 1, 2, 4, 8, … times the target that is
+/// not below the strain of the set. With the default target, the limits are 5% for woven fabric, 10%, 20% for plush,
+/// and so on.
 double limit_of_set(const DartProposal& set, const CutOptions& cut_options);
 
 /// Searches for sets of cuts of one piece whose flat shape is missing or needs too much strain. First it finds a cut
 /// that makes the whole piece flat. Then it cuts the part with the most strain, one cut after the other. Candidates are
-/// lines and bisections. Among the candidates that remove much of the distortion, it takes the one that removes most
-/// for its length.
+/// lines and bisections. Among the candidates that remove much of the distortion, it takes the candidate that removes
+/// most distortion for its length.
 class CutSetSearch {
  public:
-  /// piece: one of the pieces. All references are kept.
+  /// piece: index of the piece to cut. Keeps all references.
   CutSetSearch(const FlatPieces& pieces, std::size_t piece, const CutOptions& cut_options, const ExactEvaluation& exact,
                CutProgress& progress);
 
-  /// Returns the sets, the longest first. DartProposal::piece is not set. If stopped, returns the sets found by then.
+  /// Returns the sets, the longest first. DartProposal::piece is not set. If canceled, returns the sets found by then.
   /// Throws no_proposal, and Stopped if no set was found.
   std::vector<DartProposal> search();
 
@@ -55,11 +57,11 @@ class CutSetSearch {
     bool lies_flat = false;
   };
 
-  /// A further cut.
+  /// A cut that can be added to a set.
   struct Candidate {
-    CutMask cut;      // symmetric
-    double gain = 0;  // share of the part's energy that the cut removes
-    double gain_for_length = 0;
+    CutMask cut;                 // symmetric if the piece is symmetric
+    double gain = 0;             // share of the part's energy that the cut removes
+    double gain_for_length = 0;  // gain over the length of the cut
   };
 
   CutMask opening() const;

@@ -33,8 +33,8 @@ std::shared_ptr<const FlatPiece> as_flat_piece(Chart chart, const Piece& piece, 
     flat.strain = needed.of(piece);
     flat.uv = piece.vertices;
     flat.face_strain = needed.of_faces(piece);
-    // More factorizations may help a large chart, because its coarse start gets half of them, and may continue the
-    // comparison of directions.
+    // More factorizations may change the shape of a large chart, because its coarse start gets half of them. They may
+    // also continue the comparison of directions.
     const bool is_large = flat.chart.mesh.n_faces() >= options.large_chart;
     const bool may_turn = options.cloth && options.orientation == Orientation::best;
     flat.is_final = piece.report.termination == Termination::converged && !is_large && !may_turn;
@@ -82,7 +82,8 @@ Selection coupled(const FlatPieces& pieces, Selection chosen) {
   return chosen;
 }
 
-/// Adds all pieces that share an edge of their outline with the chosen pieces, and all pieces coupled with these.
+/// Adds all pieces that share an edge of their outline with the chosen pieces, and all pieces coupled with these
+/// neighbors.
 Selection with_neighbors(const FlatPieces& pieces, const Selection& chosen) {
   std::set<VertexPair> outline;
   for (std::size_t i = 0; i < pieces.size(); ++i) {

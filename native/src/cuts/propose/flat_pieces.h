@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The exact evaluation of cuts: flattens the pieces that a cut changes, as flatten() does.
+// Evaluates cuts exactly: flattens the pieces that a cut changes, as flatten() does.
 #pragma once
 
 #include <memory>
@@ -18,13 +18,13 @@ namespace wirewarp {
 /// One piece of a flattened input.
 struct FlatPiece {
   Chart chart;                      // its sources are the input's vertices and faces
-  PartMap edges;                    // of the chart
+  PartMap edges;                    // inner edges of the chart
   std::vector<VertexPair> outline;  // edges of the input, sorted
   std::optional<FlattenError> error;
   double energy = 0;              // E of Eq. (4), or of the fabric, scene units squared
   double area = 0;                // in 3D, scene units squared
-  double strain = 0;              // DartProposal::strain
-  Eigen::VectorXd face_strain{};  // the same for each face of the chart
+  double strain = 0;              // as in DartProposal::strain
+  Eigen::VectorXd face_strain{};  // strain of each face of the chart
   Positions2 uv{};                // the flat shape, one row per vertex of the chart
   bool is_final = false;          // whether a higher limit of factorizations leads to the same shape
 };
@@ -64,9 +64,9 @@ struct PiecesOnMesh {
   const std::vector<int>& faces;  // face of the surface that contains each face of the mesh
 };
 
-/// Compares pieces on two meshes of one surface; each piece `there` belongs to the piece `here` with which it shares
-/// most area. Returns the pieces `here` to which several pieces or none belong, or one without a flat shape or with
-/// more strain than allowed.
+/// Compares pieces on two meshes of one surface. Each piece `there` belongs to the piece `here` with which it shares
+/// most area. Returns the pieces `here` that failed. A piece has failed if not exactly one piece `there` belongs to it,
+/// or if that piece has no flat shape or too much strain.
 FlatPieces failed_on_mesh(const PiecesOnMesh& here, const PiecesOnMesh& there, double most_strain);
 
 /// Returns the largest strain of the pieces with a flat shape; 0 if there are none.
@@ -107,16 +107,16 @@ class ExactEvaluation {
   FlatPieces uncut() const;
 
   /// Returns the pieces with more seams along `edges`, and without the seams `opened`. Flattens only the pieces that
-  /// these edges run through or along, the pieces that elastic seams couple with them and, if the fabric is stretched,
-  /// the neighbors, which share the lengths of seams. May be called in any thread. Throws Stopped.
+  /// these edges run through or along, and the pieces that elastic seams couple with them. If the fabric is stretched,
+  /// also flattens their neighbors, which share the lengths of seams. May be called in any thread. Throws Stopped.
   FlatPieces with_cut(const FlatPieces& before, const std::vector<VertexPair>& edges,
                       const std::vector<VertexPair>& opened = {}) const;
 
-  /// Returns the charts of the pieces that such a cut changes. Throws Stopped.
+  /// Returns the charts that with_cut() changes for the same arguments, without flattening them. Throws Stopped.
   std::vector<Chart> changed_charts(const FlatPieces& before, const std::vector<VertexPair>& edges,
                                     const std::vector<VertexPair>& opened) const;
 
-  /// Returns the error of a piece with the seams or tolerances that flatten() proposes. Throws Stopped.
+  /// Returns the error of a piece, with the seams or tolerances that flatten() suggests. Throws Stopped.
   FlattenError explain(const FlatPieces& pieces, int piece) const;
 
   const SurfaceToCut& surface() const { return surface_; }
@@ -135,8 +135,8 @@ class ExactEvaluation {
   StopToken stop_;
 };
 
-/// Returns the result of a search for cuts, which gets an evaluation of the input. Throws the errors of flatten(), and
-/// cancelled if the caller stops.
+/// Calls a search for cuts with an evaluation of the input, and returns its result. Throws the errors of flatten(), and
+/// cancelled if the caller cancels.
 template <typename Search>
 auto search_cuts(const FlattenInput& input, const Options& options, const StopToken& stop, const Search& search) {
   const SurfaceToCut surface(input, options);

@@ -24,18 +24,19 @@ constexpr double kPointsPerRadius = 10;
 /// memory.
 constexpr double kMostPoints = 1500;
 
-/// Shares of the area, the same as in wirewarp.pattern.
+/// Parts below kScrap of the shape's area do not count, and the largest part has at least kMostArea of it.
+/// wirewarp.pattern uses the same shares.
 constexpr double kScrap = 0.1, kMostArea = 0.5;
 
-/// Number of radii that are tried up to the largest, and number of halvings between two of them.
+/// kSteps: number of radii that are tried, up to the largest radius. kHalvings: number of bisections between two radii.
 constexpr int kSteps = 8, kHalvings = 4;
 
 constexpr double kRounding = 1e-9;
 
-/// Points of a flat shape on a regular grid, with their distance to its outline.
+/// Points of a flat shape on a regular grid, with the distance of each point to the outline.
 class DistanceGrid {
  public:
-  /// reach: larger distances are replaced by this one.
+  /// reach: largest distance in the grid, in scene units. It replaces larger distances.
   DistanceGrid(const HalfEdgeMesh& mesh, const Positions2& uv, double reach) : reach_(reach) {
     const Eigen::Matrix<double, Eigen::Dynamic, 2> points = in_own_frame(mesh, uv);
     const Eigen::Array2d low = points.colwise().minCoeff(), high = points.colwise().maxCoeff();
@@ -50,7 +51,7 @@ class DistanceGrid {
     }
   }
 
-  /// Whether disks of this radius cover one part of the shape that is large enough, and otherwise only scraps.
+  /// Returns whether disks of this radius cover one part of the shape that is large enough, and otherwise only scraps.
   bool is_whole(double radius) const {
     const std::vector<Run> runs = runs_inside(radius);
     int num_parts = 0, num_kept = 0;
@@ -74,13 +75,13 @@ class DistanceGrid {
   using Cell = Eigen::Array2i;
   using Point = Eigen::Vector2d;
 
-  /// Neighboring points of a row.
+  /// Consecutive points of a row, from `begin` to before `end`.
   struct Run {
     int y, begin, end;
   };
 
-  /// Moves the centroid to the origin and the vertex farthest from it to the first axis, so that the grid turns with
-  /// the shape and is mirrored with it.
+  /// Sets the area, and returns the points with the centroid at the origin and the vertex farthest from it on the first
+  /// axis. So the grid turns with the shape and is mirrored with it.
   Eigen::Matrix<double, Eigen::Dynamic, 2> in_own_frame(const HalfEdgeMesh& mesh, const Positions2& uv) {
     Point center = Point::Zero();
     for (const FaceHandle f : mesh.faces()) {
@@ -114,7 +115,7 @@ class DistanceGrid {
 
   Point point_of(const Cell& cell) const { return (cell + low_).cast<double>() * step_; }
 
-  /// Calls visit for the cells of a box, given in scene units.
+  /// Calls visit for each grid point in a box. low, high: corners of the box, in scene units.
   template <class Visit>
   void for_each_cell(const Eigen::Array2d& low, const Eigen::Array2d& high, const Visit& visit) const {
     const Cell first = ((low / step_).ceil().cast<int>() - low_).max(0);
@@ -142,7 +143,7 @@ class DistanceGrid {
     });
   }
 
-  /// Lowers the distances of points near a side of the outline.
+  /// Lowers the distances of points near an edge of the outline. from, to: ends of the edge.
   void approach(const Point& from, const Point& to) {
     const Point along = to - from;
     const double length2 = along.squaredNorm();
@@ -155,7 +156,7 @@ class DistanceGrid {
     });
   }
 
-  /// Returns the runs of points with at least this distance, row by row.
+  /// Returns the runs of points at least `radius` away from the outline, row by row.
   std::vector<Run> runs_inside(double radius) const {
     std::vector<Run> runs;
     for (int y = 0; y < size_.y(); ++y) {
@@ -189,7 +190,7 @@ class DistanceGrid {
     return count * step_ * step_;
   }
 
-  /// Returns the area outside a part that disks around its points cover.
+  /// Returns the area outside a part that disks around the part's points cover. runs: the part.
   double area_around(const std::vector<Run>& runs, double radius) const {
     std::vector<char> is_covered(distances_.size(), 0);
     for (const Run& run : runs)
@@ -211,7 +212,7 @@ class DistanceGrid {
     return count * step_ * step_;
   }
 
-  /// Whether the four neighbors of a point have at least this distance.
+  /// Returns whether all four neighbors of a point are at least `radius` away from the outline.
   bool is_surrounded(const Cell& cell, double radius) const {
     const std::array<Cell, 4> around{Cell(cell.x() - 1, cell.y()), Cell(cell.x() + 1, cell.y()),
                                      Cell(cell.x(), cell.y() - 1), Cell(cell.x(), cell.y() + 1)};

@@ -11,11 +11,13 @@
 namespace wirewarp {
 namespace {
 
-/// Lines are smoothed until they turn by less at each vertex (radians). 30 degrees catch the eye on the flat piece.
+/// Lines are smooth if they turn by less than this angle at each vertex, in radians. A turn of 30 degrees catches the
+/// eye on the flat piece.
 constexpr double kSmooth = kPi / 6;
 
-/// Returns the angle by which a line turns at a vertex between two others, with all angles there scaled to a total of
-/// 2 pi; 0 on an outline. faces: those at the vertex. Walks once around v from `from`; `left` is the angle up to `to`.
+/// Returns the angle in radians by which a line turns at the vertex v between the vertices `from` and `to`; 0 on an
+/// outline. All angles at v are scaled to a total of 2 pi. faces: the faces at v. Walks once around v from `from`;
+/// `left` is the angle up to `to`.
 double turn_at(const CutMesh& mesh, int v, const std::vector<int>& faces, int from, int to) {
   double left = 0, total = 0;
   bool has_passed = false;

@@ -7,8 +7,8 @@
 
 namespace wirewarp {
 
-/// Returns at how many vertices each line of a cut turns sharply, by more than 30 degrees on the surface. Vertices
-/// where lines meet or end do not count.
+/// Returns for each line of a cut the number of vertices at which it turns by more than 30 degrees on the surface.
+/// Vertices where lines meet or end do not count.
 std::vector<int> count_bends(const CutMesh& cut, std::size_t num_lines);
 
 }  // namespace wirewarp

@@ -14,11 +14,11 @@
 namespace wirewarp {
 namespace {
 
-/// Radius around a tip, over the root of the piece's area: about 10 mm on a front of 30 by 40 cm, where a puckered tip
-/// shows.
+/// Radius around a tip in which the strain is measured, over √area of the piece. It is about 10 mm on a front of 30 by
+/// 40 cm. A puckered tip shows in this radius.
 constexpr double kAroundTip = 0.03;
 
-/// Returns the mean strain of the area around a tip; nullopt if the piece does not have this vertex.
+/// Returns the mean strain of the area around a tip; nullopt if the piece does not contain the tip.
 std::optional<double> mean_strain_around(const FlatPiece& piece, int tip, double radius) {
   const HalfEdgeMesh& mesh = piece.chart.mesh;
   const std::vector<int>& sources = piece.chart.source_vertex;
@@ -64,7 +64,7 @@ FlattenInput with_mesh_of(const FlattenInput& input, const CutMesh& cut) {
   return {cut.vertices, cut.faces, input.seams, input.wires, input.eases};
 }
 
-/// Returns the uncut piece on the cut mesh, as the start of a cut. Its energy and strain are those on the original
+/// Returns the uncut piece on the cut mesh, as the start of a cut. Its energy and strain are the values on the original
 /// mesh.
 FlatPiece on_cut_mesh(const FlatPiece& piece, const FlattenInput& input, const CutMesh& cut, const StopToken& stop) {
   const std::vector<int>& faces_before = piece.chart.source_face;
@@ -89,7 +89,7 @@ SurfacePath on_input(const FlattenInput& input, const Chart& chart, const MeshPa
 }
 
 std::vector<SurfacePath> paths_along(const Triangles& faces, const std::vector<VertexPair>& edges) {
-  std::map<int, std::pair<int, int>> corner_at;  // vertex of the lines: a face and its corner there
+  std::map<int, std::pair<int, int>> corner_at;  // for each vertex of the lines: a face and its corner there
   for (const VertexPair& edge : edges) {
     for (const int v : edge) corner_at[v] = {-1, 0};
   }

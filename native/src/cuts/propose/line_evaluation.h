@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The exact evaluation of cuts along lines that cross triangles: cuts the mesh along the lines, and flattens it as
-// flatten() does.
+// Evaluates cuts along lines that cross triangles: cuts the mesh along the lines, and flattens it as flatten() does.
 #pragma once
 
 #include <optional>
@@ -16,20 +15,20 @@ namespace wirewarp {
 /// Converts a path on a chart to a path on the input.
 SurfacePath on_input(const FlattenInput& input, const Chart& chart, const MeshPath& path);
 
-/// Converts edges of the input, listed line after line, to paths: one for each line.
+/// Converts edges of the input, listed line after line, to one path for each line.
 std::vector<SurfacePath> paths_along(const Triangles& faces, const std::vector<VertexPair>& edges);
 
 struct LineFigures {
   PieceFigures figures;
   double tip_strain = 0;          // mean strain around the most strained tip
-  std::vector<VertexPair> edges;  // of the lines, if they all run along edges
+  std::vector<VertexPair> edges;  // edges of the lines; empty if a line crosses a triangle
 };
 
 /// The surface on the mesh of cut_mesh(), with the pieces that the cut makes.
 class CutSurface {
  public:
-  /// piece: index of the piece that is cut. exact: evaluations of the surface without the cut. All references are
-  /// kept. Throws Stopped.
+  /// piece: index of the piece that is cut. exact: evaluates the surface without the cut. Keeps all references. Throws
+  /// Stopped.
   CutSurface(const FlatPieces& pieces, std::size_t piece, const ExactEvaluation& exact, const CutMesh& cut);
 
   const ExactEvaluation& exact() const { return exact_; }
@@ -55,7 +54,8 @@ class CutSurface {
   FlatPieces before_, after_;  // without and with the cut
 };
 
-/// Returns a cut set with other lines. surface: cut along these lines. figures: those of the piece that they cut.
+/// Returns a copy of a cut set with other lines. surface: the surface after the cut along these lines. figures: figures
+/// of the piece that these lines cut.
 DartProposal with_lines(DartProposal set, std::vector<SurfacePath> paths, const CutSurface& surface,
                         const PieceFigures& figures);
 

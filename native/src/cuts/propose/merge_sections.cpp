@@ -26,17 +26,18 @@
 namespace wirewarp {
 namespace {
 
-/// Lengths of sections that differ by less, relative to the longest, count as equal, so that the order does not depend
-/// on the input's orientation.
+/// Lengths of sections that differ by less than this share of the longest section count as equal. So the order does not
+/// depend on the input's orientation.
 constexpr double kSameLength = 1e-9;
 
-/// Unions that overlap themselves rarely converge, and spend all factorizations. With 20 and with 40, twelve toys, a
-/// penguin, a cow, a goat's head and a koala have the same sets.
+/// Largest number of factorizations for a joined piece. Joined pieces that overlap themselves rarely converge, and use
+/// all factorizations. With 20 and with 40, twelve toys, a penguin, a cow, a goat's head and a koala have the same
+/// sets.
 constexpr int kMergeFactorizations = 20;
 
-/// A free map, which has no fixed lengths, has about the least strain. For 90 accepted unions on a cow and a penguin,
-/// its strain was at most 1.09 times the allowed strain, and at most 2.1% of its area was folded. These limits save
-/// three quarters of the time for all unions.
+/// A free map, which has no fixed lengths, has about the least strain. In 90 accepted joined pieces of a cow and a
+/// penguin, it had at most 1.09 times the allowed strain. At most 2.1% of its area was folded. These limits save three
+/// quarters of the time for all joined pieces.
 constexpr double kMostFreeStrain = 1.1;
 constexpr double kMostFolded = 0.025;
 
@@ -48,11 +49,11 @@ constexpr double kSameSolidity = 1e-6;
 
 constexpr double kNoFlatShape = std::numeric_limits<double>::infinity();
 
-/// Even with an infinite limit, pieces must have a flat shape.
+/// Returns whether a strain is within a limit. Even with an infinite limit, pieces must have a flat shape.
 bool is_allowed(double strain, double limit) { return strain < kNoFlatShape && strain <= limit; }
 
-/// Estimates the least strain of a chart: that of its free map, divided by kMostFreeStrain; infinite if too much of the
-/// free map is folded.
+/// Estimates the least strain of a chart as the strain of its free map, divided by kMostFreeStrain; infinite if too
+/// much of the free map is folded.
 double least_strain(const Chart& chart, const StopToken& stop) {
   if (chart.error || is_outline_too_short(chart)) return kNoFlatShape;
   const auto free = attempt([&] { return std::optional(free_boundary_arap(chart, kFreeSteps, {}, stop)); });
@@ -82,7 +83,7 @@ FlatPieces without_those(const FlatPieces& pieces, const FlatPieces& others) {
   return rest;
 }
 
-/// Returns whether a chart contains all of a piece without a cut inside.
+/// Returns whether a chart contains all of a piece, without a cut inside the piece.
 bool contains(const Chart& chart, const FlatPiece& piece) {
   const std::vector<int>&all = chart.source_face, &part = piece.chart.source_face;
   return std::includes(all.begin(), all.end(), part.begin(), part.end()) && !cuts_inside(piece, chart);
@@ -99,8 +100,8 @@ InternalOptions without_long_runs(InternalOptions options) {
   return options;
 }
 
-/// A section has a corner where it turns by more. Sections along the edges of a box have corners at the box's corners;
-/// jagged sections of regular triangles turn by 60 degrees.
+/// A section has a corner if the cosine of its turn is below this value. Sections along the edges of a box have corners
+/// at the box's corners. Jagged sections on regular triangles turn by 60 degrees, which is not a corner.
 constexpr double kCornerCosine = 0.45;
 
 /// Returns the index where the second half of a section starts.
@@ -206,9 +207,9 @@ bool SectionMerger::is_unwanted(const Chart& chart) const {
   return std::any_of(unwanted_.begin(), unwanted_.end(), [&](const auto& piece) { return contains(chart, *piece); });
 }
 
-/// Removes one more section or part of a section: the first allowed candidate. Returns false if there is none. Tries
-/// candidates in their order on all cores, but remembers none after the first allowed one, so that the number of cores
-/// changes no result.
+/// Removes the first allowed candidate: a section, or a part of a section if is_half is true. Returns false if no
+/// candidate is allowed. Tries candidates in order on all cores, but keeps no trial after the first allowed candidate,
+/// so that the number of cores does not change the result.
 bool SectionMerger::open_one(bool is_half) {
   exact_.stop().check();
   const std::vector<CutMask> candidates = list_candidates(is_half);
@@ -233,7 +234,8 @@ bool SectionMerger::open_one(bool is_half) {
   return true;
 }
 
-/// Returns the last trial of a section whose pieces are all in the state; nullptr if there is none.
+/// Returns the last trial of a section for which all pieces that the trial replaces are in the state; nullptr if there
+/// is none.
 const SectionMerger::Replacement* SectionMerger::known(const CutMask& mask) const {
   const auto trials = known_.find(mask);
   if (trials == known_.end()) return nullptr;
@@ -257,8 +259,9 @@ CutState SectionMerger::replaced(const CutMask& mask, const Replacement& replace
   return state;
 }
 
-/// Returns symmetric candidates. Those beside narrow pieces come first, because they can be joined only as long as
-/// their neighbors have little strain. Drops those that were rejected before with the same pieces beside them.
+/// Returns symmetric candidates. Candidates beside narrow pieces come first, because narrow pieces can be joined only
+/// while their neighbors have little strain. Drops candidates that were rejected before with the same pieces beside
+/// them.
 std::vector<CutMask> SectionMerger::list_candidates(bool are_halves) {
   std::vector<HalfEdgeChain> sections;
   for (HalfEdgeChain& whole : sections_of(chart_.mesh, state_.cut)) {
@@ -285,7 +288,7 @@ std::vector<CutMask> SectionMerger::list_candidates(bool are_halves) {
   return candidates;
 }
 
-/// Returns the allowed strain of the union of these pieces.
+/// Returns the allowed strain of a piece that joins these pieces.
 double SectionMerger::allowed_beside(const FlatPieces& pieces) const {
   return std::max({kFlatStrain, most_strain_, most_strain(pieces)});
 }
@@ -296,8 +299,8 @@ bool SectionMerger::had_error(const Chart& chart) const {
                      [&](const auto& piece) { return piece->error && is_part_of(chart, piece->chart); });
 }
 
-/// Estimates the least strain of the pieces from free maps. Stops at the first piece that needs more than the allowed
-/// strain. joined: the pieces beside the section.
+/// Estimates the least strain of the new pieces without a section from free maps. Stops at the first piece that needs
+/// more than the allowed strain. joined: the pieces beside the section.
 double SectionMerger::least_strain_without(const CutMask& mask, const FlatPieces& joined, double allowed) const {
   double needed = 0;
   for (const Chart& chart : exact_.changed_charts(state_.pieces, {}, edges_of(chart_, mask))) {
@@ -354,8 +357,9 @@ SectionMerger::Trial SectionMerger::without(const CutMask& mask, const FlatPiece
   return trial;
 }
 
-/// Flattens the new pieces only if they are not known, and if their free maps need no more than the allowed strain. If
-/// shapes that are allowed are not final, flattens them again with more factorizations.
+/// Returns the earlier trial of the section if its new pieces are stored. Otherwise, flattens the new pieces if their
+/// free maps need at most the allowed strain. Flattens allowed pieces again with more factorizations if their shapes
+/// are not final.
 SectionMerger::Replacement SectionMerger::try_without(const CutMask& mask) const {
   const Replacement* same = known(mask);
   if (same != nullptr && !same->after.empty()) return *same;

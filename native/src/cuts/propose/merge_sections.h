@@ -13,62 +13,64 @@
 
 namespace wirewarp {
 
-/// A cut of a chart and all pieces of the input with it.
+/// A cut of a chart, and all pieces of the input with this cut.
 struct CutState {
   CutMask cut;
   FlatPieces pieces;
 };
 
-/// Without the lines that merging removes, the final mesh is coarser, so some pieces may need more strain than they
-/// needed while they were merged, mostly on a mesh of a few hundred triangles. Then others are merged, at most this
-/// many times: enough for a cow, which needs five.
+/// Largest number of times that pieces are merged for a set. The final mesh lacks the lines that merging removes, so it
+/// is coarser. Therefore some pieces may need more strain at the end, mostly on a mesh of a few hundred triangles. Then
+/// other pieces are merged. A cow needs five merges.
 inline constexpr int kMostMerges = 6;
 
-/// The pieces that a merger may make.
+/// Limits for the pieces that merging makes.
 struct MergeRules {
   double narrowest = 0;       // least width of a new piece, scene units, unless an old piece is as narrow
   double least_solidity = 0;  // least solidity of a new piece, unless an old piece has as little
 };
 
-/// Removes sections of seams from a cut, the longest first, until no more can be removed. If no whole section can be
-/// removed, it tries halves, and the parts before and after the sharpest corner. A section and its mirror image are
-/// removed together, after an exact evaluation of the pieces beside them. The new pieces must have a flat shape with at
-/// most the allowed strain or the strain of one of the old pieces. Other pieces that had no flat shape before are
-/// ignored.
+/// Removes sections of seams from a cut, the longest first, until no more sections can be removed. If no whole section
+/// can be removed, it tries half sections, and the parts before and after the sharpest corner. A section and its mirror
+/// image are removed together, after an exact evaluation of the pieces beside them. The new pieces must have a flat
+/// shape with at most the allowed strain or the strain of one of the old pieces. Other pieces that had no flat shape
+/// before are ignored.
 class SectionMerger {
  public:
-  /// chart, mirrored and exact are kept by reference. state: a cut of the chart, and the pieces with it.
+  /// Keeps references to chart, mirrored and exact. state: a cut of the chart, and the pieces with it.
   SectionMerger(CutState state, const Chart& chart, const MirroredCuts& mirrored, const ExactEvaluation& exact,
                 const MergeRules& rules = {});
 
-  /// Continues from the state. report: called with the share of candidates that were tried. Throws Stopped; then the
-  /// state is the last accepted one.
+  /// Removes sections from the current state. most_strain: the allowed strain. report: called with the share of
+  /// candidates that were tried. Throws Stopped; then the state is the last accepted state.
   void run(double most_strain, const std::function<void(double)>& report);
 
   /// Returns to the first state. From then on, sections beside pieces that are narrower than `first` come first.
   /// Unwanted pieces stay unwanted.
   void restart(double first);
 
-  /// Returns to the last state without these pieces of the state, and makes none of them again, nor pieces that contain
-  /// all of one uncut. Ignores pieces of the first state. Returns whether the state has changed.
+  /// Returns to the last state without the unwanted pieces. Later runs do not make these pieces again, or pieces that
+  /// contain all of an unwanted piece without a cut inside it. Ignores pieces of the first state. Returns whether the
+  /// state has changed.
   bool undo(const FlatPieces& unwanted);
 
   /// The state, evaluated exactly.
   const CutState& state() const { return state_; }
 
  private:
-  /// All pieces with a section opened.
+  /// All pieces after a section is opened.
   struct Trial {
-    double strain;  // of the new pieces
+    double strain;  // largest strain of the new pieces
     FlatPieces pieces;
     bool is_final;  // whether FlatPiece::is_final is true for all new pieces
   };
 
-  /// What a trial changes: opening a section replaces these pieces, whatever the other pieces of the state are.
+  /// The change that a trial makes: opening a section replaces the pieces `before` by the pieces `after`, whatever the
+  /// other pieces of the state are.
   struct Replacement {
-    FlatPieces before;  // all that change; those beside the section if they were not flattened
-    FlatPieces after;   // the new pieces; empty if they were not allowed, because most are not, and take much memory
-    double strain;      // of the new pieces; a lower bound if they were not flattened
+    FlatPieces before;  // all pieces that change, or the pieces beside the section if they were not flattened
+    FlatPieces after;   // the new pieces; empty if they were not allowed, to save memory
+    double strain;      // largest strain of the new pieces; a lower bound if they were not flattened
   };
 
   bool open_one(bool is_half);
@@ -93,13 +95,13 @@ class SectionMerger {
   const ExactEvaluation& exact_;
   const ExactEvaluation quick_;  // limited to fewer factorizations
   const MergeRules rules_;
-  double first_;                   // sections beside pieces that are narrower than this come first
-  std::vector<CutState> earlier_;  // all states before
+  double first_;                   // least width: sections beside narrower pieces come first
+  std::vector<CutState> earlier_;  // all earlier states, the first state first
   FlatPieces unwanted_;            // see undo()
   double most_strain_ = 0;
   std::function<void(double)> report_;
   std::map<CutMask, std::vector<Replacement>> known_;             // all trials of each section
-  std::map<std::shared_ptr<const FlatPiece>, bool> comes_first_;  // pieces that were measured
+  std::map<std::shared_ptr<const FlatPiece>, bool> comes_first_;  // for each measured piece
 };
 
 }  // namespace wirewarp

@@ -20,7 +20,7 @@ namespace {
 /// keep their zigzags.
 constexpr double kFineGrowth = 2;
 
-/// Strains that differ by less than this factor are equal.
+/// Strains that differ by less than this factor count as equal.
 constexpr double kRoundedFigure = 1 + 1e-6;
 
 }  // namespace

@@ -11,24 +11,24 @@
 
 namespace wirewarp {
 
-/// Merges the pieces of a finely cut set whose lines were smoothed before. Zigzags along edges work like many small
-/// darts, so pieces that are merged along edges often need too much strain with smooth outlines.
+/// Smooths the lines of a finely cut set, then merges its pieces. Zigzags along edges work like many small darts, so
+/// pieces that are merged along edges often need too much strain when their outlines are smoothed.
 class SmoothMerger {
  public:
-  /// least_solidity: as for SectionMerger. All references are kept.
+  /// least_solidity: as in MergeRules. Keeps all references.
   SmoothMerger(const PieceToCut& piece, double least_solidity, const CutOptions& cut_options,
                const ExactEvaluation& exact);
 
-  /// Smooths the lines of a set along edges, within twice the strain that its pieces will be merged for. Returns false
-  /// if no line can be smooth. Throws Stopped.
+  /// Smooths the lines of a set along edges, within twice `most_strain`, the strain for which pieces will be merged.
+  /// Returns false if no line can be smooth. Throws Stopped.
   bool start(const DartProposal& set, const CutMask& cut, double most_strain);
 
-  /// Merges pieces as SectionMerger does, up to a share of the allowed strain. Returns false if the caller stopped; the
-  /// set is then merged as far as possible. report: called with the share of candidates that were tried.
+  /// Merges pieces as SectionMerger does, up to a share of the allowed strain. Returns false if the caller canceled. In
+  /// this case, the set is merged as far as possible. report: called with the share of candidates that were tried.
   bool merge(double share, double most_strain, const std::function<void(double)>& report);
 
-  /// Returns the set with the corners smoothed that merging has left. keeps_room: no more pieces become too narrow.
-  /// Throws Stopped.
+  /// Returns the set after smoothing the corners that merging has left. keeps_room: whether smoothing must not make
+  /// more pieces too narrow. Throws Stopped.
   DartProposal smooth(double most_strain, bool keeps_room) const;
 
   /// Continues from a set that smooth() has returned.
@@ -38,11 +38,11 @@ class SmoothMerger {
   const DartProposal& set() const { return set_; }
 
  private:
-  /// A set of lines on the input, with its own pieces.
+  /// A set of lines on the input, and the pieces between them.
   struct CutSet {
     DartProposal set;
     FlatPieces pieces;
-    std::vector<int> faces;  // input face that contains each face of their mesh
+    std::vector<int> faces;  // input face that contains each face of the cut mesh
   };
 
   CutSet set_along(std::vector<SurfacePath> paths) const;
@@ -51,10 +51,10 @@ class SmoothMerger {
   const double least_solidity_;
   const CutOptions& cut_options_;
   const ExactEvaluation& exact_;
-  const ExactEvaluation unstopped_;  // completes the last set if the caller stops
+  const ExactEvaluation unstopped_;  // completes the last set if the caller cancels
   DartProposal set_;
-  SurfaceLines lines_;  // of the set
-  int num_narrow_ = 0;  // pieces of the set
+  SurfaceLines lines_;  // lines of set_
+  int num_narrow_ = 0;  // number of narrow pieces of set_
 };
 
 }  // namespace wirewarp

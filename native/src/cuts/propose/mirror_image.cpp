@@ -10,8 +10,8 @@
 namespace wirewarp {
 namespace {
 
-/// Largest distance between a mirrored vertex and its image, over the root of the area. Meshes in single precision that
-/// were modeled with a mirror are symmetric to this precision.
+/// Largest distance between a mirrored vertex and its image, over √area. Meshes in single precision that were modeled
+/// with a mirror are symmetric to this precision.
 constexpr double kSamePlace = 1e-4;
 
 constexpr double kClearlyLonger = 1 + 1e-9;  // so that the mesh's orientation does not change the choice
@@ -19,7 +19,7 @@ constexpr double kClearlyLonger = 1 + 1e-9;  // so that the mesh's orientation d
 /// Largest number of planes that are compared: a surface of revolution has more, but all are alike.
 constexpr int kMostPlanes = 16;
 
-/// Vertices sorted along one direction, to find those near a point.
+/// Vertices sorted along one direction, to find the vertices near a point.
 class VerticesInOrder {
  public:
   explicit VerticesInOrder(const Positions3& points)
@@ -60,9 +60,9 @@ class MirrorSearch {
     tolerance_ = kSamePlace * std::sqrt(surface_area(mesh_));
   }
 
-  /// Returns the image by the plane that contains the longest edges. In a piece that is not flat, a plane through the
-  /// center cannot contain all corners of a face. Therefore each such plane moves a corner of the first face, and the
-  /// possible images of these corners define all planes.
+  /// Returns the mirror image by the plane that contains the greatest length of edges. In a piece that is not flat, a
+  /// plane through the center cannot contain all corners of a face. Therefore each mirror plane moves a corner of the
+  /// first face, and the possible images of these corners define all planes.
   std::vector<VertexHandle> best_image(const StopToken& stop) const {
     std::vector<VertexHandle> best;
     double longest = -1;
@@ -86,7 +86,7 @@ class MirrorSearch {
     return best;
   }
 
-  /// Returns the mirror image by the plane with this normal; empty if it does not mirror the surface.
+  /// Returns the mirror image by the plane with this normal; empty if this plane does not mirror the surface.
   std::vector<VertexHandle> across(const Eigen::RowVector3d& normal) const {
     std::vector<VertexHandle> image;
     for (Eigen::Index v = 0; v < points_.rows(); ++v) {

@@ -10,17 +10,18 @@
 namespace wirewarp {
 
 /// Returns the mirror image of each vertex if a plane mirrors the chart onto itself; otherwise empty. If there are
-/// several planes, chooses the plane that contains the longest edges, because cuts may follow these. Throws Stopped.
+/// several planes, chooses the plane that contains the greatest length of edges, because cuts may follow these edges.
+/// Throws Stopped.
 std::vector<VertexHandle> mirror_image(const Chart& chart, const StopToken& stop);
 
-/// Returns the mirror image of each vertex by the plane with this normal; empty if it does not mirror the chart.
+/// Returns the mirror image of each vertex by the plane with this normal through the mean of all vertices; empty if
+/// this plane does not mirror the chart.
 std::vector<VertexHandle> mirror_image(const Chart& chart, const Eigen::RowVector3d& normal);
 
-/// Returns the mirror image of a chain; empty if its edges are not mirrored with their vertices.
+/// Returns the mirror image of a chain; empty if an edge of the chain has no mirror image inside the chart.
 HalfEdgeChain mirrored(const Chart& chart, const std::vector<VertexHandle>& image, const HalfEdgeChain& chain);
 
-/// Returns the mirror image of a path; empty if the edges and faces that it crosses are not mirrored with their
-/// vertices.
+/// Returns the mirror image of a path; empty if an edge or face that the path crosses has no mirror image.
 MeshPath mirrored(const Chart& chart, const std::vector<VertexHandle>& image, const MeshPath& path);
 
 }  // namespace wirewarp

@@ -9,7 +9,7 @@
 
 namespace wirewarp {
 
-/// No fabric stretches to twice its length, so cuts that leave more strain are not proposed.
+/// Cuts that leave this strain or more are not proposed, because no fabric stretches to twice its length.
 constexpr double kMostStrain = 1;
 
 /// Computes DartProposal::strain, the stretch of the fabric that a piece needs, as in reports and verdicts.
@@ -18,10 +18,10 @@ class NeededStretch {
   /// input: as given by the user; kept by reference.
   NeededStretch(const FlattenInput& input, bool has_cloth);
 
-  /// Returns the strain of a piece with a layout.
+  /// Returns the strain of a piece with a flat shape.
   double of(const Piece& piece) const;
 
-  /// Returns the strain of each face of a piece with a layout. The piece's strain is the value that 99% of the area
+  /// Returns the strain of each face of a piece with a flat shape. The piece's strain is the value that 99% of the area
   /// does not exceed.
   Eigen::VectorXd of_faces(const Piece& piece) const;
 

@@ -30,40 +30,41 @@
 namespace wirewarp {
 namespace {
 
-/// Largest number of times that parts are divided by planes. A ball needs three for eight equal parts, and a bear seven
-/// for 20% of strain.
+/// Largest number of times that parts are divided by planes. A ball needs three rounds for eight equal parts, and a
+/// bear seven rounds for a strain of 20%.
 constexpr int kMostRounds = 8;
 
-/// A model with more parts than this is not divided further, and sets with more pieces than the second number are not
-/// proposed: more than a plush maker would sew. A rabbit has 32 parts, which are joined to 12 pieces; a bear of 24 cm
-/// needs up to 29 pieces.
+/// A model with more than kMostParts parts is not divided further. Sets with more than kMostPieces pieces are not
+/// proposed, because a plush maker would not sew them. A rabbit has 32 parts, which are joined to 12 pieces; a bear of
+/// 24 cm needs up to 29 pieces.
 constexpr std::size_t kMostParts = 64, kMostPieces = 30;
 
 /// Larger strains count as this strain, so that one bad part does not outweigh all others.
 constexpr double kWorst = 2;
 
-/// Prices, in units of strain over the whole part: for a seam's length over the root of the part's area, for a part,
-/// and for a part that is too narrow. They decide between planes that leave about the same strain.
+/// Costs, added to the mean strain of a divided part, that decide between planes with about the same strain.
+/// kLengthPrice is for the seam's length over √area, kPartPrice for each new part, kNarrowPrice for each narrow part.
 constexpr double kLengthPrice = 0.02, kPartPrice = 0.01, kNarrowPrice = 0.1;
 
 /// Least solidity of joined parts. With 0.75, half of a fish and its tail become one piece with arms; with 0.85, they
 /// do not.
 constexpr double kPartSolidity = 0.85;
 
-/// A set of at most this many compact pieces is easier to sew than one with fewer pieces that have long arms, as the
-/// search along edges finds it: a star of ten, a rabbit of twelve.
+/// The search along edges finds fewer pieces, but with long arms. A set of at most this many compact pieces is easier
+/// to sew. A star has ten compact pieces, a rabbit twelve.
 constexpr int kFewPieces = 12;
 
-/// Parts are joined twice, in different orders. The first time, parts narrower than the least width come first; the
-/// second time, parts narrower than this multiple of it. The better set is proposed. A banana's caps are joined to its
-/// sides only if they come first.
+/// Parts are joined twice, in different orders. The first time, parts narrower than the least width come first. The
+/// second time, parts narrower than kSmall times this width come first. The better set is proposed. A banana's caps are
+/// joined to its sides only if the caps come first.
 constexpr double kSmall = 2;
 
-/// Parts are not divided for less strain, because the number of parts grows with its inverse.
+/// Parts are not divided for less strain than this, because the number of parts grows with the inverse of the strain.
 constexpr double kLeastStrain = 0.02;
 
-/// A model without necks is left to the search along edges if the edges that bend by more than an angle are longer than
-/// this share of its size: the seams of a box belong on its edges. A cube of 30 cm with round edges has none.
+/// A model without necks is left to the search along edges if its sharp edges are longer than kSharp √area in total.
+/// The seams of a box belong on its edges. kSharpCosine: cosine of the angle between two faces at which their edge
+/// becomes sharp. A cube of 30 cm with round edges has no sharp edges.
 constexpr double kSharpCosine = 0.7, kSharp = 0.5;
 
 /// Share of the allowed strain that parts may have while they are divided and joined. The final mesh has other
@@ -71,10 +72,10 @@ constexpr double kSharpCosine = 0.7, kSharp = 0.5;
 /// are joined differently.
 constexpr double kMargin = 0.97;
 
-/// Parts are mirror images of each other if their centroids differ by less than this share of the model's size.
+/// Parts are mirror images of each other if their centroids differ by less than this share of √area of the model.
 constexpr double kMirrored = 1e-3;
 
-/// Returns a chart for a mesh alone, whose sources are the vertices and faces of the mesh.
+/// Returns a chart of a mesh. The sources of the chart are the vertices and faces of the mesh.
 Chart alone(const HalfEdgeMesh& mesh) {
   Chart chart;
   chart.mesh = mesh;
@@ -87,13 +88,14 @@ Chart alone(const HalfEdgeMesh& mesh) {
 
 FlattenInput input_of(const HalfEdgeMesh& mesh) { return {points_of(mesh), triangles_of(mesh), VertexPairs(0, 2), {}}; }
 
-/// Adds the lines on a chart at which a function of its vertices has a value. input: the mesh that the chart is from.
+/// Adds the lines on a chart along which a function equals `level`. values: the function at each vertex. input: the
+/// mesh from which the chart is cut.
 void add_lines(const FlattenInput& input, const Chart& chart, const Eigen::VectorXd& values, double level,
                std::vector<SurfacePath>& paths) {
   for (const MeshPath& line : level_lines(chart.mesh, values, level)) paths.push_back(on_input(input, chart, line));
 }
 
-/// Returns the length of the edges with a sharp bend, scene units.
+/// Returns the total length of all sharp edges, in scene units.
 double sharp_length(const HalfEdgeMesh& mesh) {
   const auto normal = [&](HalfedgeHandle h) { return mesh.calc_face_normal(mesh.face_handle(h)); };
   double length = 0;
@@ -104,7 +106,8 @@ double sharp_length(const HalfEdgeMesh& mesh) {
   return length;
 }
 
-/// Returns the centroid of the strain above a limit; none if there is none.
+/// Returns the centroid of the faces with more strain than a limit, weighted by area and excess; nullopt if there are
+/// none.
 std::optional<Eigen::Vector3d> strained_place(const FlatPiece& part, double limit) {
   if (part.error) return std::nullopt;
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -118,7 +121,7 @@ std::optional<Eigen::Vector3d> strained_place(const FlatPiece& part, double limi
   return sum / total;
 }
 
-/// The pieces of a mesh that is cut along its edges, as a model of its own.
+/// A mesh that is cut along its edges, as a separate model with its own pieces.
 class CutModel {
  public:
   CutModel(const CutMesh& mesh, const std::vector<VertexPair>& edges, const ExactEvaluation& exact)
@@ -159,7 +162,8 @@ class PartSearch {
     const double target = cut_options_.strain.value_or(kTargetStrain);
     std::vector<double> limits = allowed_strains(target, target);
     std::reverse(limits.begin(), limits.end());
-    // Dividing for more strain first leaves other parts: with 80 and 40%, a koala had no set within 20%.
+    // If parts are divided for higher strains first, other parts result: with 80% and 40%, a koala had no set within
+    // 20%.
     for (double& limit : limits) limit = std::min(limit, std::max(target, kSoftStrain));
     limits.erase(std::unique(limits.begin(), limits.end()), limits.end());
     while (!limits.empty() && limits.back() < kLeastStrain) limits.pop_back();
@@ -188,19 +192,20 @@ class PartSearch {
   }
 
  private:
-  static constexpr double kNecksFound = 0.1;  // progress
+  static constexpr double kNecksFound = 0.1;  // progress when the necks are found
 
-  /// A set, with its lines and the pieces that they make.
+  /// A set, with its lines and the pieces between them.
   struct CutSet {
     DartProposal set;
     SurfaceLines lines;
     FlatPieces pieces;
-    std::vector<int> faces;     // input face that contains each face of their mesh
+    std::vector<int> faces;     // input face that contains each face of the cut mesh
     int num_narrow = 0;         // see count_narrow()
-    bool is_forbidden = false;  // whether it has forbidden lines
+    bool is_forbidden = false;  // whether the set has forbidden lines
   };
 
-  /// How a division ends: with all parts within the limit, with more strain in some, or with parts without a shape.
+  /// How a division ends: with all parts within the limit, with more strain in some parts, or with parts without a flat
+  /// shape.
   enum class Division { within_limit, strained, no_shape };
 
   Division divide(CutMesh& mesh, double limit) const;
@@ -219,14 +224,14 @@ class PartSearch {
   const ExactEvaluation& exact_;
   CutProgress& progress_;
   const Chart chart_;  // in canonical order
-  const Chart alone_;  // the same, as a model of its own
+  const Chart alone_;  // chart_ as a separate model
   const FlattenInput own_;
   const std::vector<VertexHandle> image_;  // mirror image of each vertex, or empty
-  const double size_;                      // root of the area
+  const double size_;                      // √area of the chart
   std::optional<Plane> mirror_;
 };
 
-/// Divides parts by planes until each has at most this strain, or until there are too many parts.
+/// Divides parts by planes until each has at most the strain `limit`, or until there are too many parts or rounds.
 PartSearch::Division PartSearch::divide(CutMesh& mesh, double limit) const {
   for (int round = 0;; ++round) {
     const CutModel model(mesh, mesh.edges, exact_);
@@ -256,7 +261,7 @@ PartSearch::Division PartSearch::divide(CutMesh& mesh, double limit) const {
   }
 }
 
-/// Returns the mirror image of a part, which may be the part itself; the number of parts if it has none.
+/// Returns the index of a part's mirror image, which may be the part itself; the number of parts if there is no image.
 std::size_t PartSearch::partner_of(const std::vector<Eigen::Vector3d>& centroids, std::size_t part) const {
   if (!mirror_) return part;
   const Eigen::Vector3d there = Plane{centroids[part], Eigen::Vector3d::Zero()}.mirrored(*mirror_).point;
@@ -265,7 +270,7 @@ std::size_t PartSearch::partner_of(const std::vector<Eigen::Vector3d>& centroids
   return static_cast<std::size_t>(std::find_if(centroids.begin(), centroids.end(), is_there) - centroids.begin());
 }
 
-/// Returns the plane that makes the cheapest parts of a part; none if no plane divides it.
+/// Returns the plane that divides a part at the least price, see price_of(); nullopt if no plane divides it.
 std::optional<Plane> PartSearch::best_plane(const FlatPiece& part, bool is_symmetric, double limit) const {
   const std::vector<Plane> planes =
       planes_through(part.chart, strained_place(part, limit), is_symmetric ? mirror_ : std::nullopt);
@@ -275,7 +280,8 @@ std::optional<Plane> PartSearch::best_plane(const FlatPiece& part, bool is_symme
   return std::isinf(prices[best]) ? std::nullopt : std::optional(planes[best]);
 }
 
-/// Returns the price of the parts that a plane makes of a part: the strain above the limit, and the effort to sew them.
+/// Returns the price of dividing a part by a plane: the new parts' mean strain above the limit, and their sewing
+/// effort.
 double PartSearch::price_of(const FlatPiece& part, const Plane& plane, double limit) const {
   const Chart own = alone(part.chart.mesh);
   const FlattenInput input = input_of(own.mesh);
@@ -296,8 +302,8 @@ double PartSearch::price_of(const FlatPiece& part, const Plane& plane, double li
   return price + strained / area;
 }
 
-/// Adds the set along the cuts of a mesh after its parts are joined, unless it has too many pieces, is too long or has
-/// more strain than allowed. A first set may have more.
+/// Joins the parts of a cut mesh, and adds the best set. Adds nothing if all sets have too many pieces, are too long or
+/// have more strain than the limit. The first set may have more strain.
 void PartSearch::add_joined(const CutMesh& mesh, double limit, PartSets& found) const {
   const CutModel model(mesh, {}, exact_);
   const Chart chart = in_canonical_order(model.pieces().front()->chart, exact_.stop());
@@ -311,14 +317,14 @@ void PartSearch::add_joined(const CutMesh& mesh, double limit, PartSets& found) 
   if (best && (best->set.strain <= limit || found.sets.empty())) {
     const double accepted = cut_options_.strain.value_or(kSoftStrain);
     found.are_sewable |= best->set.strain <= accepted && best->num_narrow == 0 && best->set.num_pieces <= kFewPieces;
-    found.sets.push_back(best->set);  // stays if the caller stops
+    found.sets.push_back(best->set);  // stays if the caller cancels
     if (!stopped) found.sets.back() = smooth_set(*best, limit);
   }
   if (stopped) throw Stopped();
 }
 
-/// Joins the parts of a chart of a cut mesh in up to two orders, and finds the best set; strain counts only above the
-/// limit. Throws Stopped; the best set by then remains.
+/// Joins the parts of a cut mesh in up to two orders, and finds the best set. Strains below the limit count as equal.
+/// Throws Stopped; the best set by then remains.
 void PartSearch::join(const CutMesh& mesh, const Chart& chart, const std::vector<VertexHandle>& image, double limit,
                       SectionMerger& merger, std::optional<CutSet>& best) const {
   const auto rank = [&](const CutSet& each) {
@@ -344,8 +350,8 @@ void PartSearch::join(const CutMesh& mesh, const Chart& chart, const std::vector
   }
 }
 
-/// Returns the set along those of the lines that do not collapse, with its exact figures. Its strain is infinite if a
-/// piece has no flat shape.
+/// Returns the set along the lines that do not collapse, with exact figures. The strain is infinite if a piece has no
+/// flat shape.
 PartSearch::CutSet PartSearch::set_along(const SurfaceLines& lines) const {
   const FlattenInput& given = exact_.surface().given();
   std::vector<SurfacePath> paths;
@@ -365,7 +371,7 @@ PartSearch::CutSet PartSearch::set_along(const SurfaceLines& lines) const {
   return made;
 }
 
-/// Returns a set with smoother lines, if they need no more strain than allowed.
+/// Returns a set with smoother lines, or the given set if smoother lines would need too much strain or be forbidden.
 DartProposal PartSearch::smooth_set(const CutSet& made, double limit) const {
   if (made.set.strain > limit) return made.set;
   SmoothLimits limits{limit};

@@ -18,10 +18,10 @@ struct PartSets {
   bool are_sewable = false;        // whether a set is within the accepted strain, and has few pieces, all wide enough
 };
 
-/// Returns cut sets of such a piece along its necks and along planes through its parts, as a sewist divides a toy: an
-/// ear, a limb, a head and a body, each with a front and a back. Returns none if the piece has long sharp edges but no
-/// necks, or cannot be divided into few flat parts this way, without forbidden lines. Throws Stopped; if stopped after
-/// the first set, returns those found.
+/// Returns cut sets along the necks of a piece and along planes through its parts. A sewist divides a toy in the same
+/// way into ears, limbs, a head and a body, each with a front and a back. can_be_divided() must be true for the piece.
+/// Returns no sets if the piece has long sharp edges but no necks, or if it cannot be divided into few flat parts
+/// without forbidden lines. Throws Stopped. If canceled after the first set, returns the sets found by then.
 PartSets part_sets(const FlatPieces& pieces, std::size_t piece, const CutOptions& cut_options,
                    const ExactEvaluation& exact, CutProgress& progress);
 

@@ -17,31 +17,31 @@
 namespace wirewarp {
 namespace {
 
-/// The coarse copy may rank almost equal cuts wrongly. Therefore, cuts at this number of additional places are
-/// evaluated exactly, and further cuts until this share of all cuts tried on the copy is reached.
+/// The coarse copy may rank almost equal cuts wrongly. Therefore, cuts at kMorePlaces additional places are evaluated
+/// exactly. Further cuts follow, up to the share kShareEvaluated of all cuts tried on the copy.
 constexpr int kMorePlaces = 3;
 constexpr double kShareEvaluated = 0.05;
 
-/// A smaller gain of energy and strain, as a share, is not worth the sewing.
+/// A cut is worth sewing if it lowers the energy and the strain by at least this share.
 constexpr double kLeastGain = 0.02;
 
-/// By default, pieces with at most this strain are not cut, because it does not show in any fabric.
+/// By default, pieces with at most this strain are not cut, because this strain does not show in any fabric.
 constexpr double kMayStay = 0.005;
 
-/// A path on the fine mesh may be longer than on the coarse copy by this factor, for example along two sides of a
-/// rectangle whose diagonal is forbidden. If it is longer, wires block it.
+/// A path on the fine mesh may be longer than on the coarse copy by this factor. For example, it may follow two sides
+/// of a rectangle whose diagonal is forbidden. A path that is even longer is a detour around wires.
 constexpr double kDetour = 1.5;
 
-/// The first points and the coarse copy of a search.
+/// Numbers of points at which candidates start and end, and size of the coarse copy.
 struct Grid {
   CandidatePoints points;
   double faces;  // requested for the coarse copy
 };
 
-/// Points inside are about a fifth of the piece's width apart. Points on the outline of a short piece are about a width
-/// apart. With half the faces, the copy ranks the best cuts in another order than the piece: on a hat, the best dart
-/// had only rank eleven. In a set, each cut is one of many, and the next cut corrects it, so about half of the points
-/// and faces lead to equally good sets in a quarter of the time.
+/// Returns the grid of a search. In thorough searches, points inside are about a fifth of the piece's width apart.
+/// Points on the outline of a short piece are about a width apart. With half the faces, the copy ranks the best cuts in
+/// another order than the piece: on a hat, the best dart had only rank eleven. In a set, each cut is one of many, and
+/// the next cut corrects it. So half of the points and faces lead to equally good sets in a quarter of the time.
 Grid grid_of(Effort effort) { return effort == Effort::thorough ? Grid{{24, 14}, 800} : Grid{{12, 8}, 400}; }
 
 std::string name_of(CutKind kind) { return kind == CutKind::dart ? "dart" : "seam"; }
@@ -80,8 +80,8 @@ Forbidden find_forbidden(const Chart& chart, const VertexPairs& no_seam) {
   return forbidden;
 }
 
-/// Transfers forbidden vertices and edges to the coarse copy. Coarse edges are forbidden only if they are edges of the
-/// chart.
+/// Transfers forbidden vertices and edges to the coarse copy. A coarse edge is forbidden only if it is a forbidden edge
+/// of the chart, too.
 Forbidden on_copy(const CoarseCopy& copy, const HalfEdgeMesh& mesh, const Forbidden& forbidden) {
   const HalfEdgeMesh& coarse = copy.chart.mesh;
   Forbidden result{std::vector<char>(coarse.n_vertices(), 0), std::vector<char>(coarse.n_edges(), 0)};
@@ -103,8 +103,8 @@ bool have_same_edges(const HalfEdgeMesh& mesh, const HalfEdgeChain& a, const Hal
   return of_a == of_b;
 }
 
-/// Returns the smooth chain along a cut. If there is no such chain, starts at the nearest vertex of the outline that
-/// has one.
+/// Returns the smooth chain along a cut. If there is no such chain, returns a chain from the nearest vertex of the
+/// outline from which a chain leads to the cut's end.
 HalfEdgeChain nearest_chain(const HalfEdgeMesh& mesh, const SmoothPathFinder& paths, CutEnds cut) {
   HalfEdgeChain chain = chain_of(paths, cut);
   if (!chain.empty()) return chain;
@@ -118,8 +118,8 @@ HalfEdgeChain nearest_chain(const HalfEdgeMesh& mesh, const SmoothPathFinder& pa
   return nearest.is_valid() ? chain_of(paths, {nearest, cut.end}) : HalfEdgeChain{};
 }
 
-/// Returns whether two darts have a common vertex. They would form a seam, which cuts the piece differently than each
-/// dart alone.
+/// Returns whether two darts have a common vertex. Such darts would form a seam, which cuts the piece differently than
+/// each dart alone.
 bool have_common_vertex(const HalfEdgeMesh& mesh, const HalfEdgeChain& a, const HalfEdgeChain& b) {
   const std::vector<VertexHandle> of_a = vertices_along(mesh, a), of_b = vertices_along(mesh, b);
   return std::find_first_of(of_a.begin(), of_a.end(), of_b.begin(), of_b.end()) != of_a.end();
@@ -203,7 +203,7 @@ std::vector<HalfEdgeChain> PieceSearch::best_chains() const {
   return chains;
 }
 
-/// Drops each chain that is beside the mirror image of an earlier one.
+/// Drops each chain that is beside the mirror image of an earlier chain.
 std::vector<HalfEdgeChain> PieceSearch::without_mirror_images(const std::vector<HalfEdgeChain>& chains) const {
   std::vector<HalfEdgeChain> kept, images;
   for (const HalfEdgeChain& chain : chains) {
@@ -216,8 +216,8 @@ std::vector<HalfEdgeChain> PieceSearch::without_mirror_images(const std::vector<
   return kept;
 }
 
-/// Returns the figures of each chain; nullopt if the chain is empty, if a part has no flat shape, or if the cut makes
-/// other pieces worse.
+/// Returns the figures of the piece after a cut along each chain; nullopt if the chain is empty, if a part has no flat
+/// shape, or if the cut makes other pieces worse.
 std::vector<std::optional<PieceFigures>> PieceSearch::evaluate(const std::vector<HalfEdgeChain>& chains) const {
   std::vector<std::optional<PieceFigures>> found(chains.size());
   run_on_all_cores(chains.size(), exact_.stop(), [&](std::size_t i) {

@@ -11,16 +11,16 @@
 
 namespace wirewarp {
 
-/// The number of exact evaluations in a search.
+/// How many cuts a search evaluates exactly.
 enum class Effort {
-  thorough,  // also cuts that the coarse copy may rank wrongly, and mirror images
-  quick,     // only the best cuts, because each is one of many in a set
+  thorough,  // also cuts that the coarse copy may rank too low, and mirror images
+  quick,     // only the best cuts, because each cut is one of many in a set
 };
 
 /// Returns the error no_proposal of a piece.
 FlattenError no_proposal(const Chart& chart, ErrorArguments arguments);
 
-/// Returns the error no_proposal of a search; nullopt if the search has proposals. Other errors are thrown.
+/// Runs a search, and returns its error no_proposal; nullopt if the search has no error. Throws other errors.
 template <typename Search>
 std::optional<FlattenError> refusal_of(const Search& search) {
   try {
@@ -32,31 +32,32 @@ std::optional<FlattenError> refusal_of(const Search& search) {
   return std::nullopt;
 }
 
-/// Returns the error of a piece with this strain if no cut helps.
+/// Returns the error no_proposal of a piece that no cut helps. strain: strain of the piece without cuts.
 FlattenError none_helps(const Chart& chart, CutKind kind, double strain);
 
-/// Adds a cut, and its mirror image if there is one. both: figures with both cuts, if they are better than one.
+/// Adds a cut, and its mirror image if there is one. both: figures with both cuts, if these are better than with one
+/// cut.
 void add_with_image(DartProposal cut, std::optional<DartProposal> image, const std::optional<PieceFigures>& both,
                     std::vector<DartProposal>& proposals);
 
 /// Searches one piece: ranks candidates on a coarse copy, and evaluates the best candidates exactly.
 class PieceSearch {
  public:
-  /// piece: index of the piece. All references are kept.
+  /// piece: index of the piece to search. Keeps all references.
   PieceSearch(const FlatPieces& pieces, std::size_t piece, CutKind kind, Effort effort, const CutOptions& cut_options,
               const ExactEvaluation& exact);
 
   /// Returns the cuts, the best first; DartProposal::piece is not set. Throws no_proposal.
   std::vector<DartProposal> search() const;
 
-  /// Returns the cuts along these chains, the best first; DartProposal::piece is not set. Empty if none helps.
+  /// Returns the cuts along these chains, the best first; DartProposal::piece is not set. Empty if no cut helps.
   std::vector<DartProposal> best_of(const std::vector<HalfEdgeChain>& chains) const;
 
   /// Throws no_proposal if the piece is flat enough.
   void check_strain() const;
 
   /// Returns the best cuts of the coarse copy as chains of the chart, one of each mirrored pair. Throws no_proposal if
-  /// there is no room.
+  /// there is no room for a cut.
   std::vector<HalfEdgeChain> candidates() const { return without_mirror_images(best_chains()); }
 
   /// Returns the mirror image of a chain; empty if it is the chain itself, or would cut a wire or a forbidden edge.
@@ -71,13 +72,13 @@ class PieceSearch {
     return are_beside(chart_.mesh, size_, ends_of(a), ends_of(b));
   }
 
-  /// Returns a proposal with these figures, without lines.
+  /// Returns a proposal with these figures, without edges and length.
   DartProposal proposal_with(const PieceFigures& after) const;
 
   /// Returns whether a cut with these figures gains enough.
   bool is_worth_sewing(const PieceFigures& after) const;
 
-  /// In canonical order.
+  /// Returns the chart of the piece in canonical order.
   const Chart& chart() const { return chart_; }
   const Forbidden& forbidden() const { return forbidden_; }
   const PieceFigures& before() const { return before_; }
@@ -105,7 +106,7 @@ class PieceSearch {
   const FlatPieces& pieces_;
   const Chart& input_chart_;
   const Chart chart_;  // in canonical order
-  const double size_;  // root of its area
+  const double size_;  // √area of the chart
   const std::vector<VertexHandle> image_;
   const Forbidden forbidden_;
   const CutKind kind_;

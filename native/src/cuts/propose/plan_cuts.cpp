@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Plans several cuts to reach a target: each round starts with the best cut of the last one.
+// Plans several cuts to reach a target: each round adds the best cut to the cuts of earlier rounds.
 #include <algorithm>
 #include <optional>
 #include <stdexcept>
@@ -18,7 +18,7 @@
 namespace wirewarp {
 namespace {
 
-/// Returns the options of a search for cuts up to a length.
+/// Returns the options of a search for cuts up to the length `longest`.
 CutOptions options_within(const CutTarget& target, double longest) {
   CutOptions cut_options;
   cut_options.piece = target.piece;
@@ -59,7 +59,7 @@ class PlanOfCuts {
   /// Returns the pieces to try. For seams, pieces that lack seams come first, the largest first. Pieces with a flat
   /// shape follow, the most strained first, because cuts of other pieces do not lower the largest strain.
   std::vector<int> pieces_in_order() const {
-    std::vector<std::tuple<bool, double, int>> places;  // whether it has a shape, minus its area or strain, piece
+    std::vector<std::tuple<bool, double, int>> places;  // whether it has a shape, minus its area or strain, index
     for (int i = 0; i < static_cast<int>(pieces_.size()); ++i) {
       const FlatPiece& piece = *pieces_[i];
       if (!may_be_cut(piece)) continue;
@@ -73,8 +73,8 @@ class PlanOfCuts {
     return order;
   }
 
-  /// Throws Stopped instead of returning a partial result, because a step of a plan must not depend on when the search
-  /// was stopped.
+  /// Returns the best cuts of the current pieces. If canceled, throws Stopped instead of returning a partial result,
+  /// because a step of a plan must not depend on the moment of cancellation.
   std::vector<DartProposal> propose(const CutOptions& cut_options) const {
     std::vector<DartProposal> proposals = best_cuts(pieces_, kind_, cut_options, exact_, progress_);
     exact_.stop().check();

@@ -14,8 +14,8 @@
 namespace wirewarp {
 namespace {
 
-/// Least relative decrease of the energy by a step of an end for another step to follow; exact evaluations compare
-/// finer differences. With 2%, the second and third best cuts become worse.
+/// If a move of an end lowers the energy by less than this share, no further move is tried, because exact evaluations
+/// compare finer differences. With 2%, the second and third best cuts become worse.
 constexpr double kLeastStep = 0.01;
 
 class CutSearch {
@@ -57,7 +57,7 @@ void CutSearch::try_all(const std::vector<CutEnds>& cuts) {
   for (std::size_t i = 0; i < fresh.size(); ++i) energies_[fresh[i]] = energies[i];
 }
 
-/// Moves to the best neighbor as long as it is clearly better.
+/// Moves the ends of a cut step by step, each time to the best neighboring cut, as long as this cut is clearly better.
 RankedCut CutSearch::improve(RankedCut cut) {
   while (true) {
     const std::vector<CutEnds> neighbors = neighbors_of(chart_, paths_, cut.ends);

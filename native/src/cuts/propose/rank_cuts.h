@@ -15,13 +15,14 @@ struct RankedCut {
 };
 
 struct CutLimits {
-  int places;      // number of places with cuts, none beside another
-  double share;    // share of all tried cuts that are returned, so that the fine mesh decides between almost equal ones
-  double longest;  // length of one cut, scene units
+  int places;      // number of best cuts, none beside another
+  double share;    // least returned share of all tried cuts; the fine mesh decides between almost equal cuts
+  double longest;  // largest length of a cut, scene units
 };
 
-/// Returns the best candidates of a chart, with their ends moved to the best places, and candidates that are almost as
-/// good, the best first. All returned cuts lower E. stop: polled in any thread. Throws Stopped.
+/// Returns the best cuts of a chart, the best first. They are the best candidates after their ends were moved to better
+/// places, and tried cuts that are almost as good. Each returned cut lowers E. stop: polled in any thread. Throws
+/// Stopped.
 std::vector<RankedCut> rank_cuts(const Chart& chart, const SmoothPathFinder& paths,
                                  const std::vector<CutEnds>& candidates, const InternalOptions& options,
                                  const CutLimits& limits, const StopToken& stop);

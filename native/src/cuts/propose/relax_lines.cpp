@@ -12,25 +12,26 @@
 namespace wirewarp {
 namespace {
 
-/// Positions of the moved points on an edge, and their number for each edge's length of a line across triangles.
+/// kShares: positions of the moved points on each edge of a line along edges. kPointsPerEdge: number of moved points
+/// per edge length of a line across triangles.
 constexpr double kShares[] = {0.25, 0.75};
 constexpr double kPointsPerEdge = 2;
 
-/// No moved point is nearer to the end of a section than this share of it, because the end may be a vertex.
+/// No moved point is nearer to the end of a section than this share of the section, because the end may be a vertex.
 constexpr double kFromEnd = 0.1;
 
-/// Share of the sum of the vectors to both neighbors by which a point moves. With 1/2, a zigzag would not fade.
+/// A point moves by this share of the sum of the vectors to both neighbors. With 1/2, a zigzag would not fade.
 constexpr double kStep = 1.0 / 3;
 
-/// Neighbors on a line are never farther apart than this many edges of it, unless something is in the way.
+/// Neighboring points on a line are never farther apart than this many edge lengths, unless something is in the way.
 constexpr double kReach = 4;
 
-/// A line that crosses an edge within this share of its length from a vertex leads through the vertex. It is twice
-/// what cut_mesh() moves, so that cutting does not bend the line again.
+/// If a line crosses an edge nearer to a vertex than this share of the edge's length, the line leads through the
+/// vertex. The share is twice the snap of cut_mesh(), so that cutting does not bend the line again.
 constexpr double kSnap = 0.1;
 
-/// A line is not relaxed if it becomes shorter than this share of the edges at its ends, because cut_mesh() could not
-/// cut it.
+/// A line is not relaxed if it becomes shorter than this share of the longest edge at its ends, because cut_mesh()
+/// could not cut it.
 constexpr double kShortest = 0.25;
 
 bool is_along_edges(const SurfaceLine& line) {
@@ -59,7 +60,7 @@ double longest_edge_at(const HalfEdgeMesh& mesh, const SurfacePoint& point) {
   return longest;
 }
 
-/// Returns whether each point of a line shares a face with the next one.
+/// Returns whether each point of a line shares a face with the next point.
 bool is_connected(const HalfEdgeMesh& mesh, const RelaxedLine& line) {
   std::vector<std::vector<FaceHandle>> faces;
   if (!line.is_closed) faces.push_back(faces_at(mesh, line.start));
@@ -98,8 +99,8 @@ bool are_on_one_edge(const HalfEdgeMesh& mesh, const PathPoint& a, const PathPoi
   return !a.is_vertex() && !b.is_vertex() && mesh.edge_handle(a.half_edge) == mesh.edge_handle(b.half_edge);
 }
 
-/// Adds a point, and removes unnecessary crossings: of an edge that the line immediately crosses again, or of an edge
-/// whose end is on the line.
+/// Adds a point to a path, and removes unnecessary crossings. A crossing is unnecessary if the path immediately crosses
+/// the same edge again, or leads through an end of this edge.
 void append(const HalfEdgeMesh& mesh, const PathPoint& point, MeshPath& path) {
   const VertexHandle v = near_vertex(mesh, point);
   if (!v.is_valid()) {
@@ -119,7 +120,7 @@ void append(const HalfEdgeMesh& mesh, const PathPoint& point, MeshPath& path) {
   path.push_back(PathPoint::at_vertex(v));
 }
 
-/// Joins the end of a path to its beginning by the same rules. Returns whether a closed path remains.
+/// Joins the end of a path to its beginning by the rules of append(). Returns whether a closed path remains.
 bool close(const HalfEdgeMesh& mesh, MeshPath& path) {
   while (path.size() > 2) {
     MeshPath joined = path;
@@ -162,7 +163,8 @@ bool LineNetwork::touches_barrier(VertexHandle v) const {
          std::any_of(mesh_.cve_begin(v), mesh_.cve_end(v), [&](EdgeHandle e) { return barriers_[e.idx()] != 0; });
 }
 
-/// Returns whether a path of a line runs along a barrier or the outline, but its chain does not.
+/// Returns whether a relaxed line runs along an edge of a barrier or of the outline that the original line does not
+/// follow. path: points of the relaxed line.
 bool LineNetwork::runs_along_barrier(std::size_t line, const MeshPath& path) const {
   for (std::size_t i = 1; i < path.size(); ++i) {
     if (!path[i - 1].is_vertex() || !path[i].is_vertex()) continue;
@@ -214,8 +216,8 @@ void LineNetwork::add_line(const SurfaceLine& line, bool is_ring) {
   edges_.push_back(std::move(edges));
 }
 
-/// Adds points on each edge of a line along edges, or at equal distances on sections of another line; none if they are
-/// one edge of a barrier.
+/// Adds the moved points of some sections of a line. Each edge of a line along edges gets the same number of points.
+/// Other lines get points at equal distances. A single edge of a barrier gets no points.
 void LineNetwork::add_points(const SurfaceLine& line, std::size_t begin, std::size_t end,
                              std::vector<std::size_t>& points) {
   const EdgeHandle edge = line.sections[begin].edge;
@@ -263,10 +265,10 @@ std::optional<StraightLine> LineNetwork::between(const SurfacePoint& a, const Su
     }
     return line;
   }
-  return StraightLine{};  // both are fixed ends of an edge
+  return StraightLine{};  // both points are fixed ends of an edge
 }
 
-/// Returns the number of moves of each point. steps: that of each line.
+/// Returns the number of steps of each point. steps: number of steps of each line.
 std::vector<int> LineNetwork::steps_of_points(const std::vector<int>& steps) const {
   std::vector<int> of_points;
   for (const Point& point : points_) {
@@ -277,8 +279,8 @@ std::vector<int> LineNetwork::steps_of_points(const std::vector<int>& steps) con
   return of_points;
 }
 
-/// Returns the vector by which each point moves, in its plane. do_pull: one flag per line. Sets has_failed for lines
-/// with something in the way.
+/// Returns the vector by which each point moves, in the plane of its face. do_pull: one flag per line. Sets has_failed
+/// for each line that has something in its way.
 std::vector<Planar> LineNetwork::pulls(const std::vector<SurfacePoint>& places, const std::vector<char>& do_pull,
                                        std::vector<char>& has_failed) const {
   std::vector<Planar> sums(points_.size(), Planar(0));
@@ -330,7 +332,7 @@ std::vector<std::optional<RelaxedLine>> LineNetwork::relax(const std::vector<int
   return relaxed;
 }
 
-/// Moves a point to a nearby vertex or edge.
+/// Returns a point moved to a nearby vertex or edge, or unchanged if none is near.
 SurfacePoint LineNetwork::snapped(const SurfacePoint& point) const {
   if (point.vertex.is_valid()) return point;
   const std::array<double, 3> shares = weights_at(mesh_, point.face, point.place);

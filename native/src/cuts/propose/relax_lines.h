@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Makes lines along edges smooth: they shorten like elastic threads on the surface, for a limited time.
+// Smooths lines on a surface: they shorten like elastic threads, for a limited number of steps.
 #pragma once
 
 #include <map>
@@ -11,29 +11,29 @@
 
 namespace wirewarp {
 
-/// A line between two points, or a closed one.
+/// A line between two points, or a closed line.
 struct RelaxedLine {
   SurfacePoint start, end;  // not used if the line is closed
-  MeshPath between;         // vertices of the line and its crossings with edges; a closed line repeats the first one
+  MeshPath between;         // vertices of the line and its crossings with edges; a closed line repeats its first point
   bool is_closed = false;
 };
 
-/// Lines that meet at their ends. They do not cross barriers. Points on a barrier are fixed, as are ends where no other
-/// line continues. Junctions move.
+/// Lines that meet at their ends and do not cross barriers. Points on a barrier are fixed. Ends of lines are fixed if
+/// no other line continues there. Junctions move.
 class LineNetwork {
  public:
   /// barriers: one flag per edge. The mesh and the barriers must outlive the network.
   LineNetwork(const HalfEdgeMesh& mesh, const std::vector<SurfaceLine>& lines, const std::vector<char>& barriers);
 
-  /// Moves the points of each line a number of times; a junction moves as often as the line that moves least. Returns
-  /// nothing for a line that does not move, or that came too close to a barrier. Throws Stopped.
+  /// Moves the points of each line by its number of steps. A junction moves as often as the line with the fewest steps.
+  /// Returns nullopt for each line that does not move, or that came too close to a barrier. Throws Stopped.
   std::vector<std::optional<RelaxedLine>> relax(const std::vector<int>& steps, const StopToken& stop) const;
 
-  /// Returns the mean length of the edges that lines follow, scene units; the typical one of the mesh if lines cross
-  /// triangles.
+  /// Returns the mean length of the edges that lines follow, in scene units. If lines cross triangles, returns the
+  /// typical edge length of the mesh.
   double mean_edge() const { return edge_length_; }
 
-  /// Returns the number of moves of each point that smooths lines over about this distance.
+  /// Returns the number of steps that smooth lines over about this distance, in scene units.
   int steps_for(double distance) const;
 
  private:
@@ -60,8 +60,8 @@ class LineNetwork {
   double edge_length_;  // see mean_edge()
   std::vector<Point> points_;
   std::map<int, std::size_t> junctions_;         // point at each end of a line
-  std::vector<std::vector<std::size_t>> lines_;  // points of each line; the first one again at the end of a closed one
-  std::vector<char> is_ring_;                    // of each line
+  std::vector<std::vector<std::size_t>> lines_;  // points of each line; a closed line repeats its first point
+  std::vector<char> is_ring_;                    // whether each line is closed
   std::vector<std::vector<EdgeHandle>> edges_;   // edges that each line follows, in increasing order
 };
 

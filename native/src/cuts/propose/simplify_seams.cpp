@@ -22,7 +22,7 @@
 namespace wirewarp {
 namespace {
 
-/// Progress (0 to 1) at which the input has been flattened with all its seams.
+/// Progress (0 to 1) when the input is flattened with all its seams.
 constexpr double kFlattened = 0.1;
 
 /// A part of the model between the seams that must not be removed, in canonical order.
@@ -48,7 +48,7 @@ class SeamSimplifier {
         exact_(exact),
         progress_(progress) {}
 
-  /// Throws Stopped if the search is stopped before there is a result.
+  /// Returns the seams that remain, with their figures. Throws Stopped if canceled before there is a result.
   SeamProposal find() {
     progress_.enter(0, kFlattened);
     pieces_ = exact_.uncut();
@@ -77,7 +77,7 @@ class SeamSimplifier {
   }
 
  private:
-  /// Returns the edges that are seams, each once, and adds the seams that must stay to kept_.
+  /// Returns each edge that is a seam once. Adds the seams that must stay to kept_.
   std::vector<VertexPair> list_seams() {
     std::set<VertexPair> eased, known;
     for (const Ease& ease : input_.eases) eased.merge(undirected(as_list(ease.half_edges)));
@@ -97,7 +97,7 @@ class SeamSimplifier {
     return length;
   }
 
-  /// Throws Stopped; seams removed by then stay removed.
+  /// Removes seams from all parts. Throws Stopped; seams removed by then stay removed.
   void merge() {
     FlattenInput undivided = input_;
     undivided.seams = as_pairs(kept_);

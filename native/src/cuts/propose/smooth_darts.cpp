@@ -22,12 +22,13 @@ namespace {
 /// elbow of 30 degrees is conspicuous on the flat piece.
 constexpr double kElbow = kPi / 12;
 
-/// A line that is longer than the straight line by less than this share has no visible bend: with 2%, its middle is a
-/// tenth of its length aside. A bent line is harder to sew, so it must lower the strain by this share more.
+/// kBend: a line that is longer than the straight line by less than this share has no visible bend. With 2%, the middle
+/// of the line is a tenth of its length beside the straight line. kGainOfBends: a bent line is harder to sew, so it
+/// must lower the strain by this share more than the straight line.
 constexpr double kBend = 0.02, kGainOfBends = 0.05;
 
-/// The ends of a line are moved by these distances first and last, in units of the root of the piece's area. The first
-/// is half of the distance between points on the coarse copy, the last is the smallest visible change.
+/// First and last distance by which the ends of a line are moved, over √area of the piece. The first distance is half
+/// of the distance between points on the coarse copy. The last distance is the smallest visible change.
 constexpr double kFirstMove = 0.1, kLastMove = 0.05;
 
 /// Number of lines whose ends are moved: the best line, and two more that may become better. With two lines, the best
@@ -41,11 +42,11 @@ constexpr double kLeastMove = 0.01;
 /// fabric allows.
 constexpr double kAnyFabric = 0.03;
 
-/// The course of a line along a chain with the same ends.
+/// The course of a line: straight, or along the bends of the chain with the same ends.
 enum class Course { straight, bent };
 
 struct SmoothLine {
-  HalfEdgeChain chain;  // edges with the same ends
+  HalfEdgeChain chain;  // chain of edges with the same ends
   MeshPath line;
   SurfacePath path;
 };
@@ -53,9 +54,9 @@ struct SmoothLine {
 struct SmoothDart {
   SmoothLine line;
   Course course;
-  std::optional<SmoothLine> image;  // its mirror image, if both can be cut
-  LineFigures found;                // with the image, or alone if there is no image or if a tip puckers with it
-  bool are_both = false;
+  std::optional<SmoothLine> image;  // mirror image of the line, if both can be cut
+  LineFigures found;                // figures of both lines, or of `line` alone if there is no image or a tip puckers
+  bool are_both = false;            // whether `found` has the figures of both lines
 
   double strain() const { return found.figures.strain; }
 };
@@ -121,7 +122,7 @@ class SmoothDartSearch {
 };
 
 /// Returns a smooth line with the ends of a chain; nullopt if it has an elbow, touches a wire or the outline, is too
-/// long, or is a bent line that does not differ from the straight line.
+/// long, or is a bent line that hardly differs from the straight line.
 std::optional<SmoothLine> SmoothDartSearch::line_along(const Way& way) const {
   const HalfEdgeMesh& mesh = chart_.mesh;
   const std::vector<VertexHandle> vertices = vertices_along(mesh, way.chain);
@@ -142,7 +143,8 @@ bool SmoothDartSearch::touches_lines(const MeshPath& path) const {
   });
 }
 
-/// Mirrors the line itself, because a geodesic beside the mirrored chain may pass a hill on the other side.
+/// Returns the mirror image of a line; nullopt if the image cannot be cut. Mirrors the line itself, because a geodesic
+/// along the mirrored chain may pass a hill on the other side.
 std::optional<SmoothLine> SmoothDartSearch::image_of(const SmoothLine& line) const {
   SmoothLine image{search_.image_of(line.chain), {}, {}};
   if (image.chain.empty()) return {};
@@ -152,7 +154,8 @@ std::optional<SmoothLine> SmoothDartSearch::image_of(const SmoothLine& line) con
   return image;
 }
 
-/// Evaluates a dart with its mirror image, unless both would meet and cut the piece differently than each dart alone.
+/// Returns a dart with its figures; nullopt if it cannot be cut. Evaluates the dart with its mirror image, unless both
+/// would meet and cut the piece differently than each dart alone.
 std::optional<SmoothDart> SmoothDartSearch::dart_along(const Way& way) const {
   std::optional<SmoothLine> line = line_along(way);
   if (!line) return {};
@@ -170,7 +173,7 @@ std::optional<SmoothDart> SmoothDartSearch::dart_along(const Way& way) const {
   return dart;
 }
 
-/// Returns the darts that have figures, in order, each once.
+/// Returns the darts that can be cut along these ways, each once, in the order of the ways.
 std::vector<SmoothDart> SmoothDartSearch::evaluate(const std::vector<Way>& ways) {
   const auto key_of = [&](const Way& way) {
     const HalfEdgeMesh& mesh = chart_.mesh;
@@ -214,8 +217,8 @@ std::vector<SmoothDart> SmoothDartSearch::best_courses(const std::vector<HalfEdg
   return best;
 }
 
-/// Returns darts whose start or tip is moved by about a step: the start along the outline, the tip forwards, backwards
-/// and to both sides.
+/// Returns ways whose start or tip is moved by about `step`, over √area: the start along the outline, the tip forwards,
+/// backwards and to both sides.
 std::vector<SmoothDartSearch::Way> SmoothDartSearch::moved(const SmoothDart& dart, double step) const {
   const HalfEdgeMesh& mesh = chart_.mesh;
   const VertexHandle start = dart.line.line.front().vertex, tip = dart.line.line.back().vertex;
@@ -250,7 +253,7 @@ std::vector<SmoothDartSearch::Way> SmoothDartSearch::moved(const SmoothDart& dar
   return ways;
 }
 
-/// Moves to the best neighbor as long as that is clearly better, with shorter and shorter steps.
+/// Moves the ends of a dart as long as the best neighboring dart is clearly better, with shorter and shorter steps.
 SmoothDart SmoothDartSearch::move_ends(SmoothDart dart) {
   for (double step = kFirstMove; step >= kLastMove;) {
     std::vector<SmoothDart> neighbors = evaluate(moved(dart, step));
@@ -271,7 +274,8 @@ bool SmoothDartSearch::puckers(const LineFigures& found) const {
   return found.tip_strain > std::max(search_.before().strain, kAnyFabric);
 }
 
-/// Ranks darts with puckering tips last, so that they do not displace good darts.
+/// Returns whether dart a is better than dart b. Darts with puckering tips rank last, so that they do not displace good
+/// darts.
 bool SmoothDartSearch::is_better(const SmoothDart& a, const SmoothDart& b) const {
   return std::pair(puckers(a.found), a.strain()) < std::pair(puckers(b.found), b.strain());
 }
@@ -288,7 +292,7 @@ DartProposal SmoothDartSearch::proposal_of(const SmoothLine& line, const LineFig
   return proposal;
 }
 
-/// Adds darts and their mirror images if they are worth sewing: together, or alone if the pair is no better.
+/// Adds the darts that are worth sewing, together with their mirror images, or alone if both are no better.
 void SmoothDartSearch::propose(const std::vector<SmoothDart>& darts, std::vector<DartProposal>& proposals) const {
   std::vector<std::array<std::optional<LineFigures>, 2>> each(darts.size());
   run_on_all_cores(2 * darts.size(), exact_.stop(), [&](std::size_t i) {

@@ -13,12 +13,12 @@
 namespace wirewarp {
 namespace {
 
-/// Cost of a landing at an angle δ (radians) from the outline's bisector, over δ² and the root of the area. A path that
-/// lands along the bisector is preferred to a path at 45° even if it is longer by 3% of the piece's size.
+/// Cost of a landing at an angle δ (radians) from the outline's bisector, over δ² and √area. A path that lands along
+/// the bisector is preferred to a path at 45° even if it is longer by 3% of √area.
 constexpr double kPriceOfLanding = 0.05;
 
-/// A path that turns by more at a vertex (radians) has a corner and cannot be sewn as a dart. The value is less than
-/// the corner of a square, and more than the turn between edges of regular triangles.
+/// A path that turns at a vertex by more than this angle, in radians, has a corner and cannot be sewn as a dart. The
+/// value is less than the turn at a corner of a square, and more than the turn between edges of regular triangles.
 constexpr double kSharpTurn = 80 * kPi / 180;
 
 }  // namespace
@@ -30,7 +30,7 @@ SmoothPathFinder::SmoothPathFinder(const Chart& chart, Forbidden forbidden)
       direction_(chart.mesh.n_halfedges(), 0),
       full_turn_(chart.mesh.n_vertices(), 0) {
   for (const VertexHandle v : mesh_.vertices()) {
-    // At a vertex of the outline, the half-edge without a face is the last one counter-clockwise.
+    // At a vertex of the outline, the half-edge without a face is the last half-edge counterclockwise.
     const HalfedgeHandle last = mesh_.halfedge_handle(v);
     const bool is_on_outline = mesh_.is_boundary(v);
     const HalfedgeHandle first =

@@ -21,8 +21,8 @@ struct Forbidden {
 /// The cheapest paths from one vertex.
 struct SmoothPaths {
   std::vector<double> cost;             // per half-edge: cost of the path that ends with it; infinite: no path
-  std::vector<HalfedgeHandle> before;   // per half-edge: the previous one; not valid at the start
-  std::vector<HalfedgeHandle> arrival;  // per vertex: last half-edge of the cheapest path; not valid: no path
+  std::vector<HalfedgeHandle> before;   // per half-edge: the previous half-edge; invalid at the start
+  std::vector<HalfedgeHandle> arrival;  // per vertex: last half-edge of the cheapest path; invalid: no path
 };
 
 class SmoothPathFinder {
@@ -36,7 +36,7 @@ class SmoothPathFinder {
   /// twice.
   HalfEdgeChain path_to(const SmoothPaths& paths, VertexHandle end) const;
 
-  /// Returns the root of the area in scene units.
+  /// Returns √area of the chart, in scene units.
   double size() const { return size_; }
 
   bool is_forbidden(VertexHandle v) const { return forbidden_.vertices[v.idx()] != 0; }

@@ -27,13 +27,13 @@
 namespace wirewarp {
 namespace {
 
-/// The longest distance over which lines are smoothed: in edges of the lines, and over the root of the area. It is
-/// halved for each lower level. Zigzags of single edges need one edge or two; longer distances are for lines with
-/// larger bends.
+/// The longest distance over which lines are smoothed is the larger of kEdges edge lengths and kOfSize √area. Each of
+/// the kLevels levels has half the distance of the level above. Zigzags of single edges need one or two edge lengths.
+/// Longer distances are for larger bends.
 constexpr double kEdges = 4, kOfSize = 0.04;
 constexpr int kLevels = 4;
 
-/// See SmoothLimits::far_too_much. Lines along edges need many changes.
+/// SmoothLimits::far_too_much for lines along edges, which need many changes.
 constexpr double kFarTooMuch = 1.1;
 
 /// A smooth set may have at most this share of the bends of the set along edges, otherwise the additional strain is not
@@ -41,14 +41,15 @@ constexpr double kFarTooMuch = 1.1;
 constexpr double kMostBends = 0.5;
 
 /// A smooth set may leave more strain than the set along edges by this factor. Zigzags are longer than smooth lines,
-/// which helps to flatten a dome, and they pass through more of the vertices, where a coarse mesh has all its
+/// which helps to flatten a dome. They also pass through more of the vertices, where a coarse mesh has all its
 /// curvature.
 constexpr double kMostGrowth = 2;
 
 /// Smaller strains are rounding errors.
 constexpr double kFlatFigure = 1e-6;
 
-/// Returns V - E of edges or lines and their number of free ends, which show whether lines meet elsewhere than before.
+/// Returns the number of vertices minus the number of edges, and the number of free ends. Both numbers show whether
+/// lines meet at other places than before.
 std::array<int, 2> count_ends(const std::vector<VertexPair>& edges) {
   std::map<int, int> count;
   for (const VertexPair& edge : edges) {
@@ -121,15 +122,15 @@ class SmoothSet {
   const ExactEvaluation& exact_;
   const CutMask barriers_;
   const std::vector<std::size_t>& images_;  // mirror image of each line
-  const bool is_symmetric_;                 // whether all lines are
+  const bool is_symmetric_;                 // whether each line has a mirror image
   const PathMirror mirror_;
   const LineNetwork network_;
-  std::vector<SurfacePath> start_;  // the lines before
-  std::vector<VertexPair> ends_;    // of each line
+  std::vector<SurfacePath> start_;  // lines before smoothing
+  std::vector<VertexPair> ends_;    // numbers of both ends of each line
   int num_bends_before_ = 0;
   std::array<int, 2> num_ends_before_{};
-  std::vector<int> levels_;   // of each line: how smooth it is; 0: as before
-  std::vector<int> highest_;  // the highest levels that may be tried
+  std::vector<int> levels_;   // level of smoothness of each line; 0: not smoothed
+  std::vector<int> highest_;  // highest level of each line that may be tried
 };
 
 /// Returns the edges that lines must not cross: wires, and edges that cuts must avoid, with their mirror images.
@@ -150,8 +151,8 @@ int SmoothSet::num_bends(const CutMesh& cut) const {
   return std::accumulate(bends.begin(), bends.end(), 0);
 }
 
-/// Permanently lowers the levels of some lines and of their mirror images. If these already follow their edges, lowers
-/// the levels of lines that meet them, and so on, because lines move their neighbors.
+/// Permanently lowers the levels of some lines and of their mirror images. If all these lines already have level 0,
+/// lowers the levels of lines that meet them, and so on, because lines move their neighbors.
 void SmoothSet::lower(std::vector<char> chosen) {
   while (is_any(levels_)) {
     for (std::size_t i = 0; i < chosen.size(); ++i) {
@@ -213,8 +214,8 @@ std::vector<SurfacePath> SmoothSet::lines() {
   }
 }
 
-/// Raises the levels of lines that turn sharply. Lowers those of lines that meet others at different places than their
-/// edges do.
+/// Returns the lines after raising the levels of lines that turn sharply. Lowers the levels of lines that meet other
+/// lines at other places than before.
 std::vector<SurfacePath> SmoothSet::smooth_enough() {
   while (true) {
     exact_.stop().check();
@@ -286,11 +287,11 @@ std::vector<char> SmoothSet::beside(const FlatPiece& part, const CutMesh& cut) c
   return lines;
 }
 
-/// Returns the line among these that is nearest to most of the area with too much strain. Ignores lines that follow
-/// their edges; returns all lines if no others are left.
+/// Returns the given line that is nearest to most of the area with too much strain. Ignores lines with level 0. Returns
+/// all given lines if no line is left.
 std::vector<char> SmoothSet::most_strained(const FlatPiece& part, const CutMesh& cut,
                                            const std::vector<char>& lines) const {
-  std::vector<std::pair<std::size_t, Eigen::RowVector3d>> middles;  // of the edges of the lines that may be lowered
+  std::vector<std::pair<std::size_t, Eigen::RowVector3d>> middles;  // of edges of lines above level 0
   for (std::size_t i = 0; i < cut.edges.size(); ++i) {
     const auto line = static_cast<std::size_t>(cut.sources.edge_paths[i]);
     const auto& [a, b] = cut.edges[i];
@@ -321,7 +322,7 @@ std::vector<char> SmoothSet::most_strained(const FlatPiece& part, const CutMesh&
   return chosen;
 }
 
-/// Returns the set along these lines. If the set is not good enough, lowers some levels and returns nothing.
+/// Returns the set along these lines. If the set is not good enough, lowers some levels and returns nullopt.
 std::optional<DartProposal> SmoothSet::evaluate(const std::vector<SurfacePath>& paths, const CutMesh& cut) {
   const CutSurface surface(piece_.pieces, piece_.index, exact_, cut);
   const FlatPieces &before = surface.before(), &after = surface.after();

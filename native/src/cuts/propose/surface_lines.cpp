@@ -14,7 +14,7 @@
 namespace wirewarp {
 namespace {
 
-/// Smaller weights of a corner are rounding.
+/// Smaller weights of a corner are rounding errors.
 constexpr double kRoundedWeight = 1e-9;
 
 /// Returns the corners of a face, starting at its first half-edge, with their places.
@@ -32,7 +32,7 @@ int corner_of(const Triangles& faces, int face, int vertex) {
   return corner;
 }
 
-/// Sets the images of lines along these chains.
+/// Sets `images` and `is_symmetric` for lines along these chains.
 void find_images(const Chart& chart, const std::vector<VertexHandle>& image, const std::vector<HalfEdgeChain>& chains,
                  SurfaceLines& lines) {
   const std::size_t none = chains.size();
@@ -92,7 +92,7 @@ SurfaceLines lines_along(const Chart& chart, const std::vector<VertexHandle>& im
 
 SurfaceLines lines_across(const FlattenInput& input, const Chart& chart, const CutMesh& mesh, const Chart& cut_chart,
                           const std::vector<VertexHandle>& image, const CutMask& cut) {
-  std::vector<int> face_of(static_cast<std::size_t>(input.faces.rows()), -1);  // face of the chart
+  std::vector<int> face_of(static_cast<std::size_t>(input.faces.rows()), -1);  // chart face of each input face
   for (std::size_t f = 0; f < chart.source_face.size(); ++f)
     face_of[static_cast<std::size_t>(chart.source_face[f])] = static_cast<int>(f);
   return lines_of(cut_chart, image, cut, [&](HalfedgeHandle h) {
@@ -119,7 +119,7 @@ SurfaceLines lines_across(const FlattenInput& input, const Chart& chart, const C
 }
 
 SurfaceLines selected(const SurfaceLines& lines, const std::vector<char>& flags) {
-  std::map<int, int> renamed;  // ends that are now the same as another one
+  std::map<int, int> renamed;  // for ends that became another end: this end
   const auto name_of = [&](int end) {
     for (auto found = renamed.find(end); found != renamed.end(); found = renamed.find(end)) end = found->second;
     return end;

@@ -21,7 +21,7 @@ struct LineSection {
   EdgeHandle edge;                      // valid if the section is an edge
 };
 
-/// A line. Lines whose ends have the same number meet there.
+/// A line. first, last: numbers of its ends. Lines meet at ends with the same number.
 struct SurfaceLine {
   int first = 0, last = 0;
   std::vector<LineSection> sections;
@@ -29,19 +29,20 @@ struct SurfaceLine {
 
 struct SurfaceLines {
   std::vector<SurfaceLine> lines;
-  std::vector<std::size_t> images;  // mirror image of each line; the line itself if it has none
+  std::vector<std::size_t> images;  // index of each line's mirror image; its own index if it has none
   bool is_symmetric = false;        // whether each line has a mirror image
 };
 
-/// Returns the sections of a cut. image: mirror image of each vertex, or empty.
+/// Returns the sections of a cut as lines along edges. image: mirror image of each vertex, or empty.
 SurfaceLines lines_along(const Chart& chart, const std::vector<VertexHandle>& image, const CutMask& cut);
 
-/// Returns the sections of a cut of a chart on the mesh of cut_mesh(), as lines on the chart before. chart: a chart of
-/// the input; cut_chart: its chart on the cut mesh; image: the mirror image of each of its vertices, or empty.
+/// Returns the sections of a cut of `cut_chart` as lines on `chart`. chart: a chart of the input. mesh: the result of
+/// cut_mesh() for the input. cut_chart: the chart of the same surface on this mesh. image: mirror image of each vertex
+/// of cut_chart, or empty.
 SurfaceLines lines_across(const FlattenInput& input, const Chart& chart, const CutMesh& mesh, const Chart& cut_chart,
                           const std::vector<VertexHandle>& image, const CutMask& cut);
 
-/// Returns the lines whose flag is not 0. The ends of each other line become one end.
+/// Returns the lines whose flag is not 0. Both ends of each other line become one end.
 SurfaceLines selected(const SurfaceLines& lines, const std::vector<char>& flags);
 
 /// A point of the input: a face and the weights of its corners.
@@ -50,10 +51,11 @@ struct WeightedPoint {
   Eigen::RowVector3d weights;
 };
 
-/// Returns the barycentric coordinates of a place in a face, from the start of its first half-edge.
+/// Returns the barycentric coordinates of a place in a face. The first corner is the start of the face's first
+/// half-edge.
 std::array<double, 3> weights_at(const HalfEdgeMesh& mesh, FaceHandle face, Planar place);
 
-/// Return a point on a chart as a point of the input.
+/// Returns a point on a chart as a point of the input.
 WeightedPoint on_input(const FlattenInput& input, const Chart& chart, FaceHandle face, Planar place);
 WeightedPoint on_input(const FlattenInput& input, const Chart& chart, const PathPoint& point);
 

@@ -9,8 +9,8 @@
 namespace wirewarp {
 namespace {
 
-/// Points and their images that are nearer, as a share of an edge, are at the same place. cut_mesh() moves points by
-/// as much.
+/// A point and its mirror image count as the same place if their distance is below this share of an edge length. The
+/// share is twice the snap of cut_mesh().
 constexpr double kSamePoint = 0.1;
 
 }  // namespace
@@ -79,7 +79,7 @@ SurfacePath PathMirror::mirrored(const SurfacePath& path) const {
 PathMirror::Point PathMirror::on_plane(const Point& point) const {
   const Point image = mirrored(point);
   Point result{point.face, Eigen::RowVector3d::Zero()};
-  for (int k = 0; k < 3; ++k) {  // a corner that only one of both faces has gets no weight
+  for (int k = 0; k < 3; ++k) {  // a corner of only one of both faces gets no weight
     for (int j = 0; j < 3; ++j) {
       if (input_.faces(point.face, k) == input_.faces(image.face, j))
         result.weights[k] = (point.weights[k] + image.weights[j]) / 2;
@@ -115,7 +115,8 @@ void PathMirror::settle(SurfacePath& path) const {
   }
 }
 
-/// Returns a positive number if most of the path is on one side of the plane, negative on the other one.
+/// Returns a positive number if most of the path is on the side to which normal_ points, and otherwise a negative
+/// number.
 double PathMirror::side(const SurfacePath& path) const {
   double sum = 0;
   for (std::size_t i = 0; i < path.faces.size(); ++i) {

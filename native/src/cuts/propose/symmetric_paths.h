@@ -9,15 +9,15 @@
 
 namespace wirewarp {
 
-/// Makes mirrored lines exact mirror images. Lines are relaxed one by one, and rounding errors grow where they pass
-/// vertices.
+/// Makes mirrored lines exact mirror images. Without this step, mirrored lines differ, because lines are relaxed one by
+/// one and rounding errors grow where lines pass vertices.
 class PathMirror {
  public:
-  /// image: mirror image of each vertex, or empty. All references are kept.
+  /// image: mirror image of each vertex, or empty. Keeps a reference to input.
   PathMirror(const FlattenInput& input, const Chart& chart, const std::vector<VertexHandle>& image);
 
-  /// Replaces one path of each pair with the image of the other. Puts paths that are their own images on the plane, or
-  /// makes them symmetric. images: mirror image of each path, or the path itself.
+  /// Replaces one path of each mirrored pair with the image of the other path. If a path is its own image, moves it
+  /// onto the mirror plane or makes it symmetric. images: index of the mirror image of each path, or its own index.
   void make_symmetric(const std::vector<std::size_t>& images, std::vector<SurfacePath>& paths) const;
 
  private:
@@ -41,7 +41,7 @@ class PathMirror {
   double side(const SurfacePath& path) const;
 
   const FlattenInput& input_;
-  std::vector<FaceImage> faces_;  // of the input; empty: no mirror image
+  std::vector<FaceImage> faces_;  // image of each input face; empty: no mirror plane
   Eigen::RowVector3d normal_;     // of the mirror plane
   double tolerance_ = 0;          // scene units
 };
