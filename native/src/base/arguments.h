@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Errors and arguments that several parts of the library create.
+// Error arguments and errors that several parts of the library create.
 #pragma once
 
 #include <string>
@@ -17,7 +17,8 @@ inline ErrorArguments arguments_of_wires(const std::vector<Wire>& wires, std::ve
   return {{"wires", std::move(indices)}, {"wire_names", std::move(names)}};
 }
 
-/// Returns the error for an option with a value that is not allowed: wrong_option("gap", "2", "be below 1").
+/// Returns the error for an option with a value that is not allowed, for example
+/// wrong_option("gap", "2", "be below 1").
 inline FlattenError wrong_option(const std::string& name, const std::string& value, const std::string& allowed) {
   return FlattenError(ErrorCode::invalid_option,
                       ErrorArguments{{"name", name}, {"value", value}, {"allowed", allowed}});

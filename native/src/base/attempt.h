@@ -8,8 +8,8 @@
 
 namespace wirewarp {
 
-/// Runs one of several methods. Returns an empty result if the caller stops it, or if a matrix has no factor in double
-/// precision. StopToken::is_stopped() distinguishes the two.
+/// Returns the result of solve(), or an empty result if the caller stops it or a matrix has no factor in double
+/// precision. StopToken::is_stopped() distinguishes the two cases.
 template <typename Solve>
 std::invoke_result_t<Solve> attempt(const Solve& solve) {
   try {
@@ -21,7 +21,7 @@ std::invoke_result_t<Solve> attempt(const Solve& solve) {
   }
 }
 
-/// Returns whether the caller stopped the work.
+/// Does the work and returns whether the caller stopped it.
 template <typename Work>
 bool was_stopped(const Work& work) {
   try {

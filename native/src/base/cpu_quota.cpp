@@ -24,8 +24,8 @@ std::string text_of(const Folder& file) {
   return text;
 }
 
-/// text: the microseconds of work allowed in a period, then the microseconds of the period. "max" (version 2) and -1
-/// (version 1) mean no quota.
+/// Returns a quota in cores, rounded up; nullopt without a quota. text: microseconds of work allowed in a period, then
+/// microseconds of the period. "max" (version 2) and -1 (version 1) mean no quota.
 Cores cores_of(const std::string& text) {
   double work = 0, period = 0;
   if (!(std::istringstream(text) >> work >> period) || !(work > 0 && period > 0)) return std::nullopt;
@@ -40,7 +40,7 @@ Cores quota_of_group(const Folder& group) {
 }
 
 /// Returns the smallest quota of a group and of the groups above it, up to the folder where the tree is mounted. In a
-/// container the group's own folder may be missing, because the tree is mounted from there.
+/// container, the group's own folder may be missing, because the mounted tree begins with this group.
 Cores quota_in_tree(const Folder& mount, Folder group) {
   Cores least = quota_of_group(mount);
   for (; group.has_relative_path(); group = group.parent_path()) {

@@ -23,7 +23,8 @@ class DisjointSets {
     parent(std::max(i, j)) = std::min(i, j);
     return i != j;
   }
-  /// Returns the number of each member's set. Sets are numbered in the order of their smallest member.
+  /// Returns the number of each member's set. Sets are numbered in the order of their smallest member. Stores the
+  /// number of sets in count.
   std::vector<int> number(int& count) {
     std::vector<int> label(parent_.size());
     count = 0;

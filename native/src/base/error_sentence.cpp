@@ -34,11 +34,11 @@ class Parts {
   std::string vertices() const { return name_elements("vertex", elements.vertices); }
   std::string seams() const { return such_as_along(elements.proposed_seams); }
 
-  /// Returns the wires in the arguments, such as "wire 2 (waist)".
+  /// Returns text such as "wire 2 (waist)" for the wires in the arguments.
   std::string wires() const { return name_wires(get<std::vector<int>>("wires"), names()); }
   const std::vector<std::string>& names() const { return get<std::vector<std::string>>("wire_names"); }
 
-  /// Returns "piece around face 3", for an error whose faces are those of the piece.
+  /// Returns text such as "the piece around face 3". The error's faces must be the faces of the piece.
   std::string piece() const { return name_piece(elements.faces); }
 
  private:
@@ -87,7 +87,7 @@ std::string loose_faces(const Parts& parts) {
 std::string wire_off_edges(const Parts& parts) {
   return "The " + parts.wires() + " runs along " + parts.edges() +
          chosen(parts.elements.edges.size(), ", which is not an edge", ", which are not edges") +
-         " of the mesh: use an edge between all consecutive vertices of a wire.";
+         " of the mesh: join all consecutive vertices of a wire by edges of the mesh.";
 }
 
 std::string edge_in_two_wires(const Parts& parts) {
@@ -96,7 +96,7 @@ std::string edge_in_two_wires(const Parts& parts) {
   return capitalized(parts.edges()) + " is in " + where + ": an edge has one length, so leave it in one wire only.";
 }
 
-/// Returns "wire 2 (waist)", or "wire (waist)" if the wire is not part of an input yet.
+/// Returns text such as "wire 2 (waist)", or "wire (waist)" if the wire is not part of an input yet.
 std::string label_of_wire(const Parts& parts) {
   if (!parts.get<std::vector<int>>("wires").empty()) return parts.wires();
   return parts.names().empty() ? "wire" : "wire (" + parts.names().front() + ")";
@@ -119,7 +119,7 @@ std::string wrong_ease(const Parts& parts) {
 
 std::string ease_without_side(const Parts& parts) {
   return "An ease names " + parts.edges() +
-         ", which is not a side of a seam or outline: give the vertices of each edge in the order of the triangle on "
+         ", but no seam or outline has a side there: give the vertices of each edge in the order of the triangle on "
          "that side.";
 }
 
@@ -139,15 +139,15 @@ std::string inconsistent_orientation(const Parts& parts) {
 std::string handles(const Parts& parts) {
   const int count = parts.number("num_handles");
   return introduce_piece(parts.elements.faces) + " has " + std::to_string(count) +
-         (count == 1 ? " handle" : " handles") + " like a torus: mark seams that cut each of them" + parts.seams() +
+         (count == 1 ? " handle" : " handles") + " like a torus: mark seams that cut every handle" + parts.seams() +
          ".";
 }
 
-/// Returns the fault and the remedy, such as "mark a seam from one opening to the other".
+/// Returns the fault and the remedy, such as "is a tube: mark a seam from one opening to the other".
 std::string fault_of_outlines(std::size_t num_loops) {
-  if (num_loops == 1) return "cannot lie flat: mark another seam";
+  if (num_loops == 1) return "cannot be flattened: mark another seam";
   if (num_loops == 2) return "is a tube: mark a seam from one opening to the other";
-  return "cannot lie flat: mark seams between its " + std::to_string(num_loops) + " openings";
+  return "cannot be flattened: mark seams between its " + std::to_string(num_loops) + " openings";
 }
 
 std::string boundary_too_short(const Parts& parts) {
@@ -156,12 +156,12 @@ std::string boundary_too_short(const Parts& parts) {
   for (std::size_t i = 0; i < std::min(lengths.size(), kMostNamed); ++i) {
     loops.push_back(rounded(lengths[i]) + " units long at vertex " + std::to_string(parts.elements.vertices[i]));
   }
-  return introduce_piece(parts.elements.faces) + " " + fault_of_outlines(lengths.size()) + parts.seams() + "; its " +
-         chosen(lengths.size(), "outline, ", "outlines, ") + listed(loops, lengths.size()) +
+  return introduce_piece(parts.elements.faces) + " " + fault_of_outlines(lengths.size()) + parts.seams() +
+         ", because its " + chosen(lengths.size(), "outline, ", "outlines, ") + listed(loops, lengths.size()) +
          ", can enclose no more than " + percent(parts.real("share")) + " of its area in the plane.";
 }
 
-/// Returns "with a tolerance of 0.3% to 1.2% on wires 3 and 4 and with wire 7 (waist) free".
+/// Returns text such as "with a tolerance of 0.3% to 1.2% on wires 3 and 4 and with wire 7 (waist) free".
 std::string with_tolerances(const Parts& parts) {
   const std::vector<std::string>& names = parts.names();
   std::vector<int> elastic, free;
@@ -185,7 +185,7 @@ std::string with_tolerances(const Parts& parts) {
   return text + (text.empty() ? "" : " and ") + "with " + name_wires(free, free_names) + " free";
 }
 
-/// Returns why no flat shape has the lengths, as far as the cause is known.
+/// Returns the sentence for lengths that no flat shape was found to have. The remedy depends on the reason.
 std::string infeasible_lengths(const Parts& parts) {
   const std::string& reason = parts.text("reason");
   if (reason == "method") {
@@ -225,8 +225,8 @@ std::string not_solvable(const Parts& parts) {
   }
   if (reason == "sizes") {
     return capitalized(piece) +
-           " cannot be solved in double precision, because its faces differ too much in size: at " + parts.faces() +
-           " merge vertices that lie very close together, or remesh it.";
+           " cannot be solved in double precision, because its faces differ too much in size: merge vertices of " +
+           parts.faces() + " that are very close together, or remesh the piece.";
   }
   return capitalized(piece) + " cannot be solved in double precision: remesh it, or cut it in two with a seam.";
 }
@@ -237,8 +237,8 @@ std::string counted(int count, const std::string& noun) {
   return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }
 
-/// Returns text such as ", has 3 flipped faces and overlaps itself at 1 face", for the guarantees that the error is not
-/// about.
+/// Returns text such as ", has 3 flipped faces and overlaps itself at 1 face", for the faults that the
+/// error's code does not name.
 std::string also(int num_flipped, int num_overlapping) {
   const std::string flips = "has " + counted(num_flipped, "flipped face");
   const std::string overlaps = "overlaps itself at " + counted(num_overlapping, "face");
@@ -251,7 +251,7 @@ std::string lengths_not_kept(const Parts& parts) {
   const std::string fault =
       parts.has("tolerance")
           ? "The piece stretches " + line + " beyond its tolerance of " + percent(parts.real("tolerance"))
-          : "The piece does not keep the length of " + parts.edges() + " (the first, on " + line + ", is " +
+          : "The piece does not keep the length of " + parts.edges() + " (the worst, on " + line + ", is " +
                 percent(parts.real("difference")) + " too " + (parts.real("difference") > 0 ? "long)" : "short)");
   return fault + also(parts.number("num_flipped"), parts.number("num_overlapping")) +
          ": add a seam where the piece curves most" +
@@ -265,7 +265,7 @@ std::string mark_seams_or(const Parts& parts) {
 std::string flipped_faces(const Parts& parts) {
   return "The piece is flipped at " + parts.faces() + also(0, parts.number("num_overlapping")) + mark_seams_or(parts) +
          "add a seam or a dart there" +
-         (parts.is("has_wires") ? ", or remove a wire nearby or give it tolerance." : ".");
+         (parts.is("has_wires") ? ", or remove a nearby wire or give it more tolerance." : ".");
 }
 
 // Errors of suggestions.
@@ -280,12 +280,12 @@ std::string no_proposal(const Parts& parts) {
   }
   if (reason == "too_long") {
     return piece + " can be flattened with seams of " + rounded(parts.real("length")) + " units, but no more than " +
-           rounded(parts.real("limit")) + " are allowed.";
+           rounded(parts.real("limit")) + " units are allowed.";
   }
   if (reason == "no_gain") {
     const std::string& kind = parts.text("kind");
     return piece + " gains nothing from a " + kind + ": none that was tried lowers the stretch of " +
-           percent(parts.real("strain")) + " that it needs. " +
+           percent(parts.real("strain")) + " that the piece needs. " +
            (kind == "dart" ? "Divide it by a seam" : "Move one of its seams to where it curves most") +
            (parts.get<std::vector<int>>("wires").empty() ? "." : ", or give its wires more tolerance.");
   }

@@ -20,8 +20,8 @@ namespace wirewarp {
 /// Returns the number of cores this thread may use, at least 1.
 std::size_t num_cores();
 
-/// While an object of this class exists, num_cores() is 1 on its thread. Use it if every core is already busy, so that
-/// more threads would only compete.
+/// While an object of this class exists, num_cores() is 1 on its thread. Use the class if every core is already busy,
+/// so that more threads would only compete.
 class OnOneCore {
  public:
   OnOneCore();
@@ -46,9 +46,9 @@ std::optional<std::future<void>> begin_thread(const Work& work) {
   }
 }
 
-/// Calls work(0) to work(count - 1), on at most num_threads threads, which take the next number each. The calling
-/// thread takes 0, perhaps later than others begin. Once all work has started, it calls meanwhile() from time to time.
-/// After an exception no further work starts; the exception is rethrown.
+/// Calls work(0) to work(count - 1) on at most num_threads threads. Each free thread takes the next number. The calling
+/// thread takes 0, perhaps after other threads have begun. While it waits for the other threads at the end, it calls
+/// meanwhile() every 20 ms. After an exception, no further work starts, and the exception is rethrown.
 template <typename Work>
 void run_in_threads(
     std::size_t count, std::size_t num_threads, const Work& work, const std::function<void()>& meanwhile = [] {}) {
@@ -65,7 +65,7 @@ void run_in_threads(
   std::vector<std::future<void>> others;
   while (others.size() + 1 < std::min(count, num_threads)) {
     std::optional<std::future<void>> other = begin_thread([&] { begin_at(next++); });
-    if (!other) break;  // if no thread can be started, the existing ones do all the work
+    if (!other) break;  // if no thread can be started, the existing threads do all the work
     others.push_back(std::move(*other));
   }
   begin_at(0);
@@ -75,7 +75,8 @@ void run_in_threads(
   }
 }
 
-/// Calls work(0) to work(count - 1) on all cores, each on one core. Meanwhile, polls the token for its progress.
+/// Calls work(0) to work(count - 1) on all cores. Inside a call, num_cores() is 1. Polls the token while waiting, so
+/// that the caller can show progress.
 template <typename Work>
 void run_on_all_cores(std::size_t count, const StopToken& stop, const Work& work) {
   run_in_threads(

@@ -23,16 +23,16 @@ class ProgressReport {
     try {
       if (!progress_(stage, fraction)) is_cancelled_ = true;  // never reset: another thread may have canceled
     } catch (...) {
-      is_cancelled_ = true;  // for the charts in other threads
+      is_cancelled_ = true;  // stops the charts in other threads
       throw;
     }
     return !is_cancelled_;
   }
 
-  /// Acts as if the caller had canceled. Callable from any thread.
+  /// Acts as if the caller had canceled. Any thread may call this function.
   void cancel() { is_cancelled_ = true; }
 
-  /// Callable from any thread.
+  /// Returns whether the run was canceled. Any thread may call this function.
   bool is_cancelled() const { return is_cancelled_; }
 
  private:
@@ -40,7 +40,7 @@ class ProgressReport {
   std::atomic<bool> is_cancelled_{false};
 };
 
-/// Adds the time between its construction and destruction to seconds[stage].
+/// Adds the seconds between its construction and destruction to seconds[stage].
 class StageTimer {
  public:
   StageTimer(std::map<std::string, double>& seconds, std::string stage)

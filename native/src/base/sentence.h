@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Words of a sentence: lists that name a few elements and count the rest, wires, percentages.
+// Parts of error sentences: wires, percentages, and lists that name a few elements and count the others.
 #pragma once
 
 #include <cstddef>
@@ -20,7 +20,7 @@ std::string listed(const std::vector<std::string>& names, std::size_t count);
 /// or "face".
 std::string name_elements(const std::string& noun, const std::vector<int>& indices);
 
-/// Returns the same for edges given by their ends, such as "edge 3-7".
+/// Returns such text for edges, each named by its two vertices, such as "edge 3-7".
 std::string name_elements(const std::string& noun, const std::vector<VertexPair>& edges);
 
 /// Returns text such as ", such as along edges 3-7 and 7-9"; "" without edges.
@@ -42,10 +42,10 @@ std::string capitalized(std::string sentence);
 /// Returns the number with the fewest digits that identify it, such as "0.1", "1e-300" or "nan".
 std::string shortest(double value);
 
-/// Returns the number with three digits, such as "3.25" or "1.2e+06".
+/// Returns the number with three significant digits, such as "3.25" or "1.2e+06".
 std::string rounded(double value);
 
-/// Returns a percentage without a sign, such as "3.25%".
+/// Returns the absolute value of a fraction as a percentage, such as "3.25%".
 std::string percent(double fraction);
 
 }  // namespace wirewarp

@@ -16,7 +16,7 @@ class Stopped : public std::exception {
 };
 
 /// Asks the caller whether to go on, and remembers the first "no". Copies share this memory. Several threads may use
-/// one token if its function allows it.
+/// one token if its function may be called from several threads.
 class StopToken {
  public:
   using Question = std::function<bool(const char* stage)>;
@@ -37,7 +37,7 @@ class StopToken {
     return !is_stopped();
   }
 
-  /// Throws Stopped if the work should stop. Used if there is no result to keep.
+  /// Throws Stopped if the work should stop. Use it if there is no result to keep.
   void check() const {
     if (!may_go_on()) throw Stopped();
   }

@@ -11,12 +11,12 @@
 //
 // Along a line (a wire or a boundary loop), the deviation is proportional to ℓ, and the sum becomes an integral as the
 // mesh is refined. But the angle between two lines that meet deviates equally on every mesh: a weight proportional to
-// 1/ℓ would constrain it more on finer meshes and make the piece worse. Therefore a corner between lines has at most
-// the weight of a corner with edges of length D/8. The rest of the weight acts on the line itself, divided by k, the
-// number of corners on this side of the line:
+// 1/ℓ would constrain this angle more on finer meshes and make the piece worse. Therefore a corner between lines has at
+// most the weight of a corner with edges of length D/8. The rest of the weight acts on the line itself, divided by k,
+// the number of corners on this side of the line:
 //
 //   corner   w = D³ / max(ℓ, D/8)
-//   line     w = (D³/ℓ − D³ / max(ℓ, D/8)) / k,  D³/ℓ where it passes none,  ℓ the mean of its corners
+//   line     w = (D³/ℓ − D³ / max(ℓ, D/8)) / k,  ℓ the mean of these corners;  D³/ℓ if there are no corners
 //
 // If all edges are at least D/8 long, every corner has weight D³/ℓ and the lines have weight 0.
 #pragma once
@@ -31,8 +31,8 @@ namespace wirewarp {
 /// F with the terms a → b → c. b is the first vertex of a term, because only a and c may have no common face.
 using Bending = QuadraticForm<Eigen::Matrix2d, 3>;
 
-/// Returns F. A wire has no term where it ends inside the chart. network: the edges with fixed length. area_at: the 3D
-/// area of the connected surface, for each vertex.
+/// Returns F. A wire has no term where it ends inside the chart. network: the edges with fixed length. area_at: for
+/// each vertex, the 3D area of its connected part.
 Bending bending_of(const Chart& chart, const WireNetwork& network, double fairness, const std::vector<double>& area_at);
 
 }  // namespace wirewarp

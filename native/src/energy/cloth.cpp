@@ -30,38 +30,41 @@ Cloth fabric(std::array<double, 3> stiffness, std::array<double, 2> stretch, dou
 }  // namespace
 
 // The first three numbers are stiffnesses against stretch across the grain, along the grain and against shear; only
-// their ratios matter. The next two are the maximum stretch across and along. One number for a family of fabrics is a
+// their ratios matter. The next two are the maximum stretch across and along. The number for a family of fabrics is a
 // middle value. Measured stiffnesses across, along and against shear, in N/m: stiff plain weaves 2,100, 2,100 and 25 to
 // 100; 11 oz denim 225, 1,055 and 70; knits such as swimwear 40, 138 and 10 to 36; double knit 67, 182 and 30. A plain
 // weave locks at about 45° (trellis tests on dry fabrics). An isotropic material has shear ½. Foam and leather buckle
 // instead of compressing; no measurements are published, so their squeeze factors are chosen. The maximum stretch is
-// what a hand can pull and the fabric recovers from.
+// the stretch that a hand can pull and from which the fabric recovers.
 const std::vector<ClothPreset>& cloth_presets() {
-  static const std::string wang = "Wang, O'Brien, Ramamoorthi: Data-driven elastic models for cloth (2011)";
+  static const std::string wang = "Stiffness: Wang, O'Brien, Ramamoorthi: Data-driven elastic models for cloth (2011)";
   static const std::vector<ClothPreset> all = {
       {"woven", "Woven Cotton", "Cotton, linen and other plain weaves without elastane",
        fabric({1, 1, 0.05}, {0.03, 0.03}, 1, kPi / 4),
-       wang + ", stiff plain weaves; stretch: crimp of the yarns, chosen"},
+       wang + ", stiff plain weaves. Stretch: chosen for the crimp of the yarns"},
       {"denim", "Denim", "Denim and twill without elastane", fabric({0.21, 1, 0.06}, {0.03, 0.03}),
-       wang + ", denim of 11 oz; stretch: as other wovens, chosen"},
+       wang + ", denim of 11 oz. Stretch: chosen as for other wovens"},
       {"jersey", "Jersey", "Jersey and T-shirt fabric", fabric({0.3, 0.6, 0.15}, {0.5, 0.25}),
-       wang + ", a little softer than their double knit; stretch: stretch guides, 25 to 50%"},
+       wang + ", a little softer than their double knit. Stretch: stretch guides, 25 to 50%"},
       {"swim", "Swim Knit", "Swim and activewear knit with elastane", fabric({0.29, 1, 0.17}, {1.0, 0.75}),
-       wang + ", swimwear knit; stretch: stretch guides, 75 to 100% both ways"},
+       wang + ", swimwear knit. Stretch: stretch guides, 75 to 100% both ways"},
       {"leather", "Leather", "Garment and upholstery leather", fabric({1, 1, 0.5}, {0.08, 0.08}, 4),
-       "the same in all directions; stretch: chosen for garment leather, which shoemakers stretch no further"},
+       "Stiffness: the same in all directions. Stretch: chosen for garment leather, which shoemakers stretch no "
+       "further"},
       {"neoprene", "Neoprene", "Neoprene with knit on both sides", fabric({1, 1, 0.5}, {0.3, 0.3}, 2),
-       "the same in all directions; stretch: chosen for sheets of 2 to 5 mm, thin ones stretch further"},
+       "Stiffness: the same in all directions. Stretch: chosen for sheets of 2 to 5 mm. Thinner sheets stretch "
+       "further"},
       {"felt", "Felt", "Felt of wool or acrylic, with no grain", fabric({1, 1, 0.5}, {0.05, 0.05}),
-       "the same in all directions, because felt has no threads; stretch: chosen, more tears it"},
+       "Stiffness: the same in all directions, because felt has no threads. Stretch: chosen. More stretch tears felt"},
       {"fleece", "Fleece", "Polar fleece and sweatshirt fabric", fabric({0.4, 1, 0.17}, {0.2, 0.1}),
-       wang + ", their double knit; stretch: stable knits of stretch guides, 18 to 25%"},
+       wang + ", their double knit. Stretch: across as stable knits in stretch guides, 18 to 25%, along half, chosen"},
       {"minky", "Minky", "Minky and other short plush on a knit backing", fabric({0.3, 1, 0.15}, {0.2, 0.05}),
-       "as swim knit, stiffer along; stretch: across as stable knits, along hardly any, chosen"},
+       "Stiffness: about as swim knit. Stretch: chosen, across as for stable knits, along hardly any"},
       {"vinyl", "Vinyl", "Vinyl and faux leather on a knit backing", fabric({1, 1, 0.5}, {0.05, 0.03}, 4),
-       "the same in all directions; stretch: chosen for an ordinary backing, many stretch further"},
+       "Stiffness: the same in all directions. Stretch: chosen for an ordinary backing. Many vinyls stretch further"},
       {"foam", "EVA Foam", "EVA foam for costumes and armor, shaped with heat", fabric({1, 1, 0.5}, {0.1, 0.1}, 2),
-       "the same in all directions, closed cells; stretch: chosen, what a heat gun allows without thinning"},
+       "Stiffness: the same in all directions, because the cells are closed. Stretch: chosen. A heat gun allows it "
+       "without thinning the foam"},
   };
   return all;
 }

@@ -77,7 +77,7 @@ ClothLaw::Expansion ClothLaw::expand(const Invariants& of) const {
   return by;
 }
 
-/// Adds 10 D m², where s = |g|/(pq) and m = s − sin γ₀.
+/// Adds the derivatives of 10 D m², where s = |g|/(pq) and m = s − sin γ₀.
 void ClothLaw::add_locking(const Invariants& of, Expansion& by) const {
   const double sine = std::abs(of.g) / (of.p * of.q), excess = sine - *locking_sine_;
   if (!(excess > 0)) return;

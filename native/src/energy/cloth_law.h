@@ -11,9 +11,9 @@
 //
 //   φ = D W = weft (p − D)²/D + warp (q − D)²/D + shear g²/D³ + 10 D max(0, |g|/(pq) − sin γ₀)²     per worn area
 //
-// Threads and shear of woven cloth as independent springs: D. E. Breen, D. H. House, M. J. Wozny (1994), J. McCartney
-// et al. (2000). φ stays finite as a and b approach 0 together, and a mirror image has the same W, so W is not a
-// barrier by itself. For D <= 0, φ is defined as infinite.
+// The threads and the shear of woven cloth are independent springs, as in D. E. Breen, D. H. House, M. J. Wozny (1994)
+// and J. McCartney et al. (2000). φ stays finite as a and b approach 0 together, and a mirror image has the same W, so
+// W is not a barrier by itself. For D <= 0, φ is defined as infinite.
 //
 // For a fabric that is stretched by S = diag(1 + c_weft, 1 + c_warp) when worn, J is the map to the stretched fabric, S
 // times the map to the flat piece. The energy then measures the deviation from this stretch, and the flat area is 1 /
@@ -52,7 +52,7 @@ class ClothLaw {
   /// Returns ∂²φ/∂J² for the stacked vector (a, b). Needs D > 0.
   Eigen::Matrix4d hessian(const Eigen::Matrix2d& map) const;
 
-  /// Returns the same Hessian with its negative eigenvalues set to zero.
+  /// Returns ∂²φ/∂J² with its negative eigenvalues set to zero. Needs D > 0.
   Eigen::Matrix4d convex_hessian(const Eigen::Matrix2d& map) const;
 
   /// Returns a factor c such that, for an isometric map, c times the Hessian of ARAP is at least the Hessian of φ.

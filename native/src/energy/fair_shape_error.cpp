@@ -81,7 +81,7 @@ double FairShapeError::energy(const Positions2& uv) const {
   return sum;
 }
 
-/// Overwrites the gradient.
+/// Returns the energy without fairness and barriers. Overwrites the gradient.
 double FairShapeError::energy_and_gradient(const Positions2& uv, Positions2& gradient) const {
   if (!cloth_) return shape_error_.energy_and_gradient(uv, gradient);
   gradient.setZero(uv.rows(), 2);
@@ -197,7 +197,7 @@ void FairShapeError::add_constant_hessian(VertexMatrix& hessian) const {
   bending_.add_hessian(hessian);
 }
 
-/// Adds the Hessian of φ with a cloth. Without a cloth, adds that of E without its Laplacian.
+/// Adds the Hessian of φ with a cloth. Without a cloth, adds the Hessian of E without its Laplacian.
 void FairShapeError::add_energy_curvature(std::size_t i, const ShapeError::LinearMap& map, Curvature curvature,
                                           VertexMatrix& hessian) const {
   const ShapeError::Triangle& t = shape_error_.triangles()[i];

@@ -15,12 +15,12 @@
 //
 // Hessian of E, with the hat gradients g_i of a triangle as complex numbers and s_i = g_i · i ẑ:
 //
-//   H_ij = 2A g_i·g_j I − A κ s_i s_jᵀ,   κ = 1/|z|      κ > 1 where the triangle is compressed: there H may be
-//   indefinite
+//   H_ij = 2A g_i·g_j I − A κ s_i s_jᵀ,   κ = 1/|z|
 //
-// The first term is the constant Laplacian; a fabric has no such term. With det J = |z|² − |w|² the barrier has ∇_i det
-// = g_i z − ḡ_i w, and its Hessian, without the possibly indefinite term, is A β″ ∇det ∇detᵀ − ½ A β′ M(ḡ_i g_j), where
-// M(a + ib) is the matrix of multiplication by a + ib.
+// If a triangle is compressed, κ > 1, and its H may be indefinite. The first term is the constant Laplacian; a fabric
+// has no such term. With det J = |z|² − |w|² the barrier has ∇_i det = g_i z − ḡ_i w, and its Hessian, without the
+// possibly indefinite term, is A β″ ∇det ∇detᵀ − ½ A β′ M(ḡ_i g_j), where M(a + ib) is the matrix of multiplication by
+// a + ib.
 #pragma once
 
 #include <optional>
@@ -36,7 +36,7 @@ namespace wirewarp {
 /// The part of the negative curvature of E that the Hessian includes.
 enum class Curvature {
   exact,
-  convex,  // κ <= 1, which makes it positive semidefinite
+  convex,  // κ <= 1, which makes the Hessian positive semidefinite
   none,    // κ = 0, which leaves the Laplacian
 };
 
@@ -58,8 +58,8 @@ class FairShapeError {
   double value(const Positions2& uv) const;
   double value_and_gradient(const Positions2& uv, Positions2& gradient) const;
 
-  /// Returns f of an isometric layout if all coordinates have errors of about `error`: half the trace of the constant
-  /// Hessian.
+  /// Returns f of an isometric layout if all coordinates have errors of about `error`. This is error² times half the
+  /// trace of the Hessian.
   double value_of_rounding(double error) const;
 
   /// Returns the number of flipped triangles and triangles with zero area.
@@ -76,15 +76,15 @@ class FairShapeError {
   /// Appends the pairs of vertices that the Hessian couples.
   void list_pairs(std::vector<VertexPair>& pairs) const;
 
-  /// Looks up the blocks of a matrix that couples those vertices. From then on, add_constant_hessian() and
+  /// Looks up the blocks of a matrix that couples the pairs of list_pairs(). From then on, add_constant_hessian() and
   /// add_curvature() work with this matrix only.
   void attach_to(const VertexMatrix& hessian);
 
-  /// Adds the part that does not depend on positions: twice the cotangent Laplacian (with a cloth, the Hessian of Z),
-  /// and the Hessian of F.
+  /// Adds the part of the Hessian that does not depend on positions: twice the cotangent Laplacian (with a cloth, the
+  /// Hessian of Z), and the Hessian of F.
   void add_constant_hessian(VertexMatrix& hessian) const;
 
-  /// Adds the part that depends on positions.
+  /// Adds the part of the Hessian that depends on positions.
   void add_curvature(const Positions2& uv, Curvature curvature, VertexMatrix& hessian) const;
 
  private:

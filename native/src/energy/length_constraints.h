@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The guaranteed lengths as constraints: every edge of the boundary and of a rigid or elastic wire has its length. If
-// the layout is not free to rotate, one more constraint for each connected part fixes its rotation; these come last.
+// the layout is not free to rotate, one more constraint for each connected part fixes the rotation of this part. These
+// constraints come last.
 //
 //   c_e(u, h) = |d| − (1 + h) l,   d = u_b − u_a      h is 0 except on elastic parts, whose edges share one h;
-//                                                       h is the solver's g (surface/charts/chart.h), l the
+//                                                     h is the solver's g (surface/charts/chart.h), l the
 //                                                     target length
 //   J = ∂c/∂u   row e: d̂ at b, −d̂ at a
 //   T = −∂c/∂h  column w: l at the edges of the elastic parts with h_w
@@ -14,8 +15,9 @@
 // For a fabric that is stretched when worn, u is the layout of the stretched fabric (energy/target_lengths.h), and the
 // flat edge is w = S⁻¹ d:
 //
-//   c_e(u, h) = |w| − (1 + h) l;   ∂c_e/∂d = S⁻¹ ŵ, called d̂ below;   ∂²c_e/∂d² = m mᵀ / |w|³,   m ⊥ d, |m| = |d|
-//   / det S
+//   c_e(u, h) = |w| − (1 + h) l
+//   ∂c_e/∂d = S⁻¹ ŵ, called d̂ below
+//   ∂²c_e/∂d² = m mᵀ / |w|³,   m ⊥ d, |m| = |d| / det S
 #pragma once
 
 #include <Eigen/SparseCore>
@@ -31,7 +33,7 @@ class LengthConstraints {
  public:
   struct Edge {
     int a, b;       // chart vertices
-    double length;  // l; for a rotation row the initial length of d, which scales its error
+    double length;  // l; for a rotation row the initial length of d, which scales the error
     int elastic;    // index into h; -1 if h is 0
   };
 
@@ -49,28 +51,28 @@ class LengthConstraints {
   /// Returns whether the constraint is linear in the positions.
   bool is_linear(int edge) const { return edge >= size() - static_cast<int>(grain_normals_.size()); }
 
-  /// Returns the index into h of each wire part of the chart; -1 if it has no h. All sides of an elastic seam share one
-  /// index.
+  /// Returns the index into h of each wire part of the chart; -1 for a part without h. All sides of an elastic seam
+  /// share one index.
   const std::vector<int>& elastic_of_part() const { return elastic_of_part_; }
   int num_elastic() const { return static_cast<int>(tolerance_.size()); }
 
-  /// Returns ε. #elastic.
+  /// Returns the tolerances ε, one per entry of h.
   const Eigen::VectorXd& tolerance() const { return tolerance_; }
 
-  /// Returns whether h_w is at a bound and would leave it. pull: decrease of f per unit of h_w.
+  /// Returns whether h_w is at a bound and f falls beyond this bound. pull: decrease of f per unit of h_w.
   bool is_at_bound(int w, double h, double pull) const { return pull > 0 ? h >= tolerance_[w] : h <= -tolerance_[w]; }
 
   Eigen::VectorXd within_tolerance(const Eigen::VectorXd& variation) const {
     return variation.cwiseMax(-tolerance_).cwiseMin(tolerance_);
   }
 
-  /// Returns h of a layout, even beyond the tolerance. #elastic.
+  /// Returns the h of a layout, even beyond the tolerances.
   Eigen::VectorXd variation(const Positions2& uv) const;
 
-  /// Returns T, #edges by #elastic: one entry in the row of an elastic edge.
+  /// Returns T, one row per edge and one column per entry of h. An elastic edge has one nonzero entry.
   const Eigen::SparseMatrix<double>& elastic_lengths() const { return elastic_lengths_; }
 
-  /// Returns c. #edges, scene units.
+  /// Returns c, one per edge, in scene units.
   Eigen::VectorXd residual(const Positions2& uv, const Eigen::VectorXd& variation) const;
 
   /// Returns the largest |c| / (l + 10⁻⁵ √area); infinite if a residual is not finite. The second term matters for
@@ -86,10 +88,10 @@ class LengthConstraints {
   /// Returns λ ∂²c/∂d² of an edge; zero for an edge of zero length.
   Eigen::Matrix2d curvature(int edge, const Positions2& uv, double multiplier) const;
 
-  /// Returns J d for the directions of a linearization. #edges.
+  /// Returns J d, one per edge. directions: as returned by directions().
   Eigen::VectorXd apply(const Positions2& directions, const Eigen::Ref<const Positions2>& d) const;
 
-  /// Adds Jᵀ λ. One row per chart vertex.
+  /// Adds Jᵀ λ to the result, which has one row per chart vertex. multipliers: λ.
   void add_transposed(const Positions2& directions, const Eigen::VectorXd& multipliers,
                       Eigen::Ref<Positions2> result) const;
 
@@ -98,7 +100,7 @@ class LengthConstraints {
     return grain_normals_[edge - (size() - static_cast<int>(grain_normals_.size()))];
   }
 
-  /// Returns w.
+  /// Returns the flat edge w.
   Eigen::RowVector2d flat_edge(const Edge& edge, const Positions2& uv) const {
     return (uv.row(edge.b) - uv.row(edge.a)).cwiseProduct(flat_share_);
   }

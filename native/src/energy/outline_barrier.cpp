@@ -16,15 +16,15 @@ namespace {
 
 constexpr double kWeight = 1;  // κ: at about d = d̂/2, the force is as large as that of a strain of 1
 constexpr double kReach = 0.1;  // d̂ over the edge's length; the two sides of a corner of more than 6° are not a contact
-constexpr double kCovered = 8;  // contacts nearer than this times d̂ are in the Hessian, so that it lasts for some steps
-// Over the edge's length: a vertex that passes an edge's end at a smaller distance touches it.
+constexpr double kCovered = 8;  // contacts nearer than this times d̂ are in the Hessian, which lasts for some steps
+// Distance over an edge's length. A vertex that passes the edge's end at a smaller distance touches the edge.
 constexpr double kAside = 1e-9;
 
 Box2 box_around(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double margin) {
   return Box2(a.cwiseMin(b).array() - margin, a.cwiseMax(b).array() + margin);
 }
 
-/// Returns the real roots of a + bt + ct²; 0 if it is 0 everywhere.
+/// Returns the real roots of a + bt + ct²; 0 if the polynomial is 0 everywhere.
 std::vector<double> roots(double a, double b, double c) {
   if (c == 0 && b == 0) return a == 0 ? std::vector<double>{0} : std::vector<double>{};
   const double discriminant = b * b - 4 * a * c;

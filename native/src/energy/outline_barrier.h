@@ -4,11 +4,11 @@
 //   B(u) = Σ_c κ w_p d̂_c b(d_c / d̂_c)    over contacts c = (vertex p, edge ab) of the outline, b: log_barrier.h
 //
 //   d    distance of p from the segment from a to b; ∇d = n at p, −(1 − s) n at a, −s n at b, if the nearest point is
-//        (1 − s) a + s b and n the direction from there to p
-//   d̂    where the barrier begins: ⅒ of the shortest outline edge that meets p, a or b
-//   w_p  half the outline edges at p, so that the sum over p is an integral along the outline
+//        (1 − s) a + s b and n the direction from this point to p
+//   d̂    distance at which the barrier begins: ⅒ of the shortest outline edge that meets p, a or b
+//   w_p  half the length of the outline edges at p, so that the sum over p is an integral along the outline
 //
-// The Gauss-Newton Hessian κ w b″ ∇d ∇dᵀ / d̂ is used: positive semidefinite, with all the stiff terms.
+// The Gauss-Newton Hessian κ w b″ ∇d ∇dᵀ / d̂ is used. It is positive semidefinite and has all stiff terms.
 #pragma once
 
 #include <vector>
@@ -30,7 +30,7 @@ class OutlineBarrier {
   /// Appends the pairs of vertices that the Hessian couples.
   void list_pairs(std::vector<VertexPair>& pairs) const;
 
-  /// Adds the Hessian of its contacts.
+  /// Adds the Hessian of the contacts that are near in the layout of the constructor.
   void add_hessian(const Positions2& uv, VertexMatrix& hessian) const;
 
   /// Returns whether the Hessian contains all contacts of a layout.

@@ -18,8 +18,8 @@ namespace wirewarp {
 template <class Factor, std::size_t kSize>
 class QuadraticForm {
  public:
-  /// Vertices of a term have common faces, except perhaps the last two with each other: list_pairs() lists only these
-  /// two, because the edges of faces are listed already. The last two may be equal.
+  /// Any two vertices of a term have a common face, except perhaps the last two. list_pairs() lists only the last two,
+  /// because the edges of faces are listed already. The last two may be equal.
   struct Term {
     std::array<int, kSize> vertices;
     std::array<Factor, kSize> factors;
@@ -65,12 +65,12 @@ class QuadraticForm {
     return error * error * sum / 2;
   }
 
-  /// Appends those pairs of vertices coupled by the Hessian that may have no common face.
+  /// Appends the pairs of coupled vertices that may have no common face.
   void list_pairs(std::vector<VertexPair>& pairs) const {
     for (const Term& term : terms_) pairs.push_back({term.vertices[kSize - 2], term.vertices[kSize - 1]});
   }
 
-  /// Adds the Hessian, constant and positive semidefinite.
+  /// Adds the Hessian, which is constant and positive semidefinite.
   void add_hessian(VertexMatrix& hessian) const {
     for (const Term& term : terms_) {
       for (std::size_t i = 0; i < kSize; ++i) {

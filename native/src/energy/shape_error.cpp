@@ -77,7 +77,7 @@ int ShapeError::count_flips(const Positions2& uv) const {
                                         [&](const Triangle& t) { return map_of(t, uv).determinant() <= 0; }));
 }
 
-/// E is A/2 [(|z| - 2)² + |w|²] with the doubled z and w.
+/// E of a triangle is A/2 [(|z| - 2)² + |w|²] with the doubled z and w.
 Positions2 ShapeError::times_gauss_newton(const Positions2& uv, const Positions2& d) const {
   Positions2 product = Positions2::Zero(num_vertices_, 2);
   for (const Triangle& t : triangles_) {

@@ -25,7 +25,7 @@ class ShapeError {
   /// Returns E of a layout, scene units squared. uv: one row per chart vertex.
   double energy(const Positions2& uv) const;
 
-  /// Returns the same, and writes ∂E/∂uv. E has a kink at z = 0 (mirror images of similar triangles, and points),
+  /// Returns E, and writes ∂E/∂uv to gradient. E has a kink at z = 0 (mirror images of similar triangles, and points),
   /// because every rotation fits equally well. At z = 0, ẑ = 0 is used, which leads to the middle of the possible
   /// gradients.
   double energy_and_gradient(const Positions2& uv, Positions2& gradient) const;
@@ -33,8 +33,8 @@ class ShapeError {
   /// Returns the number of flipped triangles and triangles with zero area.
   int count_flips(const Positions2& uv) const;
 
-  /// Returns G d with the Gauss-Newton Hessian G of E at uv, from the derivatives of |z| and w. Unlike K, it has no
-  /// cost for rotating triangles. Positive semidefinite.
+  /// Returns G d with the Gauss-Newton Hessian G of E at uv, from the derivatives of |z| and w. G is positive
+  /// semidefinite. Unlike fixed_rotation_hessian(), G has no cost for rotating triangles.
   Positions2 times_gauss_newton(const Positions2& uv, const Positions2& d) const;
 
   /// Returns the lower triangle of K = Σ_t 2A GᵀG, with G the gradients of the hat functions: twice the cotangent
@@ -44,7 +44,7 @@ class ShapeError {
   ///   E(u + d) ≤ E(u) + g·d + ½ d·Kd
   Eigen::SparseMatrix<double> fixed_rotation_hessian() const;
 
-  /// A triangle p0 p1 p2, unfolded to (0, 0), (x1, 0), (x2, y2). The map that takes it to u0 u1 u2 has the columns J₁ =
+  /// A triangle p0 p1 p2, unfolded to (0, 0), (x1, 0), (x2, y2). The map from there to u0 u1 u2 has the columns J₁ =
   /// a (u1 - u0) and J₂ = b (u1 - u0) + c (u2 - u0).
   struct Triangle {
     int vertices[3];
@@ -57,7 +57,7 @@ class ShapeError {
     }
   };
 
-  /// 2 z and 2 w, which saves multiplications.
+  /// The map of a triangle, stored as 2 z and 2 w, which saves multiplications.
   struct LinearMap {
     double z1, z2, w1, w2;
     double norm_z;

@@ -12,8 +12,8 @@ namespace wirewarp {
 namespace {
 
 // δ: zigzags wider than this share of the piece's size are hardly penalized. When the mesh of a quarter sphere is
-// refined, its shear grows from 44° to 68° without the penalty, and falls from 43° to 41.5° with .005. With .01 and
-// .02, it falls by 2° more, but the energy grows by 1% and 8%.
+// refined, its shear grows from 44° to 68° without the penalty, and falls from 43° to 41.5° with 0.005. With 0.01
+// and 0.02, the shear falls by 2° more, but the energy grows by 1% and 8%.
 constexpr double kWidth = 0.005;
 
 /// The unfolded triangle on the left of an edge: the edge from (0, 0) to (l, 0), the third vertex at (x, height).

@@ -7,7 +7,7 @@
 //   Z(u) = ½ (δ √A)² Σ (l/d) |[∂u/∂ν]|²    over the inner edges
 //
 // with [∂u/∂ν] the jump of the derivative across the edge, l its length, d the distance of the centroids of its
-// unfolded triangles, A the area of the connected part. It is the interior penalty of discontinuous Galerkin methods on
+// unfolded triangles, A the area of the connected part. Z is the interior penalty of discontinuous Galerkin methods on
 // plates (J. Douglas, T. Dupont, Interior penalty procedures, 1976): quadratic, independent of refinement, and zero
 // where the chart is unfolded.
 #pragma once
@@ -18,7 +18,7 @@
 namespace wirewarp {
 
 /// Z with a term for each inner edge. The jump is Σ T_k u_k over the ends of the edge and the two vertices opposite to
-/// it.
+/// the edge.
 using ShearSmoothing = QuadraticForm<double, 4>;
 
 ShearSmoothing shear_smoothing_of(const Chart& chart);

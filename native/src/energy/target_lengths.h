@@ -15,11 +15,11 @@ struct GrainRow {
 };
 
 /// The flat lengths of a chart in a layout that is not free to rotate: x is the weft of a fabric, y its warp. For a
-/// fabric that is stretched when worn, the layout is that of the stretched fabric: S u, for the flat piece u and S =
+/// fabric that is stretched when worn, the layout of a flat piece u is S u, the shape of the stretched fabric, with S =
 /// diag(1 + c_weft, 1 + c_warp). Energies do not change, and flat lengths are |S⁻¹ d|.
 struct TargetLengths {
   std::vector<GrainRow> grains;         // one for each connected part
-  std::vector<double> ratio;            // per edge of the chart: flat length over the nominal one; empty: 1
+  std::vector<double> ratio;            // per edge of the chart: flat length over nominal length; empty: all 1
   Eigen::RowVector2d flat_share{1, 1};  // the diagonal of S⁻¹
 };
 

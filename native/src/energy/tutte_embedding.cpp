@@ -46,8 +46,8 @@ class Springs {
     if (column >= 0) entries_.emplace_back(row, column, -stiffness);
   }
 
-  /// Solves for the equilibrium. layout: any positions in which near points are near each other, for the elimination
-  /// order.
+  /// Moves the free points to their equilibrium. layout: any positions in which neighboring points are near each other;
+  /// determines the elimination order.
   void relax(const Positions2& layout, const StopToken& stop) {
     if (x_.rows() == 0) return;
     Eigen::SparseMatrix<double> stiffness(x_.rows(), x_.rows());

@@ -37,7 +37,7 @@ class VertexMatrix {
     value[block.right + 1] += m(1, 1);
   }
 
-  /// m: symmetric.
+  /// Adds m, which must be symmetric, to the diagonal block of a vertex.
   void add_diagonal(int vertex, const Eigen::Matrix2d& m) {
     double* value = lower_.valuePtr();
     value[diagonal_[static_cast<std::size_t>(vertex)].left] += m(0, 0);
@@ -51,7 +51,7 @@ class VertexMatrix {
   /// Returns the graph of coupled vertices.
   Graph graph() const { return graph_of(lower_, 2); }
 
-  /// The lower triangle, including the diagonal.
+  /// Returns the lower triangle, including the diagonal.
   const Eigen::SparseMatrix<double>& lower() const { return lower_; }
 
  private:

@@ -31,7 +31,7 @@ std::optional<Shape> start_from_coarse(const Problem& problem, const Control& co
   Budget budget(control.budget, std::min(kMaxCoarseFactorizations, control.budget.left() / 2));
   Problem coarse_problem(coarse.chart, coarse.network, problem.fairness());
   InternalOptions from_scratch;
-  from_scratch.large_chart = std::numeric_limits<std::size_t>::max();  // no start from a chart that is coarser still
+  from_scratch.large_chart = std::numeric_limits<std::size_t>::max();  // so that the copy is not coarsened again
   const Solution solution = refine_chart(coarse_problem, from_scratch, {budget, at_start});
   at_start.check();
   if (!solution.is_exact()) return std::nullopt;

@@ -13,8 +13,8 @@ class Budget {
  public:
   explicit Budget(int max_factorizations) : left_(max_factorizations) {}
 
-  /// Makes a part of another budget with at most the given size. Spending counts in both. The whole must outlive the
-  /// part.
+  /// Makes a budget that is a part of another budget, with at most this size. Spending counts in both. The whole must
+  /// outlive the part.
   Budget(Budget& whole, int max_factorizations) : whole_(&whole), left_(std::min(max_factorizations, whole.left_)) {}
 
   Budget(const Budget&) = delete;
@@ -23,15 +23,15 @@ class Budget {
   int left() const { return left_; }
   int spent() const { return spent_; }
 
-  /// Returns whether this number of factorizations may be spent. If not, ran_out() is true from then on. This also
-  /// applies to the whole budget.
+  /// Returns whether this number of factorizations may be spent. If not, ran_out() is true from then on, for this
+  /// budget and the whole budget.
   bool allows(int factorizations = 1) {
     if (whole_) whole_->allows(factorizations);
     ran_out_ = ran_out_ || left_ < factorizations;
     return left_ >= factorizations;
   }
 
-  /// Returns whether allows() ever returned false: some solver needed more factorizations.
+  /// Returns whether allows() ever returned false because a solver needed more factorizations.
   bool ran_out() const { return ran_out_; }
 
   void spend(int factorizations) {

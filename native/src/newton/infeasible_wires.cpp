@@ -17,22 +17,22 @@ namespace wirewarp {
 namespace {
 
 // Strains up to which a length counts as kept; smoothing leaves strains of 1e-4. Wires with a strain above the first
-// bound are freed; if that does not help, also wires with a strain above the second.
+// bound are freed; if that does not help, also wires with a strain above the second bound.
 constexpr double kKept = 5e-4, kPerhapsKept = 3e-5;
 constexpr double kUneven = 5e-3;  // a smaller strain_rms may vanish if other wires change more
 // Proposed tolerances are multiples of 0.1%, and above 0.5% multiples of 0.5%, rounded up, because people type them.
 constexpr double kFineStep = 1e-3, kStep = 5e-3;
-constexpr double kLargest = 0.5;  // a wire that needs more is freed
+constexpr double kLargest = 0.5;  // a wire that needs a larger tolerance is freed
 constexpr double kFreeTolerance = std::numeric_limits<double>::infinity();
 constexpr int kMaxFreeFactorizations = 40;  // as in lies_flat(); factorizations of coarse and sewn charts count, too
-constexpr double kMostTrials = 30;          // number of trials with fewer wires, and of trials with lower tolerances
-constexpr std::size_t kFewWires = 8;  // up to 8 wires get individual tolerances; more wires share one, which is faster
-                                      // to find and to type
+constexpr double kMostTrials = 30;          // limit for trials with fewer wires, and for trials with lower tolerances
+constexpr std::size_t kFewWires = 8;  // up to 8 wires get individual tolerances; more wires share a tolerance, which
+                                      // is faster to find and to type
 /// No tolerance is tried on more wires than this, because a trial on n wires solves dense problems of size n in n³
 /// operations: a trial on 569 wires costs as much as 23 trials on 200. Nets of 168 wires get one tolerance of 5%.
 constexpr std::size_t kMostElasticWires = 200;
 
-/// Tolerances to try, 0.1% to 50%: each is 1.3 to 2 times the one before.
+/// Tolerances to try, 0.1% to 50%: each is 1.3 to 2 times the tolerance before.
 constexpr double kLadder[] = {0.001, 0.002, 0.003, 0.005, 0.01, 0.015, 0.02, 0.03,
                               0.05,  0.075, 0.1,   0.15,  0.2,  0.3,   0.5};
 
@@ -40,7 +40,7 @@ using Tolerances = std::map<int, double>;  // tolerance of each wire
 
 bool is_held(const WirePart& part) { return part.kind == WireKind::rigid || part.kind == WireKind::elastic; }
 
-/// Returns free tolerances for the held wires with a chosen part, given by its index.
+/// Returns free tolerances for the held wires that have a chosen part. chooses(i) returns whether part i is chosen.
 template <typename Chooses>
 Tolerances free_wires(const Chart& chart, const Chooses& chooses) {
   Tolerances wires;
@@ -77,8 +77,8 @@ Chart with_tolerances(Chart chart, const Tolerances& tolerances) {
   return chart;
 }
 
-/// Returns free tolerances for the wires that exceed their tolerances by more than the lowest rung of the ladder in a
-/// shape in which all wires are free.
+/// Returns free tolerances for the wires that exceed their tolerances by more than kLadder[0]. free: a solution in
+/// which all wires are free.
 Tolerances free_wires_that_change(const Chart& chart, const Solution& free) {
   return free_wires(chart, [&](Eigen::Index i) {
     const WirePart& part = chart.wire_parts[static_cast<std::size_t>(i)];
@@ -103,7 +103,8 @@ class ToleranceSearch {
     });
   }
 
-  /// Replaces free wires, which are known to work, with as few wires as possible, with tolerances as small as possible.
+  /// Returns tolerances that work, on as few wires as possible and as small as possible. More than kFewWires wires stay
+  /// free. tolerances: free wires that work.
   Tolerances on_few_wires(Tolerances tolerances) {
     trials_ = 0;
     drop_wires(tolerances);
@@ -114,8 +115,8 @@ class ToleranceSearch {
     return tolerances;
   }
 
-  /// Returns the lowest common tolerance of the wires that are_good accepts: a rung of the ladder below a limit, found
-  /// by bisection. Empty if even the highest such rung does not work, or if there are too many wires to try.
+  /// Returns the wires with the lowest common tolerance that are_good accepts: a value of kLadder below `below`, found
+  /// by bisection. Returns no wires if even the highest of these values does not work, or if there are too many wires.
   Tolerances lowest_shared(const Tolerances& wires, double below,
                            const std::function<bool(const Tolerances&)>& are_good) const {
     Tolerances lowest;
@@ -153,7 +154,7 @@ class ToleranceSearch {
   }
 
   /// Returns the cost of a trial, in units of a trial with kMostElasticWires elastic wires. All elastic wires count,
-  /// not only those in the proposal.
+  /// not only the proposed wires.
   double cost_of(const Tolerances& tolerances) const {
     const Chart looser = with_tolerances(chart_, tolerances);
     const auto num_elastic = std::count_if(looser.wire_parts.begin(), looser.wire_parts.end(),
@@ -178,7 +179,7 @@ class ToleranceSearch {
     }
   }
 
-  /// Lowers the tolerances of these wires to the smallest one of kLadder that works, by bisection.
+  /// Lowers the tolerances of these wires to the smallest value of kLadder that works, by bisection.
   void lower(Tolerances& tolerances, const std::vector<int>& wires) {
     std::partition_point(std::begin(kLadder), std::end(kLadder), [&](double rung) {
       Tolerances lower = tolerances;

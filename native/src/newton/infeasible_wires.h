@@ -14,17 +14,17 @@ namespace wirewarp {
 
 struct LengthDiagnosis {
   /// Tolerances, sorted by wire, with which the refined method found a flat shape without flips and overlaps. They are
-  /// round numbers, as small as possible. A few wires get individual tolerances. More wires share one tolerance: all
-  /// wires that the relaxed shape changes or, if that makes the tolerance far lower, all wires that change when they
-  /// are free. The tolerance is infinite if no tolerance up to one half helps, or if there are too many wires to try.
+  /// round numbers, as small as possible. Up to 8 wires get individual tolerances. More wires share one tolerance: all
+  /// wires that the relaxed shape changes or, if this makes the tolerance far lower, all wires that change when they
+  /// are free. The tolerance is infinite if no tolerance up to 50% helps, or if there are too many wires to try.
   /// Empty if no such shape is found even with all wires free.
   std::vector<ProposedTolerance> tolerances{};
   /// Whether the lengths contradict one another near the relaxed shape, so that a longer search would not help.
   bool lengths_conflict = false;
 };
 
-/// Diagnoses a problem for which no shape with exact lengths was found. options.max_factorizations does not count here.
-/// Throws Stopped.
+/// Returns the diagnosis of a problem for which no shape with exact lengths was found. The search may spend more
+/// factorizations than options.max_factorizations. Throws Stopped.
 LengthDiagnosis diagnose_lengths(Problem& problem, const InternalOptions& options, const StopToken& stop);
 
 }  // namespace wirewarp

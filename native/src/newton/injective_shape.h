@@ -8,13 +8,13 @@
 
 namespace wirewarp {
 
-inline constexpr const char* kInjectiveStart = "injective";  // Solution::start
+inline constexpr const char* kInjectiveStart = "injective";  // value of Solution::start
 
 /// Returns how injective a layout of the chart is. uv: one row per vertex.
 Injectivity injectivity_of(const Chart& chart, const Positions2& uv);
 
 /// Improves an exact solution that is not injective: replaces it with the least distorted shape without flips, then
-/// with the least distorted one without overlaps. Keeps the last exact shape if the search fails or the caller stops.
+/// with the least distorted shape without overlaps. Keeps the last exact shape if the search fails or the caller stops.
 void make_injective(Problem& problem, Stage stage, const Control& control, Solution& solution);
 
 }  // namespace wirewarp

@@ -14,11 +14,11 @@ namespace wirewarp {
 namespace {
 
 constexpr double kFirstStiffness = 1;   // first value of ρ l / √area: a wire is as stiff as the surface beside it
-constexpr double kStiffening = 4;       // factor by which ρ grows if an update of λ reduces the length errors by less
+constexpr double kStiffening = 4;       // growth of ρ if an update of λ divides the length errors by less than this
 constexpr double kStiffest = 1e6;       // with a larger ρ, rounding errors make the steps useless
 constexpr double kStiff = 1e4;          // from this ρ on, errors above kHopeless mean contradicting lengths
 constexpr double kHopeless = 1e-2;      // strain that contradicting lengths exceed
-constexpr int kStepsPerMultiplier = 5;  // most steps between updates of λ; the minimum of Φ need not be exact
+constexpr int kStepsPerMultiplier = 5;  // most steps for one update of λ, because the minimum of Φ need not be exact
 constexpr double kEnough = 1e-2;        // slope over Φ below which the minimum is near enough to update λ
 constexpr double kShortestStep = 1e-9;  // after thirty halvings
 constexpr double kInside = 0.9;         // share of the longest injective step that is taken
@@ -55,7 +55,7 @@ class MultiplierMethod {
   const Eigen::SparseMatrix<double>& lengths_;  // T
   std::optional<FairShapeError> objective_;
   std::optional<NewtonSystem> system_;
-  Eigen::VectorXd holding_stiffness_;  // ρ for retractions, which keep lengths
+  Eigen::VectorXd holding_stiffness_;  // ρ for retractions
 
   Iterate now_;
   Eigen::VectorXd multipliers_;  // λ
@@ -143,7 +143,8 @@ void MultiplierMethod::update_multipliers() {
   error_before_ = error;
 }
 
-/// Moves to exact lengths by the least change. Returns false if this fails or would lose the injectivity on the way.
+/// Moves to exact lengths by the least change. Returns false if exact lengths are not found, or if a shape on
+/// the way is less injective than the stage requires.
 bool MultiplierMethod::retract() {
   system_->set_stiffness(holding_stiffness_);
   if (!factorize(multipliers_)) return false;

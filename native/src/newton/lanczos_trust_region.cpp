@@ -11,7 +11,7 @@ namespace wirewarp {
 namespace {
 
 constexpr double kExhausted = 1e-6;  // off-diagonal entry of T below which the basis spans an invariant space
-constexpr double kSolved = 0.01;  // residual of H d = -g over |g|; more digits are useless: the next step has a new H
+constexpr double kSolved = 0.01;  // residual of H d = -g over |g|; more digits are useless, because the next H is new
 
 /// Returns |r| in the norm dual to G, for z = G⁻¹ r. Throws if the norm is not finite, because comparisons treat NaN as
 /// small.
@@ -33,7 +33,7 @@ LanczosTrustRegion::LanczosTrustRegion(const Operator& times_hessian,
   first_ = dual_norm(r, z);
   double norm = first_;
   double residual = 1;  // residual of H d = -g over |g|, as in conjugate gradients; valid while H is positive
-  double pivot = 1;     // of T
+  double pivot = 1;     // pivot of T
   bool is_positive = true;
   while (static_cast<int>(basis_.size()) < max_size && norm > (basis_.empty() ? 0 : kExhausted)) {
     basis_.push_back(z / norm);

@@ -4,12 +4,13 @@
 //
 //   q(d) = g·d + ½ d·H d   over J d = 0, |d|_G <= Δ
 //
-// H is the exact Hessian, perhaps indefinite. G is its convex part, which is factored.
+// H is the exact Hessian, perhaps indefinite. G is the convex part of H, which is factored.
 //
-// The generalized Lanczos method (N. I. M. Gould, S. Lucidi, M. Roma, Ph. L. Toint, Solving the trust-region subproblem
-// using the Lanczos method, SIAM J. Optimization 9 (1999), 504-525): in a basis v_1 … v_k that is orthonormal in G, H
-// is a tridiagonal T. Restricted to the span, q is a dense problem of size k, and one basis is enough for every radius
-// Δ. Each vector costs one solve with G's factor, a tenth of a factorization or less.
+// The method is the generalized Lanczos method (N. I. M. Gould, S. Lucidi, M. Roma, Ph. L. Toint, Solving the
+// trust-region subproblem using the Lanczos method, SIAM J. Optimization 9 (1999), 504-525). In a basis v_1 … v_k that
+// is orthonormal in G, H is a tridiagonal T. Restricted to the span, q is a dense problem of size k, and one basis is
+// enough for every radius Δ. Each vector costs one solve with G's factor, at most a tenth of the cost of a
+// factorization.
 #pragma once
 
 #include <Eigen/Core>
@@ -30,8 +31,8 @@ class LanczosTrustRegion {
   using Operator = std::function<Eigen::VectorXd(const Eigen::VectorXd&)>;
 
   /// Builds at most max_size basis vectors. times_hessian returns H d. precondition returns the d in the tangent space
-  /// with G d = r, up to components of r normal to that space, which it may remove from r. gradient: g. Throws
-  /// FactorizationFailed if a product is not finite.
+  /// with G d = r, up to components of r normal to that space. It may remove these components from r. gradient: g.
+  /// Throws FactorizationFailed if a product is not finite.
   LanczosTrustRegion(const Operator& times_hessian,
                      const std::function<Eigen::VectorXd(Eigen::VectorXd& r)>& precondition,
                      const Eigen::VectorXd& gradient, int max_size);
@@ -41,7 +42,7 @@ class LanczosTrustRegion {
 
   int size() const { return static_cast<int>(basis_.size()); }
 
-  /// Returns the least d·Hd over |d|²_G in the span, 0 if that is empty.
+  /// Returns the least d·Hd over |d|²_G in the span of the basis; 0 if the basis is empty.
   double lowest_curvature() const { return basis_.empty() ? 0 : eigenvalues_[0]; }
 
   /// Returns the minimum of q in the span and the ball.

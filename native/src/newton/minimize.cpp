@@ -32,7 +32,7 @@ SolutionStatus descend(NewtonState& state, StepOutcome outcome) {
     // 3. Take a Newton step, if the exact Hessian may be positive on the tangent space of the lengths.
     outcome = try_newton ? take_newton_step(state) : StepOutcome::rejected;
     if (outcome == StepOutcome::accepted && is_enough()) outcome = StepOutcome::converged;
-    // 4. If it is not, or the step does not decrease f as predicted, take a step in a trust region.
+    // 4. If the Hessian is not positive, or f does not fall as predicted, take a step in a trust region.
     if (outcome == StepOutcome::rejected && state.control.may_go_on()) {
       outcome = trust_region.take_step(state);
       try_newton = trust_region.was_inside();

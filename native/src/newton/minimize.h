@@ -5,7 +5,7 @@
 //
 // f is the shape error and the fairness of the wires (energy/fair_shape_error.h), c the length errors
 // (energy/length_constraints.h). minimize() is a Newton method on the feasible set: its first step reaches exact
-// lengths from a start near them, and every later iterate has exact lengths, so that it can stop at any time.
+// lengths from a start near them. Every later iterate has exact lengths, so minimize() can stop at any time.
 #pragma once
 
 #include "newton/control.h"
@@ -15,9 +15,9 @@
 namespace wirewarp {
 
 /// Minimizes f from a start. A start with multipliers must be near the minimum. The lengths of other starts may be
-/// wrong by up to a half. The result is infeasible if the first step does not reach exact lengths, or if the budget is
-/// spent before. If the caller stops later, the current shape is returned. Gives up if allowed flips stay for many
-/// steps.
+/// wrong by up to 50%. The result is infeasible if the first step does not reach exact lengths, or if the budget is
+/// spent before this step. If the caller stops later, the current shape is returned. Ends early if a stage allows
+/// flipped triangles and some are still flipped after NewtonConstants::patience factorizations.
 Solution minimize(const Problem& problem, const Stage& stage, const Shape& start, const Control& control);
 
 /// Returns the shape with its f and length error. Takes no step, and does not check the injectivity that the stage

@@ -11,15 +11,16 @@ struct NewtonConstants {
   /// Smallest predicted decrease of a step, relative to f. Lengths are exact at every step, so more digits improve only
   /// the shape, and f has rounding errors of 1e-13 on a million triangles.
   static constexpr double worthwhile = 1e-9;
-  /// The same for intermediate shapes: the shape without the fabric, from which the shape with the fabric is found, and
-  /// the shape with fixed seams, before that with elastic seams. With 1e-2, all samples together take a tenth more
-  /// factorizations. With 1, a quarter sphere takes 16 factorizations instead of 10.
+  /// Smallest predicted decrease of a step for intermediate shapes, relative to f. Such shapes are, for example, the
+  /// shape without the fabric, from which the shape with the fabric is found, and the shape with fixed seams, from
+  /// which the shape with elastic seams is found. With 1e-2, all samples together take a tenth more factorizations.
+  /// With 1, a quarter sphere takes 16 factorizations instead of 10.
   static constexpr double worthwhile_on_the_way = 0.1;
-  /// A shape counts as isometric if f over the area is smaller. This means strains of 1e-11, a hundredth of the
-  /// guaranteed precision of lengths.
+  /// A shape counts as isometric if f over the area is below this value. This means strains of 1e-11, a hundredth of
+  /// the guaranteed precision of lengths.
   static constexpr double isometric = 1e-22;
-  /// Number of factorizations after which flipped triangles are not expected to open, and another start is tried, which
-  /// flips no triangle (newton/injective_shape.h). With twice as many, no verdict on 300 random cases changes.
+  /// After this number of factorizations, flipped triangles are not expected to open. A start without flipped triangles
+  /// is then tried (newton/injective_shape.h). With twice as many, no verdict on 300 random cases changes.
   static constexpr int patience = 30;
 
   // Newton steps.
@@ -33,11 +34,11 @@ struct NewtonConstants {
 
   // Steps in the trust region.
 
-  /// A step is accepted if f falls by at least this share of the predicted decrease. Below 1/4 is usual (Nocedal,
-  /// Wright, algorithm 4.1).
+  /// A step is accepted if f falls by at least this share of the predicted decrease. Values below 1/4 are usual
+  /// (Nocedal, Wright, algorithm 4.1).
   static constexpr double accept_ratio = 0.1;
-  /// Twice the radius is tried if f falls by at least this share of the predicted decrease. It is lower than the usual
-  /// 3/4, because a larger step costs no factorization: one basis is enough for all radii.
+  /// Twice the radius is tried if f falls by at least this share of the predicted decrease. The share is lower than the
+  /// usual 3/4, because a larger step costs no factorization: one basis is enough for all radii.
   static constexpr double grow_ratio = 0.5;
   /// Divisor of the radius after a bad step; 2 to 4 is usual.
   static constexpr double shrink = 3;
@@ -45,7 +46,7 @@ struct NewtonConstants {
   /// 3¹⁰ times shorter gains nothing.
   static constexpr int max_radii = 10;
   /// Largest dimension of the Krylov space. Each vector costs a few substitutions. On 300 random cases, 8 vectors lead
-  /// to 4% more factorizations, and 30 vectors to no fewer.
+  /// to 4% more factorizations, and 30 vectors save none.
   static constexpr int max_krylov_size = 15;
   /// Smallest negative curvature, relative to the convex part's curvature, at which leaving a saddle is worthwhile.
   static constexpr double flat_curvature = 1e-4;

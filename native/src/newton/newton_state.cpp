@@ -11,8 +11,8 @@
 namespace wirewarp {
 namespace {
 
-/// Returns f of an isometric layout with rounding errors. These matter for slivers, and for edges of 1e-8 times the
-/// size of the piece.
+/// Returns the largest f of an isometric layout with rounding errors. Rounding errors matter for slivers, and for edges
+/// of 1e-8 times the size of the piece.
 double find_isometric_value(const Problem& problem, const FairShapeError& objective, const Positions2& layout) {
   const double extent = (layout.colwise().maxCoeff() - layout.colwise().minCoeff()).maxCoeff();
   return std::max(NewtonConstants::isometric * problem.area(),

@@ -27,9 +27,9 @@ struct Iterate {
 struct Step {
   Positions2 d;
   Eigen::VectorXd variation;  // Δh
-  double slope = 0;           // of the function along the step
+  double slope = 0;           // slope of the function along the step
 
-  /// Returns the layout after a share of the step. Its value of the function is still 0.
+  /// Returns the layout after a share of the step. Does not compute its value, which is 0.
   Iterate from(const Iterate& begin, double share = 1) const {
     return {begin.uv + share * d, begin.variation + share * variation, 0};
   }
@@ -58,8 +58,8 @@ struct NewtonState {
   /// Linearizes at the current shape. Returns false if the Hessian is not positive on the tangent space of the lengths.
   bool factorize(const Convexity& convexity);
 
-  /// Moves the trial back to exact lengths and computes its f. Returns false if that fails, if a forbidden flip or
-  /// overlap occurs on the way, or if the caller stopped.
+  /// Moves the trial back to exact lengths and computes its f. Returns false if exact lengths are not found, if a
+  /// forbidden flip or overlap occurs on the way, or if the caller stopped.
   bool evaluate(Iterate& trial) const;
 
   /// Returns the current shape with its objective, length error and counts.
@@ -73,7 +73,7 @@ struct NewtonState {
   const double isometric_value;        // f below which a layout is isometric except for rounding
   std::optional<NewtonSystem> system;  // set by the first factorization; shapes without strain need none
   Iterate now;
-  Positions2 gradient;          // of f
+  Positions2 gradient;          // gradient of f
   Eigen::VectorXd multipliers;  // λ
   int iterations = 0;
 };

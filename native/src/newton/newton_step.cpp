@@ -15,9 +15,9 @@ struct NewtonStep : Step {
   Eigen::VectorXd multipliers;  // λ at the end of the step
 };
 
-/// Solves min g·d + ½ d·H d with J d - T Δh = -c and h + Δh in its bounds. With d eliminated, a dense quadratic program
-/// in Δh remains, with the Hessian S and the gradient -Tᵀλ. The unknown is the change of λ, with g + Jᵀλ in place of g,
-/// so that a factor from an earlier shape causes only small errors.
+/// Returns the solution of min g·d + ½ d·H d with J d - T Δh = -c and h + Δh in its bounds. With d eliminated, a dense
+/// quadratic program in Δh remains, with the Hessian S and the gradient -Tᵀλ. The unknown is the change of λ, with g +
+/// Jᵀλ in place of g, so that a factor from an earlier shape causes only small errors.
 NewtonStep newton_step(const NewtonState& state) {
   const LengthConstraints& constraints = state.constraints;
   const Eigen::VectorXd residual = constraints.residual(state.now.uv, state.now.variation);
@@ -48,9 +48,8 @@ void move_along(const NewtonStep& step, NewtonState& state) {
   ++state.iterations;
 }
 
-/// Takes more Newton steps with the current factor, as long as their slope falls fast. slope: slope of the last
-/// step. Each step corrects the length errors of the one before. Returns whether the remaining decrease is not
-/// worthwhile.
+/// Takes more Newton steps with the current factor, as long as their slope falls fast. Each step corrects the length
+/// errors of the step before. slope: slope of the last step. Returns true if the remaining decrease is not worthwhile.
 bool take_steps_with_factor(NewtonState& state, double slope) {
   for (bool is_first = true; state.control.stop.may_go_on(); is_first = false) {
     state.update_gradient();
@@ -67,8 +66,8 @@ bool take_steps_with_factor(NewtonState& state, double slope) {
   return false;
 }
 
-/// Takes more steps with the current factor from exact lengths to exact lengths, if they decrease f. slope: slope of
-/// the last step.
+/// Takes more steps with the current factor. Keeps the steps only if they end at exact lengths and decrease f. slope:
+/// slope of the last step.
 StepOutcome go_on_with_factor(NewtonState& state, double slope) {
   const Iterate begin = state.now;
   const Eigen::VectorXd multipliers = state.multipliers;

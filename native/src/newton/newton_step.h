@@ -6,14 +6,15 @@
 
 namespace wirewarp {
 
-/// Moves the start to exact lengths by one Newton step and a retraction. Far from the minimum, the step uses the
-/// Laplacian as Hessian. Near the minimum, it uses the exact Hessian or, if that is not positive, its convex part; a
-/// second step follows if the first is too long, and then steps with the same factor as long as they help. Rejected if
-/// lengths are not exact at the end. Throws Stopped.
+/// Moves the start to exact lengths by a Newton step and a retraction. Far from the minimum, the step uses the
+/// Laplacian as Hessian. Near the minimum, it uses the exact Hessian, or the convex part if the exact Hessian is not
+/// positive. There, steps with the same factor follow as long as they help. If the retraction then fails, a second step
+/// is taken. Returns rejected if lengths are not exact at the end. Throws Stopped.
 StepOutcome reach_exact_lengths(NewtonState& state, bool is_near_minimum);
 
-/// Takes a step that decreases f from exact lengths to exact lengths, with the exact Hessian; near the minimum, several
-/// steps with one factor. Rejected if the Hessian is not positive, or if f does not fall as predicted.
+/// Takes a step with the exact Hessian that decreases f. Lengths are exact before and after the step. Near the minimum,
+/// takes several steps with one factor. Returns rejected if the Hessian is not positive, or if f does not fall as
+/// predicted.
 StepOutcome take_newton_step(NewtonState& state);
 
 }  // namespace wirewarp

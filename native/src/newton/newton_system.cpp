@@ -18,7 +18,7 @@ namespace {
 // of 2π² for a mass of 1, so that 1e-4 shortens its step by a few millionths.
 constexpr double kMass = 1e-4;
 // Stiffness of the pins: far above the stiffness at a vertex, a few units (cotangents of angles), and far below the
-// stiffness of edges. It causes rounding errors of 1e-10.
+// stiffness of edges. The pins cause rounding errors of 1e-10.
 constexpr double kPin = 1e6;
 // Smallest ρ of an edge: far above any curvature of f + λᵀc along a wire, so that a factorization fails only for
 // directions in the null space of J. Each step of the method of multipliers divides the errors by ρ over the stiffness
@@ -30,10 +30,10 @@ constexpr double kStiffness = 10;
 constexpr int kMultiplierSteps = 3;  // usually one step is enough; after three, rounding errors prevent further gains
 // Relative error of length changes tolerated in a Newton step; the retraction to exact lengths corrects it afterwards.
 constexpr double kAccuracy = 1e-9;
-// Least pivot of a well positive matrix over its largest diagonal entry: ten times the relative error of S if ρ keeps
-// the lengths to five digits.
+// Least pivot of a clearly positive definite matrix over its largest diagonal entry: ten times the relative error of S
+// if ρ keeps the lengths to five digits.
 constexpr double kWellPositive = 1e-4;
-constexpr int kManyVariations = 200;  // with more, eigenvalues cost more than the Newton system
+constexpr int kManyVariations = 200;  // with more rows, eigenvalues cost more than the Newton system
 
 constexpr int kPerVertex = 2;  // unknowns of a vertex of the matrix: two positions, or two h
 
@@ -74,7 +74,7 @@ Eigen::VectorXd lumped_mass(const Chart& chart, const std::vector<ConnectedPart>
   return mass;
 }
 
-/// Returns, for each connected part, a vertex near its middle and the vertex that is farthest from this one.
+/// Returns, for each connected part, a vertex near its middle and the vertex farthest from that vertex.
 std::vector<VertexPair> pinned_vertices(const Chart& chart, const std::vector<ConnectedPart>& parts) {
   const auto point = [&](int v) { return chart.mesh.point(VertexHandle(v)); };
   const auto nearer_to = [&](const OpenMesh::Vec3d& place) {

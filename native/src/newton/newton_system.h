@@ -4,11 +4,11 @@
 //   [ H  Jᵀ ] [ d ]   [ r₁ ]      H   Hessian of f + λᵀc, made positive on demand
 //   [ J  0  ] [ λ ] = [ r₂ ]      J   Jacobian of the lengths
 //
-// in the positive definite form A = H + 10⁻⁴ M + Jᵀ ρ J + pins. M has the lumped vertex areas of each connected part,
-// relative to the area of that part. For large ρ, A has a Cholesky factor if and only if H is positive on the null
-// space of J, so the factorization also tests the inertia. The method of multipliers (M. J. D. Powell, A method for
-// nonlinear constraints in minimization problems, 1969) needs two or three solves with A to find the solution for
-// infinite ρ.
+// in the positive definite form A = H + 10⁻⁴ M + Jᵀ ρ J + pins. The pins are springs against rigid motions. M has the
+// lumped vertex areas of each connected part, relative to the area of that part. For large ρ, A has a Cholesky factor
+// if and only if H is positive on the null space of J, so the factorization also tests the inertia. The method of
+// multipliers (M. J. D. Powell, A method for nonlinear constraints in minimization problems, 1969) needs two or three
+// solves with A to find the solution for infinite ρ.
 //
 // All solves except the last need d only on the wires; finish() then completes the back substitution.
 //
@@ -32,27 +32,27 @@ namespace wirewarp {
 /// The parts of the curvature of f + λᵀc that H contains.
 struct Convexity {
   Curvature curvature;
-  bool keep_compression;  // also the negative curvature of edges under compression, λ < 0, which may buckle
+  bool keep_compression;  // whether H contains the negative curvature of compressed edges (λ < 0), which may buckle
 };
 
 inline constexpr Convexity kExactHessian{Curvature::exact, true};
 inline constexpr Convexity kConvexHessian{Curvature::convex, false};
 inline constexpr Convexity kLaplacian{Curvature::none, false};
 
-/// Makes a symmetric matrix positive definite, so that the quadratic model has a minimum. Does not change a matrix that
-/// is well positive. Otherwise, replaces the eigenvalues with their magnitudes, at least 1e-6 of the largest, or
-/// increases the diagonal if the matrix has more than 200 rows.
+/// Returns a positive definite matrix near a symmetric one, so that the quadratic model has a minimum. Returns a matrix
+/// that is clearly positive definite unchanged. Otherwise, replaces the eigenvalues with their magnitudes, at least
+/// 1e-6 of the largest. If the matrix has more than 200 rows, increases its diagonal instead.
 Eigen::MatrixXd make_positive(const Eigen::MatrixXd& symmetric);
 
 class NewtonSystem {
  public:
-  /// The objective and the constraints must outlive the system. positions: any layout in which near vertices are near
-  /// each other; it determines the order of elimination. Throws Stopped.
+  /// The objective and the constraints must outlive the system. positions: any layout in which neighboring vertices
+  /// are near each other; determines the order of elimination. Throws Stopped.
   NewtonSystem(const Chart& chart, FairShapeError& objective, const LengthConstraints& constraints,
                const Positions2& positions, const StopToken& stop = {});
 
-  /// The stiffness ρ, one per edge, used from the next factorization on. The default is large enough to keep the
-  /// lengths.
+  /// Return or set the stiffness ρ, one per edge. A new stiffness applies from the next factorization on. The default
+  /// is large enough to keep the lengths.
   const Eigen::VectorXd& stiffness() const { return stiffness_; }
   void set_stiffness(Eigen::VectorXd stiffness) { stiffness_ = std::move(stiffness); }
 
@@ -65,13 +65,13 @@ class NewtonSystem {
   Eigen::SparseMatrix<double> hessian(const Positions2& uv, const Eigen::VectorXd& multipliers,
                                       const Convexity& convexity);
 
-  /// Returns the size of a vector d with the unknowns h.
+  /// Returns the number of unknowns, including h.
   Eigen::Index num_unknowns() const { return matrix_.lower().rows(); }
 
   /// A right-hand side after forward substitution, before h is chosen.
   struct Reduced {
     Eigen::VectorXd d;     // after forward substitution; x of each vertex, then its y
-    Eigen::VectorXd pull;  // Tᵀλ for h = 0, #elastic
+    Eigen::VectorXd pull;  // Tᵀλ for h = 0, one per elastic part
     Eigen::VectorXd r2;
   };
 
@@ -83,24 +83,24 @@ class NewtonSystem {
     Eigen::VectorXd multipliers;  // λ
   };
 
-  /// r1: one row per chart vertex; r2: #edges.
+  /// Returns a right-hand side after forward substitution. r1: one row per chart vertex. r2: one per edge.
   Reduced reduce(const Positions2& r1, const Eigen::VectorXd& r2) const;
 
   /// Returns d on the wires and λ, with J d = r₂ + T h to nine digits. variation: h.
   Solution solve_on_wires(const Reduced& reduced, const Eigen::VectorXd& variation) const;
 
-  /// The same for h = 0.
+  /// Returns d on the wires and λ for h = 0.
   Solution solve_on_wires(const Positions2& r1, const Eigen::VectorXd& r2) const;
 
   /// Returns d everywhere and λ to about five digits, by one solve.
   Solution solve_roughly(const Reduced& reduced, const Eigen::VectorXd& variation) const;
 
-  /// Returns S of the last factorization, #elastic by #elastic: the stiffness against changes of h if d follows h. If ρ
-  /// keeps the lengths, S is ∂(−Tᵀλ)/∂h to about five digits.
+  /// Returns S of the last factorization, one row and column per elastic part: the stiffness against changes of h if d
+  /// follows h. If ρ keeps the lengths, S is ∂(−Tᵀλ)/∂h to about five digits.
   const Eigen::MatrixXd& stiffness_by_variation() const { return stiffness_h_; }
 
   /// Returns the change of h within its tolerances that minimizes the quadratic model with d eliminated. pull: negative
-  /// gradient with respect to h, #elastic. variation: the current h.
+  /// gradient with respect to h, one per elastic part. variation: the current h.
   Eigen::VectorXd choose_variation_change(const Eigen::VectorXd& pull, const Eigen::VectorXd& variation) const;
 
   /// Returns, on the wires, the d with J d = r2 that is smallest in the metric H, to the accuracy of one solve.
@@ -112,7 +112,7 @@ class NewtonSystem {
   /// Returns A⁻¹ b, one row per chart vertex.
   Positions2 apply_inverse(const Positions2& b) const;
 
-  /// Returns the directions d̂ of the linearization.
+  /// Returns the directions d̂ of the edges at the last linearization, one row per edge.
   const Positions2& directions() const { return directions_; }
 
   int num_factorizations() const { return num_factorizations_; }
@@ -131,7 +131,7 @@ class NewtonSystem {
   const LengthConstraints& constraints_;
   VertexMatrix matrix_;
   std::vector<VertexPair> pinned_;  // per connected part, against rigid motions: the first vertex cannot move, the
-                                    // second cannot turn about it
+                                    // second cannot turn about the first
   std::vector<VertexMatrix::Block> edge_blocks_;
   std::vector<std::array<VertexMatrix::Block, 2>> elastic_blocks_;  // h with the ends a, b of each elastic edge
   Eigen::Index num_positions_;                                      // number of unknowns before h

@@ -7,7 +7,7 @@
 //
 //   1. Sew all slits and find the least distorted shape, which also has the lengths of the open chart.
 //   2. From this shape, open all slits a little and minimize.
-//   3. Sew the slits whose rims passed through each other, and repeat step 2 until no rims do.
+//   3. Sew the slits whose rims passed through each other, and repeat step 2 until no rims pass through each other.
 #pragma once
 
 #include "newton/control.h"
@@ -16,8 +16,8 @@
 
 namespace wirewarp {
 
-/// Returns the less distorted one of the shapes before step 2 and after step 3. shut: the exact shape of step 1. The
-/// chart must have a slit.
+/// Returns the less distorted of two shapes: the shape of step 1, and the shape after step 3. shut: the exact shape of
+/// step 1. The chart must have a slit.
 Solution open_slits(Problem& problem, const Stage& stage, const Solution& shut, const Control& control);
 
 }  // namespace wirewarp

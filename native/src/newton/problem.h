@@ -17,27 +17,28 @@ namespace wirewarp {
 
 /// The goal of a refinement: the energy, the target lengths, the required injectivity, and where to stop.
 struct Stage {
-  const Cloth* cloth = nullptr;                 // f contains its energy; null: the shape error of Eq. (4)
+  const Cloth* cloth = nullptr;                 // cloth whose energy f contains; null: f has the shape error
   const TargetLengths* lengths = nullptr;       // null: nominal lengths and free rotation of the layout
   Injectivity injectivity = Injectivity::none;  // of all iterates, including the start
   Target target = Target::minimum;
 };
 
-/// A chart with the quantities that its starts and stages share, each computed once. Must be used in one thread only.
+/// A chart with the quantities that its starts and stages share, each computed once. Only one thread may use a
+/// problem.
 class Problem {
  public:
   /// The chart must outlive the problem. fairness: Options::fairness.
   Problem(const Chart& chart, double fairness);
 
-  /// Makes a problem with other lengths and angles than those of the chart. network: these lengths and angles. All
-  /// slits count as ordinary parts of the outline, because sewing would measure the lengths again.
+  /// Makes a problem with the lengths and angles of this network instead of the chart's own. All slits count as
+  /// ordinary parts of the outline, because sewing would measure the chart's own lengths again.
   Problem(const Chart& chart, HeldNetwork network, double fairness);
 
   const Chart& chart() const { return chart_; }
   const HeldNetwork& network() const { return network_; }
   double fairness() const { return fairness_; }
 
-  /// Returns the area on the surface.
+  /// Returns the area of the chart's surface.
   double area() const { return area_; }
 
   const std::vector<Slit>& slits();

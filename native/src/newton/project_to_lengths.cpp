@@ -36,7 +36,7 @@ class Projection {
   bool has(double largest_error) const { return constraints_.largest_error(now_.residual) <= largest_error; }
 
   /// Takes one step, shortened until the strain falls, and then whole steps with the same factor as long as these halve
-  /// the strain. Returns false if no step reduces it.
+  /// the strain. Returns false if no step reduces the strain.
   bool get_nearer(const StopToken& stop) {
     const Eigen::VectorXd no_forces = Eigen::VectorXd::Zero(constraints_.size());
     const bool is_positive = system_.factorize(now_.uv, no_forces, kLaplacian, stop);

@@ -11,19 +11,19 @@
 
 namespace wirewarp {
 
-/// Finds the least distorted shape of a chart. The slits of a chart are sewn at first (newton/open_slits.h). If the
-/// shape is flipped or overlaps itself, and if the options say so, searches for an injective shape instead
+/// Finds the least distorted shape of a chart. The slits of a chart are sewn at first (newton/open_slits.h). If
+/// options.makes_injective is set and the shape is flipped or overlaps itself, searches for an injective shape instead
 /// (newton/injective_shape.h). If there is a fabric, minimizes its energy next (newton/refine_cloth.h). If no start
-/// leads to exact lengths, returns the last shape that was tried. Its status is cancelled if the caller stopped,
+/// leads to exact lengths, returns the last shape that was tried. The status is then cancelled if the caller stopped,
 /// infeasible if any start was infeasible, and singular otherwise. The token is polled in the stages "start" and
 /// "shape".
 Solution refine_chart(Problem& problem, const InternalOptions& options, const Control& control);
 
-/// The same for a chart, with a budget of options.max_factorizations.
+/// Finds the least distorted shape of a chart with a budget of options.max_factorizations.
 Solution refine_chart(const Chart& chart, const InternalOptions& options, const StopToken& stop = {});
 
-/// Returns whether this finds a flat shape of the chart with exact lengths, without flips and overlaps. Returns false
-/// for pieces that take far longer than most, and if the caller stops.
+/// Returns whether refine_chart() finds a flat shape of the chart with exact lengths, without flips and overlaps.
+/// Returns false for pieces that need far more factorizations than most pieces, and if the caller stops.
 bool lies_flat(const Chart& chart, const InternalOptions& options, const StopToken& stop = {});
 
 }  // namespace wirewarp

@@ -31,7 +31,7 @@ double period(const Cloth& cloth) { return cloth.weft == cloth.warp ? kPi / 2 : 
 
 class ClothRefinement {
  public:
-  /// injectivity: that of the shape without a fabric. pair: vertices with a fixed direction.
+  /// injectivity: injectivity of the shape without a fabric. pair: vertices between which the direction is fixed.
   ClothRefinement(Problem& problem, const InternalOptions& options, const Control& control, Injectivity injectivity,
                   const VertexPair& pair)
       : problem_(problem), options_(options), control_(control), injectivity_(injectivity), pair_(pair) {}
@@ -39,8 +39,8 @@ class ClothRefinement {
   Solution minimize_in_direction(const Shape& start);
   Solution minimize_turning(const Shape& upright);
 
-  /// Returns whether a shape is exact and as injective as the shape without a fabric. This matters more than its
-  /// energy.
+  /// Returns whether a shape is exact and as injective as the shape without a fabric. This matters more than a
+  /// low energy.
   bool is_sound(const Solution& found) const { return found.is_exact() && found.injectivity >= injectivity_; }
 
  private:
@@ -83,7 +83,7 @@ double ClothRefinement::slope_of(const Shape& shape) const {
   return shape.multipliers[shape.multipliers.size() - 1] * length / problem_.area();
 }
 
-/// Compares many directions, and returns the best few.
+/// Returns the rotated layouts of the few directions with the least energies.
 std::vector<ClothRefinement::Turn> ClothRefinement::best_turns(const Positions2& uv) const {
   const FairShapeError objective = problem_.objective({&*options_.cloth});
   const auto count = static_cast<int>(std::lround(period(*options_.cloth) / kSpacing));

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The stage for a fabric. It starts from the least distorted shape without a fabric, which has exact lengths and no
-// flipped triangles, turns that upright, and minimizes the energy of the fabric in place of E. No step flips a
-// triangle, because the fabric's energy would not flip it back (energy/cloth_law.h).
+// flipped triangles. It turns this shape upright, and minimizes the fabric's energy instead of the shape error. No step
+// flips a triangle, because the fabric's energy would not flip the triangle back (energy/cloth_law.h).
 //
 // The energy of a fabric depends on the rotation of the piece. One constraint n·(u_b − u_a) = 0 fixes the direction
 // between two vertices (upright_pair()). Its multiplier is the derivative of the energy with respect to the angle. With
-// Orientation::best, Newton's method starts at the best of 36 angles and finds the angle at which this derivative is 0.
+// Orientation::best, several fixed angles are tried. From the best of these angles, Newton's method finds the angle at
+// which this derivative is 0.
 #pragma once
 
 #include "base/internal_options.h"
@@ -27,8 +28,8 @@ GrainRow hold_upright(const Chart& chart, const Positions2& uv, const Options& o
 
 /// Turns an exact solution that was found without a fabric so that it is upright, with x along the weft. Refines it for
 /// options.cloth unless it is flipped. The last multiplier belongs to the constraint on the direction. Keeps the
-/// current shape if the caller stops, if the budget is spent, or if the piece would overlap itself.
-/// newton/solve/stretch_charts.h applies the fabric's stretch.
+/// upright shape if the caller stops, if the budget is spent, or if the piece would overlap itself. The fabric's
+/// stretch is applied later (newton/solve/stretch_charts.h).
 void refine_cloth(Problem& problem, const InternalOptions& options, const Control& control, Solution& solution);
 
 }  // namespace wirewarp

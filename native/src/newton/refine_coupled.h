@@ -25,8 +25,8 @@ struct CoupledChart {
   Shape start;
 };
 
-/// Minimizes from the starts. stage: its lengths are null, because each chart has its own. Returns a solution without
-/// multipliers for each chart. Either all solutions are exact, or no solution is.
+/// Minimizes from the starts. stage: must not have lengths, because each chart has its own lengths. Returns a solution
+/// without multipliers for each chart. Either all solutions are exact, or no solution is.
 std::vector<Solution> refine_coupled(const std::vector<CoupledChart>& charts, double fairness, const Stage& stage,
                                      const Control& control);
 

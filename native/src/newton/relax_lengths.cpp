@@ -21,8 +21,8 @@ constexpr int kMaxRelaxSteps = kMaxRelaxFactorizations / 3;  // number of steps 
 constexpr double kWorthwhile = 1e-5;                         // least predicted decrease over Φ
 constexpr double kShortestRelaxStep = 1e-3;                  // after ten halvings
 
-/// Makes all wire parts with several edges elastic, whatever their tolerance, because the edges of a part share a
-/// variation. A part with one edge needs no variation, because its residual r is the variation.
+/// Returns the chart with all held wire parts elastic, whatever their tolerance, because the edges of a part share a
+/// variation. Parts with one edge are rigid, because their residual r is the variation.
 Chart with_variations(Chart chart) {
   for (WirePart& part : chart.wire_parts) {
     if (part.kind != WireKind::elastic && part.kind != WireKind::rigid) continue;

@@ -10,8 +10,8 @@ namespace {
 
 constexpr int kOrdinarySteps = 5;  // the token is polled once per this many steps
 constexpr int kMaxSteps = 60;      // with 30, some nets stop at errors of 1e-11
-constexpr int kRemembered = 5;     // number of previous steps; nets of 128 wires take 10% longer with 3, as long with 8
-constexpr double kMostLeft = 0.9;  // largest share of the error left by a step; with 0.45, 5% more factorizations
+constexpr int kRemembered = 5;     // number of previous steps; nets of 128 wires take 10% longer with 3
+constexpr double kMostLeft = 0.9;  // largest share of the error after a step; 0.45 costs 5% more factorizations
 
 /// Anderson acceleration: finds the combination of previous steps that minimizes the linearly extrapolated error.
 class StepsBefore {
@@ -25,7 +25,7 @@ class StepsBefore {
     next_ = (next_ + 1) % kRemembered;
   }
 
-  /// Moves along this combination, and changes the residual as if it were linear.
+  /// Moves by the best combination of steps, and changes the residual as if it were linear.
   void extrapolate(Eigen::VectorXd& moved, Eigen::VectorXd& residual) const {
     if (is_empty()) return;
     Eigen::MatrixXd changes(residual.size(), size_);

@@ -15,9 +15,9 @@ namespace wirewarp {
 /// A problem and a stage with some slits sewn.
 class SewnProblem {
  public:
-  /// Must not outlive the open problem or the objects to which its stage points.
+  /// The open problem and the objects to which the stage points must outlive this object.
   SewnProblem(const Problem& open, const Stage& stage, SewnChart sewn);
-  SewnProblem(const SewnProblem&) = delete;  // the problem refers to the chart
+  SewnProblem(const SewnProblem&) = delete;  // not copied, because the problem refers to the chart
   SewnProblem& operator=(const SewnProblem&) = delete;
 
   Problem& problem() { return problem_; }
@@ -34,11 +34,11 @@ class SewnProblem {
   SewnChart sewn_;
   Problem problem_;
   std::optional<TargetLengths> lengths_;
-  std::vector<int> row_;  // row of the sewn constraints for each row of the open ones
-  int num_rows_;          // of the sewn constraints
+  std::vector<int> row_;  // row of the sewn constraints for each row of the open constraints
+  int num_rows_;          // number of rows of the sewn constraints
 };
 
-/// Returns null if the sewn surface is not a chart.
+/// Returns the problem with these slits sewn, or null if the sewn surface is not a chart.
 std::unique_ptr<SewnProblem> sew_slits(const Problem& open, const Stage& stage, const std::vector<Slit>& slits);
 
 }  // namespace wirewarp

@@ -30,14 +30,14 @@ struct Solution {
   Shape shape;
   SolutionStatus status = SolutionStatus::infeasible;
   std::optional<Injectivity> injectivity;  // empty until computed
-  const char* start = "";   // name of the start that led to exact lengths (newton/starts.h); empty: no start did
+  const char* start = "";   // name of the start that led to exact lengths (newton/starts.h); empty if no start did
   double objective = 0;     // f over the 3D area
   double length_error = 0;  // LengthConstraints::largest_error
   int iterations = 0;       // Newton iterations from this start
-  int factorizations = 0;   // in these iterations; a Budget counts the factorizations of all starts
+  int factorizations = 0;   // of these iterations; a Budget counts the factorizations of all starts
   double projected_gradient = std::numeric_limits<double>::quiet_NaN();  // of a coupled group; NaN for a single chart
 
-  /// Whether the shape is flat and can be cut.
+  /// Returns whether the lengths of the shape are exact.
   bool is_exact() const { return status >= SolutionStatus::stalled; }
   bool is_converged() const { return status == SolutionStatus::converged; }
 };

@@ -14,7 +14,7 @@
 namespace wirewarp {
 std::optional<Shape> flatten_wires_first(Problem& problem, const Control& control) {
   const Chart& chart = problem.chart();
-  const Options plain;  // options of Eq. (1), which do not apply to the refined method
+  const Options plain;  // default options, because the user's options for Eq. (1) are not for the refined method
   const StopToken stop = control.stop.in("start");
   stop.check();
   std::optional<Chart> split;
@@ -38,7 +38,7 @@ const std::array<Start, 5> kStarts{{
     {"unfolded", [](Problem& problem, const Control& /*control*/) { return unfold(problem.chart()); }},
     // The shape of a coarser chart, 1 to 3 factorizations from the minimum.
     {"coarse", [](Problem& problem, const Control& control) { return start_from_coarse(problem, control); }, true},
-    // A free ARAP flattening. On most pieces, one step from there reaches exact lengths.
+    // A free ARAP flattening. On most pieces, one step from this map reaches exact lengths.
     {"free", [](Problem& problem,
                 const Control& control) { return std::optional(Shape{problem.free_map(control.stop.in("start"))}); }},
     {"wires", flatten_wires_first},

@@ -12,16 +12,16 @@
 namespace wirewarp {
 
 struct Start {
-  const char* name;  // PieceReport::start
+  const char* name;  // name in PieceReport::start
   /// Returns a layout, or nullopt if the start does not work. Throws Stopped and FactorizationFailed.
   std::optional<Shape> (*make)(Problem& problem, const Control& control);
-  bool is_for_large_charts = false;             // on small charts, it saves no time
-  Injectivity injectivity = Injectivity::none;  // of the layout and of all iterates from there
+  bool is_for_large_charts = false;             // true: the start saves no time on small charts
+  Injectivity injectivity = Injectivity::none;  // of the layout and of all later iterates
 };
 
-/// WireWarping: flattens the wires alone by the angles of Eq. (1) on the network of process_topology, then places the
-/// other vertices (paper II-A). Has exact lengths without a factorization for the whole chart. Returns nullopt if the
-/// wires do not close.
+/// Returns the layout of WireWarping: flattens the wires alone by the angles of Eq. (1) on the network of
+/// process_topology(), then places the other vertices (paper II-A). Its lengths are exact, without a factorization for
+/// the whole chart. Returns nullopt if the wires do not close.
 std::optional<Shape> flatten_wires_first(Problem& problem, const Control& control);
 
 /// The starts in the order in which they are tried; native/README.md says how often each is successful.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The changes of shape (d, Δh) that keep the lengths to first order: J d = T Δh, where h changes only on elastic parts
-// that are not at a bound. A vector of this space has x and y of every vertex, then Δh of these parts.
+// that are not at a bound. A vector of this space has x of every vertex, then y, then Δh of these parts.
 #pragma once
 
 #include <Eigen/Cholesky>
@@ -12,8 +12,8 @@ namespace wirewarp {
 
 class TangentSpace {
  public:
-  /// system: must be factored, with a convex H = G. The system and the constraints must outlive the space and must not
-  /// change. free: elastic parts that are not at a bound. Throws FactorizationFailed.
+  /// system: must be factored with a convex H, here called G. The system and the constraints must outlive the space and
+  /// must not change. free: elastic parts that are not at a bound. Throws FactorizationFailed.
   TangentSpace(const NewtonSystem& system, const LengthConstraints& constraints, std::vector<int> free);
 
   const std::vector<int>& free() const { return free_; }
@@ -22,7 +22,7 @@ class TangentSpace {
   /// to the space.
   Eigen::VectorXd solve(Eigen::VectorXd& force) const;
 
-  /// Returns a force that acts on the vertices alone as a vector of the space.
+  /// Returns a force on the vertices as a vector of the space, with zeros for Δh.
   Eigen::VectorXd force_on_vertices(const Positions2& force) const;
 
  private:

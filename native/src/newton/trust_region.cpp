@@ -12,7 +12,8 @@
 namespace wirewarp {
 namespace {
 
-/// Returns all elastic parts except those that are at a bound and would leave it: f falls by (Tᵀλ)_w per unit of h_w.
+/// Returns the elastic parts, except parts at a bound that a decrease of f would push beyond the bound. f falls by
+/// (Tᵀλ)_w per unit of h_w.
 std::vector<int> free_parts(const NewtonState& state) {
   const LengthConstraints& constraints = state.constraints;
   const Eigen::VectorXd pull = constraints.elastic_lengths().transpose() * state.multipliers;
@@ -64,7 +65,7 @@ StepOutcome TrustRegion::take_step(NewtonState& state) {
   return search(state, space, [&](double radius) { return off_saddle.step_along_lowest_curvature(radius); });
 }
 
-/// Takes the step of the largest radius at which f falls as the model predicts.
+/// Takes the step of the largest radius at which f falls as the model predicts. Returns rejected if no radius is found.
 StepOutcome TrustRegion::search(NewtonState& state, const TangentSpace& space,
                                 const std::function<ModelStep(double radius)>& step_of) {
   std::optional<Iterate> best;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The step of minimize() if the exact Hessian is not positive: minimizes the quadratic model of f + λᵀc within a radius
-// (newton/lanczos_trust_region.h). Each step begins with the radius of the one before.
+// The steps of minimize() if the exact Hessian is not positive. Each step minimizes the quadratic model of f + λᵀc
+// within a radius (newton/lanczos_trust_region.h), which begins with the radius of the step before.
 #pragma once
 
 #include <functional>
@@ -13,7 +13,7 @@ namespace wirewarp {
 
 class TrustRegion {
  public:
-  /// Takes a step that decreases f from exact lengths to exact lengths. Returns converged if the gradient vanishes and
+  /// Takes a step that decreases f and keeps exact lengths. Returns converged if the gradient vanishes and
   /// f has no negative curvature worth following.
   StepOutcome take_step(NewtonState& state);
 

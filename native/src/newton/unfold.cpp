@@ -12,11 +12,11 @@
 namespace wirewarp {
 namespace {
 
-/// Largest root mean square strain. Coordinates rounded to four digits reach it, and Newton steps correct it.
+/// Largest root mean square strain. Coordinates rounded to four digits cause this strain, and Newton steps correct it.
 constexpr double kMostStrain = 1e-4;
 
-/// A side at which a face can be laid. Longer sides come first; of sides with about the same length, those that were
-/// found first, so that few faces are between the first face and any other.
+/// A side at which a face can be placed. Longer sides come first. Sides of about the same length come in the order in
+/// which they were found, so that few faces are between the first face and any other face.
 struct OpenSide {
   OpenSide(double length, int place, HalfedgeHandle h) : magnitude(std::ilogb(length)), rank(place), half_edge(h) {}
   bool operator<(const OpenSide& other) const {

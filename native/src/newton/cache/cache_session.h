@@ -20,17 +20,18 @@ struct CachedGroup {
 };
 
 struct CachedCharts {
-  std::map<std::string, std::shared_ptr<const CachedGroup>> by_key;  // solution_key()
+  std::map<std::string, std::shared_ptr<const CachedGroup>> by_key;  // keyed by solution_key()
 };
 
-/// Looks up the charts of one run of flatten() in a cache, and collects them for the next run. May be used in any
-/// thread.
+/// Looks up the charts of one run of flatten() in a cache, and collects them for the next run. Any thread may call
+/// its functions.
 class CacheSession {
  public:
   /// cache: null if the run has no cache.
   CacheSession(Cache* cache, const FlattenInput& input, const Options& options);
 
-  /// Returns the solutions of a coupled group without errors if the cache has them, and keeps them for the next run.
+  /// Returns the solutions of a coupled group if the cache has them, and keeps them for the next run. Returns errors
+  /// only if they name the same elements and wires as in this run.
   std::optional<std::vector<SolvedChart>> known(const std::vector<const Chart*>& group);
 
   /// Keeps the solutions of a group for the next run, unless a solution was canceled.

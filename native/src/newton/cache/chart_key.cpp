@@ -26,7 +26,7 @@ class KeyWriter {
     for (const auto& item : list) write_item(item);
   }
 
-  /// Writes a list of numbers in one block, because most of a key are the numbers of a mesh.
+  /// Writes a list of numbers in one block, because a key consists mostly of the numbers of a mesh.
   template <class Number>
   void write_numbers(const std::vector<Number>& numbers) {
     static_assert(std::is_arithmetic_v<Number>, "other types may have padding between bytes");
@@ -63,8 +63,8 @@ void write_mesh(const HalfEdgeMesh& mesh, KeyWriter& key) {
   key.write_numbers(numbers);
 }
 
-/// Writes the fabric and what determines its direction on the chart, but not its stretch: the cache keeps solutions
-/// from before the stretch.
+/// Writes the fabric and the options that determine its direction on the chart. Does not write the stretch, because the
+/// cache keeps solutions without the stretch.
 void write_cloth(const Chart& chart, const Options& options, KeyWriter& key) {
   key.write(options.cloth.has_value());
   if (!options.cloth) return;

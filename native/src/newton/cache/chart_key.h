@@ -9,10 +9,9 @@
 
 namespace wirewarp {
 
-/// Returns everything that the solutions of a coupled group without errors depend on, bit for bit: meshes, outlines,
-/// slits, wire parts, which of these share a length, and the options of the solver. It uses the numbering within each
-/// chart, so that changes elsewhere in the input do not change it. Only the names that errors use are missing, see
-/// name_key().
+/// Returns everything that the flat shapes of a coupled group depend on, bit for bit: meshes, outlines, slits, wire
+/// parts, which of these share a length, and the options of the solver. The key uses the numbering within each chart,
+/// so that changes elsewhere in the input do not change the key. Errors also depend on name_key().
 std::string solution_key(const std::vector<const Chart*>& group, const Options& options);
 
 /// Returns the input's numbers and names of the charts' vertices, faces and wires.

@@ -35,7 +35,7 @@ class Coarsening {
   std::vector<int> fine_nodes_;  // node at which each half-edge of the fine network arrives
 };
 
-/// Returns the coarse half-edges between those vertices of a fine chain that are kept.
+/// Returns the coarse half-edges between the kept vertices of a fine chain.
 HalfEdgeChain Coarsening::coarse_chain(const HalfEdgeChain& chain, bool is_closed) const {
   std::vector<VertexHandle> left;
   const auto add = [&](VertexHandle v) {
@@ -67,7 +67,7 @@ void Coarsening::build_chart() {
   coarse_.network = build_held_network(coarse_.chart);
 }
 
-/// Sets the lengths of the coarse wire edges to those of their runs.
+/// Sets the lengths of the coarse wire edges to the chords of their runs.
 void Coarsening::take_runs() {
   std::vector<char> stays;
   for (const int v : decimated_.coarse_vertex) stays.push_back(v == -1 ? 0 : 1);
@@ -102,7 +102,7 @@ void Coarsening::place_wire_vertices(const WireRun& run, int edge) {
   }
 }
 
-/// Computes the surface angles between chords from those between the end edges of the runs.
+/// Computes the surface angles between chords from the surface angles between the end edges of the runs.
 void Coarsening::measure_nodes() {
   for (WireNode& node : coarse_.network.nodes) {
     const WireRun& in = coarse_.runs[node.in.edge];

@@ -10,7 +10,7 @@
 
 namespace wirewarp {
 
-/// The position of a fine wire edge on a coarse one.
+/// The position of a fine wire edge on a coarse wire edge.
 struct CoarseWirePlace {
   int edge = -1;
   /// Fractions of the coarse edge's length where the fine edge begins and ends, along the fine edge's
@@ -29,8 +29,8 @@ struct CoarseChart {
 /// Returns the edge length of equilateral triangles with the mesh's number of faces and area, in scene units.
 double typical_edge_length(const HalfEdgeMesh& mesh);
 
-/// Returns false if the two sides of a slit of one edge connect the same vertices, because coarsening identifies an
-/// edge by its ends.
+/// Returns whether a chart can be coarsened. This is impossible with a slit of one edge, because the sides of the slit
+/// connect the same vertices, and coarsening identifies an edge by its ends.
 bool can_coarsen(const Chart& chart);
 
 /// Coarsens a chart to about the given edge length in scene units. Throws Stopped.

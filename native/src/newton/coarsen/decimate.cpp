@@ -20,13 +20,13 @@ constexpr double kClearly = 1 + 1e-9;
 constexpr double kSharpestTurn = kPi / 4;  // corners of wires that turn more are not removed
 constexpr double kWorthwhile = 0.02;       // a round that removes a smaller share of the vertices is the last one
 
-/// The faces on one side of a vertex, laid out in the plane with the vertex at the origin: all around it, or from one
-/// wire edge to the next. Face i is between spokes i and i + 1.
+/// The faces around a vertex, or on one side of the wire at a wire vertex. They are laid out in the plane with the
+/// vertex at the origin. Face i is between spokes i and i + 1.
 struct Fan {
   std::vector<VertexHandle> rim;  // counter-clockwise; if the rim is closed, its first vertex is also its last
   std::vector<FaceHandle> faces;
   std::vector<Eigen::Vector2d> positions;  // positions of the rim in the plane
-  double angle = 0;                        // at the vertex, on the surface
+  double angle = 0;                        // sum of the angles at the vertex, on the surface
 };
 
 class Decimation {
@@ -112,7 +112,7 @@ Decimation::Decimation(const Chart& chart, const HeldNetwork& network, double ed
 }
 
 /// Fills the fan with the faces around the vertex where the half-edge `first` begins, counter-clockwise from `first` to
-/// the neighbor `last`. turn: set to the angle of the fan in the plane.
+/// the neighbor `last`. turn: angle of the fan in the plane.
 void Decimation::lay_out(HalfedgeHandle first, VertexHandle last, double turn, Fan& fan) const {
   fan.rim.clear();
   fan.faces.clear();
@@ -187,7 +187,7 @@ double Decimation::worst_quality_towards(VertexHandle w, double least) const {
   return worst;
 }
 
-/// Returns the best edge to collapse, invalid if every choice is bad.
+/// Returns the half-edge to collapse that leaves the best faces; an invalid handle if every choice is bad.
 HalfedgeHandle Decimation::choose_collapse(VertexHandle v) {
   VertexHandle best;
   double best_quality = kWorstQuality;
@@ -207,7 +207,8 @@ HalfedgeHandle Decimation::choose_collapse(VertexHandle v) {
   return mesh_.is_collapse_ok(h) ? h : HalfedgeHandle();
 }
 
-/// Moves the removed vertices of a fan, and v itself if it is on no wire, into the faces of the fan after v moved to w.
+/// Moves the removed vertices of a fan into the faces that the fan has after v moved to w. If v is not on a wire, v
+/// becomes a removed vertex, too.
 void Decimation::move_points(const Fan& fan, VertexHandle v, VertexHandle w) {
   moved_.clear();
   moved_to_.clear();

@@ -5,8 +5,8 @@
 // by the map z^a (A. W. F. Lee, W. Sweldens, P. Schröder, L. Cowsar, D. Dobkin, MAPS: multiresolution adaptive
 // parameterization of surfaces, SIGGRAPH 1998). The map keeps distances from the vertex and scales the angles there to
 // a full turn, or on a wire to half a turn on each side. In the plane, the new faces are checked, and previously
-// removed vertices get their places in the new faces. A vertex on a wire or on the boundary moves only along that line,
-// and stays where such lines meet, end or turn sharply.
+// removed vertices get their places in the new faces. A vertex on a wire or on the boundary moves only along that line.
+// A vertex where such lines meet, end or turn sharply is not removed.
 #pragma once
 
 #include <vector>
@@ -25,13 +25,14 @@ struct CoarsePlace {
 
 struct DecimatedMesh {
   HalfEdgeMesh mesh;
-  std::vector<int> fine_vertex;     // for each vertex of the mesh
-  std::vector<int> coarse_vertex;   // for each vertex of the chart; -1: removed
+  std::vector<int> fine_vertex;     // vertex of the chart, for each vertex of the mesh
+  std::vector<int> coarse_vertex;   // vertex of the mesh, for each vertex of the chart; -1: removed
   std::vector<CoarsePlace> places;  // for each vertex of the chart; not set for removed vertices on wires
 };
 
-/// Removes vertices. network: wire vertices remain on its lines. edge_length: the target in scene units; no new
-/// edge is longer than twice the target. Throws Stopped; the token is polled before each round over all vertices.
+/// Returns the coarser mesh of a chart. network: network of the chart; wire vertices remain on its lines.
+/// edge_length: the target in scene units. No new edge is longer than twice the target. Throws Stopped; the token is
+/// polled before each round over all vertices.
 DecimatedMesh decimate(const Chart& chart, const HeldNetwork& network, double edge_length, const StopToken& stop = {});
 
 }  // namespace wirewarp

@@ -42,12 +42,12 @@ std::vector<Derivative> vertex_derivatives(const HalfEdgeMesh& mesh, const Posit
 }
 
 constexpr double kThin = 0.3;    // largest determinant of a sliver's map; triangles of a good start have 0.7 to 1.3
-constexpr double kStill = 0.01;  // shortest move that counts, over the mean edge; a third saves no Newton step
+constexpr double kStill = 0.01;  // shortest move that counts, over the mean edge; smaller values save no Newton step
 constexpr int kMaxSweeps = 100;  // sweeps over the moving vertices; 10 to 30 are usual
 
 /// Unfolds triangles that are flipped or nearly flipped in a prolonged shape: fine meshes have slivers that are folded
-/// over their neighbors, and a smooth map keeps these folds. The vertices of slivers move to where the triangles around
-/// them fit best, then the neighbors of all vertices that moved. Vertices of the network do not move.
+/// over their neighbors, and a smooth map keeps these folds. Each vertex of a sliver moves to the place where the
+/// triangles around it fit best. Then the neighbors of moved vertices move, too. Vertices of the network do not move.
 class Slivers {
  public:
   Slivers(const Chart& chart, const HeldNetwork& network, Positions2& uv)
@@ -106,7 +106,7 @@ class Slivers {
   const HalfEdgeMesh& mesh_;
   const ShapeError shape_error_;
   Positions2& uv_;
-  std::vector<char> is_out_;  // not added to the next sweep: already in it, or fixed
+  std::vector<char> is_out_;  // vertices that are fixed or already in the next sweep
   std::vector<int> next_;
 };
 

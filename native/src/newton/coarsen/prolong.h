@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Converts the flat shape of a coarse chart to a start for the fine one.
+// Converts the flat shape of a coarse chart to a start for the fine chart.
 #pragma once
 
 #include "newton/coarsen/coarse_chart.h"
@@ -16,7 +16,8 @@ namespace wirewarp {
 /// exact.
 Positions2 interpolate(const Chart& chart, const CoarseChart& coarse, const Positions2& coarse_uv);
 
-/// Interpolates the positions, then places the wires by their runs (prolong_wires.h) and unfolds flipped slivers.
+/// Returns a start for the fine chart, one row per vertex. Interpolates the positions, then places the wires by their
+/// runs (prolong_wires.h) and unfolds flipped slivers.
 Positions2 prolong_positions(const Chart& chart, const HeldNetwork& network, const CoarseChart& coarse,
                              const Positions2& coarse_uv);
 

@@ -27,7 +27,7 @@ class WireTurns {
   const HeldNetwork& network_;
   std::vector<double> chords_;  // headings of the chords, one per run
   std::vector<int> nodes_;      // nodes at which half-edges arrive
-  std::vector<char> is_seen_;   // half-edges
+  std::vector<char> is_seen_;   // one per half-edge
   std::vector<std::array<double, 2>> turns_;
 };
 
@@ -44,7 +44,8 @@ WireTurns::WireTurns(const CoarseChart& coarse, const Positions2& uv)
   }
   std::vector<char> follows_a_node(nodes_.size(), 0);
   for (const WireNode& node : network_.nodes) follows_a_node[place_of(node.out)] = 1;
-  // Starts on the boundary, at the half-edges where the nodes around a vertex begin.
+  // The first pass starts on the boundary, at the half-edges where the nodes around a vertex begin. The second pass
+  // adds all other vertices.
   for (const bool everywhere : {false, true}) {
     for (int e = 0; e < static_cast<int>(chords_.size()); ++e) {
       for (const WireHalfEdge h : {WireHalfEdge{e, false}, WireHalfEdge{e, true}}) {

@@ -2,8 +2,9 @@
 // Runs: the fine wire edges that one coarse edge replaces.
 //
 // A run is unrolled into the plane with the mean turning of its two sides. The chord connects the ends of the unrolled
-// run; the coarse edge has its length. The surface angles at the ends change by the angles between the chord and the
-// end edges. They also change by the difference between the turning of a side and the mean, mostly at the nearer end.
+// run; the coarse edge is as long as the chord. The surface angles at the ends change by the angles between the chord
+// and the end edges. The surface angles also change by the difference between the turning of a side and the mean,
+// mostly at the nearer end.
 #pragma once
 
 #include <vector>
@@ -20,11 +21,11 @@ struct WireRun {
   double one_sided[2] = {0, 0};  // how far a side turns more than the mean of both, at the first and the last vertex
 };
 
-/// Divides all wires into runs at the vertices that are kept. Wires must not meet or end at other vertices. The runs
-/// are not unrolled yet. stays: one flag per chart vertex.
+/// Returns the runs into which the kept vertices divide all wires. Wires must not meet or end at other vertices. The
+/// runs are not unrolled yet. stays: one flag per chart vertex.
 std::vector<WireRun> find_wire_runs(const Chart& chart, const WireNetwork& network, const std::vector<char>& stays);
 
-/// Sets all fields of a run from its half-edges. node_at_arrival: as returned for the network.
+/// Sets all fields of a run from its half-edges. node_at_arrival: result of nodes_at_arrival() for the network.
 void unroll(const WireNetwork& network, const std::vector<int>& node_at_arrival, WireRun& run);
 
 }  // namespace wirewarp

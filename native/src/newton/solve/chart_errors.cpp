@@ -50,8 +50,8 @@ std::vector<int> small_faces(const Chart& chart) {
   return small;
 }
 
-/// Returns the error of a chart whose lengths no shape has. It names all faces and, if it ended the search, the limit
-/// of factorizations.
+/// Returns the error of a chart for which no shape with all lengths was found. The error names all faces. If the limit
+/// of factorizations ended the search, the error names this limit, too.
 FlattenError infeasible(const Chart& chart, ErrorArguments arguments, ErrorElements elements, const Options& options,
                         bool ran_out) {
   if (ran_out) arguments["max_factorizations"] = options.max_factorizations;
@@ -135,9 +135,9 @@ std::optional<FlattenError> elastic_outline(const Chart& chart, const std::vecto
   ErrorArguments arguments = arguments_of_wires(wires, indices);
   arguments["name"] = "method";
   arguments["value"] = "wirewarp++";
-  arguments["allowed"] = "be refined if wires along seams and outlines have a tolerance, as here " +
+  arguments["allowed"] = "be refined, or along seams and outlines " +
                          name_wires(indices, std::get<std::vector<std::string>>(arguments["wire_names"])) +
-                         "; or give these a tolerance of 0 and an ease";
+                         " must have an ease instead of a tolerance";
   return FlattenError(ErrorCode::invalid_option, std::move(arguments),
                       {{}, {edges.begin(), edges.end()}, chart.source_face});
 }

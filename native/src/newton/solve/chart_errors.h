@@ -13,7 +13,7 @@ namespace wirewarp {
 /// Returns the error of a piece that was not flat when the caller stopped.
 FlattenError cancelled();
 
-/// Adds seams to the error of a closed chart, or of one with handles. Returns any other error unchanged.
+/// Adds seams to the error of a closed chart, or of a chart with handles. Returns any other error unchanged.
 FlattenError with_proposed_seams(FlattenError error, std::vector<VertexPair> proposed_seams);
 
 /// Returns the error of an outline that is too short to enclose the piece (surface/charts/isoperimetric.h).
@@ -41,7 +41,7 @@ FlattenError needs_refinement(const Chart& chart);
 std::optional<FlattenError> elastic_outline(const Chart& chart, const std::vector<Wire>& wires);
 
 /// Returns the error of a chart for which a factorization broke down. If its faces differ too much in size, the error
-/// names the small ones.
+/// names the small faces.
 FlattenError not_solvable(const Chart& chart);
 
 /// Returns the error of a chart in which rounding errors leave no path for the helper wires of the paper's methods. The

@@ -84,7 +84,7 @@ bool GroupSolver::take_common_shapes(const std::vector<std::size_t>& members, Bu
 }
 
 /// Replaces a folded shape with an injective shape whose seams have the same lengths. Returns false, and keeps the
-/// folded shape, if none is found.
+/// folded shape, if no injective shape is found.
 bool GroupSolver::replace_folded(std::size_t member, Budget& budget) {
   if (stop_.is_stopped()) return false;
   const auto& [chart, solved, is_nominal, lengths] = group_[member];

@@ -38,12 +38,13 @@ class GroupSolver {
     std::vector<char> is_folded = {};  // per chart, if solved: flipped or overlapping
   };
 
-  /// renews_limit: whether each attempt may spend Options::max_factorizations, however many a chart spent before.
+  /// renews_limit: whether each attempt may spend Options::max_factorizations, whatever a chart spent before.
   GroupSolver(const std::vector<GroupMember>& group, const Run& run, const StopToken& stop, bool renews_limit,
               RefineInjective refine_injective);
 
-  /// Finds the common lengths and the shapes of all charts, or the shape of one chart alone. Together, keeps the shapes
-  /// from before if all charts are nominal and a chart is folded although no chart was folded before.
+  /// Finds the common lengths and the shapes of all charts, or the shape of one chart alone. Folded charts are flipped
+  /// or overlap themselves. If all charts are nominal, none was folded before, and one is folded now, all charts keep
+  /// their shapes from before.
   Outcome solve(std::optional<std::size_t> alone = std::nullopt);
 
   /// Returns the chart as it was before the stage.
@@ -64,7 +65,7 @@ class GroupSolver {
   std::vector<SolvedChart> before_;
 };
 
-/// Replaces the layout of a chart, and the lengths of its wires.
+/// Sets the layout of a chart and the lengths of its wires to a new shape.
 void take_shape(Shape& shape, const GroupMember& member);
 
 }  // namespace wirewarp

@@ -49,7 +49,7 @@ void report_next_refinement(const Solution& solution, bool was_stopped, PieceRep
 void report_fixed_seams(PieceReport& report) {
   if (report.termination == Termination::cancelled) return;
   report.warnings.push_back(
-      "No good shapes were found with other lengths of the elastic seams: they keep their nominal lengths.");
+      "The elastic seams keep their nominal lengths, because no good shapes were found with other lengths.");
   report.termination = Termination::stalled;
 }
 

@@ -36,7 +36,7 @@ FlattenError explain_infeasible(Problem& problem, const Run& run, SolutionStatus
   return infeasible_wires(chart, run.input.wires, run.options, std::move(found.tolerances), ran_out);
 }
 
-/// Solves by WireWarping or WireWarping++: the wires first, then the surface (II).
+/// Solves by WireWarping or WireWarping++: the wires first, then the surface (paper II).
 std::optional<FlattenError> flatten_by_warping(const Chart& chart, const Run& run, Budget& budget,
                                                const StopToken& stop, SolvedChart& solved) {
   std::map<std::string, double>& seconds = solved.report.seconds;
@@ -48,13 +48,13 @@ std::optional<FlattenError> flatten_by_warping(const Chart& chart, const Run& ru
   WireNetwork network;
   {
     const StageTimer timer(seconds, "wires");
-    split = process_topology(chart, stop.in("wires"));  // III
+    split = process_topology(chart, stop.in("wires"));  // paper III
     network = build_wire_network(split ? *split : chart);
   }
   const Chart& prepared = split ? *split : chart;
   stop.in("interior").check();
   const StopToken at_lengths = stop.in("lengths");
-  std::optional<Warp> warp;  // ψ (II-A)
+  std::optional<Warp> warp;  // ψ (paper II-A)
   {
     const StageTimer timer(seconds, "interior");
     warp.emplace(prepared, network, run.options.node_weight, run.options.inner, at_lengths);
@@ -62,7 +62,7 @@ std::optional<FlattenError> flatten_by_warping(const Chart& chart, const Run& ru
   }
   const StageTimer timer(seconds, "lengths");
   const VariationBounds bounds = variation_bounds(prepared, run.options);
-  OuterSolution solution = choose_variation(prepared, *warp, bounds);  // II-B, Algorithm 1
+  OuterSolution solution = choose_variation(prepared, *warp, bounds);  // paper II-B, Algorithm 1
   report_solution(solution, solved.report);
   if (!solution.shape.inner.is_feasible) {
     const StopToken in_no_other_stage([&](const char*) { return at_lengths.may_go_on(); });

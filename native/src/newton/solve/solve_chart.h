@@ -23,11 +23,11 @@ struct Run {
   ProposeSeams propose_seams;  // empty if errors are not shown and therefore need no seams
 };
 
-/// Returns the layout of a chart with a mesh, or its error. budget: for all trials of the chart together; earlier
-/// trials may have spent a part. Errors name Options::max_factorizations, which the user set.
+/// Returns the layout of a chart, or its error. The chart must have faces. budget: for all trials of the chart
+/// together; earlier trials may have spent a part. Errors name Options::max_factorizations, which the user set.
 SolvedChart solve_chart(const Chart& chart, const Run& run, Budget& budget, const StopToken& stop);
 
-/// Calls Run::propose_seams; returns no seams if that is empty.
+/// Returns the seams that Run::propose_seams finds, or no seams if Run::propose_seams is empty.
 std::vector<VertexPair> seams_for(const Chart& chart, const Run& run, const StopToken& stop);
 
 /// Adds proposed seams to a layout that is flipped or overlaps itself, unless the caller stops.

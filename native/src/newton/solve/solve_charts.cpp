@@ -37,8 +37,8 @@ InternalOptions on_the_way(InternalOptions options) {
 }
 
 /// Frees the elastic seams of a group. If no common lengths are found, solves each chart completely at h = ease. If
-/// that fails too, the chart keeps its shape, and its report says so. A chart without a shape at h = ease gets the
-/// error of that search.
+/// this fails, too, the chart keeps its shape, and its report says so. A chart without a shape at h = ease gets an
+/// error that says why.
 void free_elastic_seams(const std::vector<GroupMember>& group, const Run& run, const StopToken& stop) {
   const StopToken in_shape = stop.in("shape");
   GroupSolver solver(group, run, in_shape, false, [&](std::size_t k, Budget& budget) {
@@ -54,7 +54,7 @@ void free_elastic_seams(const std::vector<GroupMember>& group, const Run& run, c
     }
     const FixedSeams fixed(member.chart);
     SolvedChart& solved = member.solved;
-    if (!member.is_nominal) {  // without a shape, solve it again to find the error
+    if (!member.is_nominal) {  // without a shape, solve the chart again to find the error
       Budget budget(run.options.max_factorizations);
       budget.spend(solved.report.factorizations);
       solved = in_shape.is_stopped() ? cancelled_chart() : solve_chart(member.chart, run, budget, in_shape);
@@ -74,7 +74,7 @@ void free_elastic_seams(const std::vector<GroupMember>& group, const Run& run, c
 /// Several charts with common elastic seams, for the refined method.
 struct Group {
   std::vector<int> charts;
-  bool is_known = false;  // its solution came from the cache
+  bool is_known = false;  // whether its solutions came from the cache
 };
 
 class ChartsSolver {
@@ -184,7 +184,7 @@ class ChartsSolver {
     session_.keep(members(group), solved);
   }
 
-  /// Adds what the result needs of a chart with a layout, and drops what only later stages need.
+  /// Builds the wire network of a chart with a layout for the result. Drops the multipliers, which no later stage uses.
   void complete(std::size_t c) {
     solved_[c].multipliers.resize(0);
     if (solved_[c].uv.rows() > 0) solved_[c].network = build_wire_network(charts_[c]);
@@ -202,7 +202,7 @@ class ChartsSolver {
   std::vector<Group> groups_;  // groups of several charts
   std::vector<SolvedChart> solved_;
   std::vector<const Group*> group_of_chart_;  // null: the chart is its own group
-  std::vector<char> is_nominal_;              // solved with its elastic seams at h = ease
+  std::vector<char> is_nominal_;              // whether solved with its elastic seams at h = ease
 };
 
 }  // namespace

@@ -66,7 +66,7 @@ class StretchedGroup {
 
   Stage stage_of_cloth(Injectivity injectivity) const { return {&*run_.options.cloth, nullptr, injectivity}; }
 
-  /// Minimizes without overlaps on the way, from the shape before the stage.
+  /// Minimizes from the shape before the stage, without overlaps on the way.
   Solution refine_without_overlap(std::size_t k, Budget& budget) const {
     if (!solver_.was_good(k)) return {};
     const SolvedChart& before = solver_.before(k);
@@ -93,7 +93,7 @@ class StretchedGroup {
     }
   }
 
-  /// Returns a layout with the stretched lengths, in the plane of the stretched fabric.
+  /// Returns a layout with the stretched lengths, in the plane of the stretched fabric; nullopt if no layout is found.
   std::optional<Positions2> start_from_scratch(std::size_t k, Budget& budget) const {
     Chart stretched = group_[k].chart;
     set_stretched_lengths(group_[k], stretched);
@@ -107,8 +107,8 @@ class StretchedGroup {
     return found.shape.uv * group_[k].lengths.flat_share.cwiseInverse().asDiagonal();
   }
 
-  /// Finds the shape for solve_faulty(). Returns false if none was found. Sets ran_out if the limit of factorizations
-  /// ended a solver.
+  /// Finds the shape for solve_faulty(). Returns false if no shape was found. Sets ran_out if the limit of
+  /// factorizations ended a solver.
   bool refine_faulty(std::size_t k, const std::vector<double>& variation, bool& ran_out) {
     if (stop_.is_stopped()) return false;
     SolvedChart& one = group_[k].solved;
@@ -204,8 +204,8 @@ std::vector<double> variation_of_mates(const GroupMember& member, const std::vec
   return variation;
 }
 
-/// Solves a coupled group. flipped: its charts that are flipped without the stretch; they use the common lengths that
-/// the others find.
+/// Solves a coupled group. flipped: its charts that are flipped without the stretch; they use the common lengths of
+/// the other charts.
 void stretch_group(const std::vector<GroupMember>& others, const std::vector<GroupMember>& flipped, const Run& run,
                    const StopToken& stop) {
   if (!others.empty()) StretchedGroup(others, run, stop).solve();

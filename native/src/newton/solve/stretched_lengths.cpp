@@ -13,7 +13,8 @@
 namespace wirewarp {
 namespace {
 
-// Largest difference between the sides of a seam, over their length, that can be eased in. Larger ones are reported.
+// Largest difference between the sides of a seam, over their length, that can be eased in. Larger differences are
+// reported.
 constexpr double kReportedDifference = 0.01;
 
 /// Returns the edges whose flat lengths depend on the stretch: edges of the outline and of fixed or elastic wires,
@@ -89,10 +90,10 @@ std::vector<std::vector<std::string>> warn_of_sides(const Charts& charts, const 
     if (lengths.size() < 2) continue;
     const auto [least, most] = std::minmax_element(lengths.begin(), lengths.end());
     if (*most - *least <= kReportedDifference * *most) continue;
-    const std::string warning = "The cloth's stretch would make the sides of the seam along " +
-                                name_elements("edge", seam.edges) + " " + percent(1 - *most / length_3d) + " to " +
-                                percent(1 - *least / length_3d) +
-                                " shorter, as they run in different directions: both are cut by the mean.";
+    const std::string warning =
+        "The fabric's stretch would make the sides of the seam along " + name_elements("edge", seam.edges) + " " +
+        percent(1 - *most / length_3d) + " to " + percent(1 - *least / length_3d) +
+        " shorter, because they run in different directions. Both sides are cut with the mean length.";
     for (const Seam::Side& side : seam.sides) {
       std::vector<std::string>& own = warnings[side.chart];
       if (own.empty() || own.back() != warning) own.push_back(warning);

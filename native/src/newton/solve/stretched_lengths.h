@@ -2,9 +2,10 @@
 // The lengths of flat pieces for a fabric that is stretched when worn (Cloth::stretch). An edge at the angle ψ from the
 // weft, in the layout without the stretch, gets the flat length
 //
-//   L = l √(cos²ψ / (1 + c_weft)² + sin²ψ / (1 + c_warp)²),
+//   L = l √(cos²ψ / (1 + c_weft)² + sin²ψ / (1 + c_warp)²)
 //
-// The sides of a seam use the mean of their ratios, so that their lengths stay equal. An edge with an ease keeps its
+// where l is its length on the surface, and c_weft and c_warp are the stretch in both directions of the fabric. The
+// sides of a seam use the mean of their ratios L / l, so that their lengths stay equal. An edge with an ease keeps its
 // eased length.
 #pragma once
 
@@ -27,7 +28,7 @@ struct StretchedLengths {
   std::vector<std::vector<std::string>> warnings;  // per chart: seams whose sides would shrink differently
 };
 
-/// solved: upright layouts without the stretch.
+/// Returns the stretched lengths and warnings of all charts. solved: upright layouts without the stretch.
 StretchedLengths find_stretched_lengths(const Charts& charts, const std::vector<SolvedChart>& solved,
                                         const Cloth& cloth);
 

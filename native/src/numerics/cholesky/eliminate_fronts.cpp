@@ -20,7 +20,7 @@ int rows_alike(const int* target, int i, int num_rows) {
 }
 
 /// Adds columns begin to end of kRows rows to columns target[begin] to target[end - 1]. `to` starts at first_column.
-/// Rows of a tile are 4 apart.
+/// Columns of a tile are 4 numbers apart.
 template <int kRows>
 void add_rows(const double* from, const int* target, int begin, int end, double* to, int first_column) {
   for (int j = begin; j < end; ++j) {

@@ -17,7 +17,7 @@ bool has_avx2() {
   unsigned saved = 0, high = 0;
   __asm__("xgetbv" : "=a"(saved), "=d"(high) : "c"(0));
   constexpr unsigned kWideRegisters = 0b110;          // the bits of SSE and AVX
-  return (saved & kWideRegisters) == kWideRegisters;  // the system saves them when it switches threads
+  return (saved & kWideRegisters) == kWideRegisters;  // the system saves these when it switches threads
 }
 #else
 bool has_avx2() { return false; }

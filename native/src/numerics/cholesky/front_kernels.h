@@ -5,7 +5,7 @@
 //   row tile t   m ... m+r-1 (below)  tiles (t, 0) to (t, m-1)      of L₂₁   ⎭
 //   row tile t   0 ... r-1            tiles (t, 0) to (t, t)        of the Schur complement, row by row
 //
-// So every sum over pivots reads memory in order, for both factors of a product L Lᵀ, and no data is copied for it.
+// So every sum over pivots reads memory in order, for both factors of a product L Lᵀ, and no data is copied for this.
 // Incomplete tiles are padded: pivots by the identity, rows below by zeros.
 #pragma once
 
@@ -33,7 +33,7 @@ static constexpr std::size_t panel_row(int t, int m) {
   return t < m ? triangle_size(t) : triangle_size(m) + static_cast<std::size_t>(t - m) * static_cast<std::size_t>(m);
 }
 
-/// One set of kernels. They allocate nothing and access only their arguments.
+/// One set of kernels, which allocate nothing and access only their arguments.
 struct FrontKernels {
   /// Replaces [A₁₁; A₂₁] by [L₁₁; L₂₁] with L₁₁ L₁₁ᵀ = A₁₁, L₂₁ = A₂₁ L₁₁⁻ᵀ, and S by S − L₂₁ L₂₁ᵀ. Returns false
   /// immediately at a pivot that is not a positive finite number.

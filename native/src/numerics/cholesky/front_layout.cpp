@@ -61,8 +61,8 @@ class Builder {
     if (static_cast<std::size_t>(count) != num_vertices) refuse("a vertex is missing");
   }
 
-  /// Sorts the entries of the matrix by front. An entry belongs to the front of whichever of its two vertices is
-  /// eliminated first.
+  /// Sorts the entries of the matrix by front. An entry belongs to the front of its vertex that is eliminated
+  /// first.
   void sort_entries_by_front() {
     entry_start_.assign(num_fronts() + 1, 0);
     const auto front_of = [this](int row, int column) {
@@ -107,8 +107,8 @@ class Builder {
     if (front.parent != -1) children_of_[front.parent].push_back(node);
   }
 
-  /// Lists the pivots of a front and then, in elimination order, the vertices that the pivots or the children's rows
-  /// couple with.
+  /// Lists the pivots of a front. Then lists, in elimination order, the other vertices that are coupled with the pivots
+  /// or are rows of the children.
   void add_vertices(int node) {
     std::vector<int>& vertices = layout_.vertices;
     for (int v : tree_.nodes[node].vertices) {

@@ -16,15 +16,15 @@ namespace wirewarp {
 /// One supernode. Its vertices are its pivots, then its rows; each has unknowns_per_vertex consecutive unknowns.
 struct Front {
   int parent;             // -1 at a root
-  int first_vertex;       // in FrontLayout::vertices
-  int num_pivots;         // vertices
-  int num_rows;           // vertices
-  int num_own_rows;       // vertices: those first rows that are pivots of fronts in the same share of subtrees
-  int pivot_tiles;        // m
-  int row_tiles;          // r
-  int first_entry;        // in FrontLayout::entries; the next front's value is the end
-  int first_child;        // in FrontLayout::children
-  int first_row;          // in FrontLayout::rows_in_parent
+  int first_vertex;       // index into FrontLayout::vertices
+  int num_pivots;         // number of vertices
+  int num_rows;           // number of vertices
+  int num_own_rows;       // number of first rows whose vertices are pivots in the same share of subtrees
+  int pivot_tiles;        // m: number of row tiles of pivots
+  int row_tiles;          // r: number of row tiles below
+  int first_entry;        // index into FrontLayout::entries; the next front's value is the end
+  int first_child;        // index into FrontLayout::children
+  int first_row;          // index into FrontLayout::rows_in_parent
   std::size_t panel = 0;  // index of the first tile among all panels
   std::size_t schur = 0;  // index of the first tile in the space for Schur complements
 
@@ -48,7 +48,7 @@ struct FrontLayout {
   std::vector<int> vertices;  // pivots and rows of all fronts, each in elimination order; rows that are not a front's
                               // own are indices into shared_vertices
   std::vector<int> rows_in_parent;  // parent's row of each unknown of each front's rows
-  std::vector<int> children;        // fronts
+  std::vector<int> children;        // children of each front
   std::vector<MatrixEntry> entries;
   std::vector<int> front_of_vertex;  // front in which each vertex is a pivot
   std::size_t panel_tiles = 0;
@@ -66,7 +66,7 @@ struct FrontLayout {
   }
 };
 
-/// Computes the layout. lower: the lower triangle, compressed. keeps_root: whether the last node of the tree is not
+/// Returns the layout. lower: the lower triangle, compressed. keeps_root: whether the last node of the tree is not
 /// eliminated. Throws std::invalid_argument if the tree does not match the matrix.
 FrontLayout lay_out_fronts(const Eigen::SparseMatrix<double>& lower, const DissectionTree& tree,
                            int unknowns_per_vertex, bool keeps_root = false);

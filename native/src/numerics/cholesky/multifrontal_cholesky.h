@@ -27,36 +27,38 @@ class MultifrontalCholesky {
  public:
   /// Analyzes a pattern and allocates all memory that factorize needs. lower: the lower triangle, compressed. Unknowns
   /// k v to k v + k - 1 belong to vertex v of the tree's graph, k = unknowns_per_vertex. in_threads: whether two
-  /// threads work on independent subtrees; factor and solutions are the same to the last bit. keeps_root: whether the
-  /// unknowns of the tree's last node are not eliminated (schur_complement()). Throws std::invalid_argument if the tree
-  /// does not contain each vertex once or does not separate vertices that are coupled in `lower`.
+  /// threads work on independent subtrees; factor and solutions are the same to the last bit as in one thread.
+  /// keeps_root: whether the unknowns of the tree's last node are not eliminated, see schur_complement(). Throws
+  /// std::invalid_argument if the tree does not contain each vertex once or does not separate vertices that are coupled
+  /// in `lower`.
   MultifrontalCholesky(const Eigen::SparseMatrix<double>& lower, const DissectionTree& tree, int unknowns_per_vertex,
                        bool in_threads = false, const FrontKernels& kernels = fastest_kernels(),
                        bool keeps_root = false);
-  MultifrontalCholesky(const MultifrontalCholesky&) = delete;  // substitution_ refers to layout_
+  MultifrontalCholesky(const MultifrontalCholesky&) = delete;  // not copied: substitution_ refers to layout_
   MultifrontalCholesky& operator=(const MultifrontalCholesky&) = delete;
 
   /// Factors new values on the same pattern. Returns false, without a factor, if the matrix is not positive definite (a
   /// pivot is not a positive finite number) or if the caller stops. Throws std::invalid_argument if the number of
-  /// entries differs.
+  /// entries differs from the analyzed pattern.
   [[nodiscard]] bool factorize(const Eigen::SparseMatrix<double>& lower, const StopToken& stop = {});
 
   /// Returns the Schur complement of A for the unknowns of the kept root. At these unknowns, forward substitution
   /// returns the right-hand side of the reduced system, and back substitution expects its solution.
   Eigen::MatrixXd schur_complement() const;
 
-  /// b := A⁻¹ b, right-hand sides in columns, four at a time. Throws std::logic_error without a factor.
+  /// b := A⁻¹ b. The columns of b are right-hand sides, of which four are solved at a time. Throws std::logic_error
+  /// without a factor.
   void solve_in_place(Eigen::Ref<Eigen::MatrixXd> b) const;
 
-  /// Sets of fronts for the substitutions below.
+  /// Return sets of fronts for the substitutions below.
   FrontSet fronts_reaching(const std::vector<int>& vertices) const { return substitution_.fronts_reaching(vertices); }
   FrontSet others(const FrontSet& fronts) const { return substitution_.others(fronts); }
   const FrontSet& all() const { return substitution_.all(); }
 
   /// First half of a solution: b := L⁻¹ b, where b is zero except at pivots of the given fronts.
   void substitute_forward(Eigen::Ref<Eigen::MatrixXd> b, const FrontSet& nonzero) const;
-  /// Second half: b := L⁻ᵀ b at pivots of the wanted fronts. These must include their ancestors, or a call for the
-  /// ancestors must come before.
+  /// Second half: b := L⁻ᵀ b at pivots of the wanted fronts. If these do not include all their ancestors, an earlier
+  /// call must have solved for the ancestors.
   void substitute_back(Eigen::Ref<Eigen::MatrixXd> b, const FrontSet& wanted) const;
 
  private:

@@ -108,7 +108,7 @@ class Dissection {
     cover_.separate(cut, side_);
   }
 
-  /// Marks the halves in one direction and the vertices at their cut.
+  /// Marks the halves in one direction and the vertices at their cut. Returns the size of the cut.
   Cut halve(Iterator begin, Iterator end, const std::array<double, 2>& direction) {
     const auto middle = keys_.begin() + (end - begin) / 2;
     const auto last = std::transform(begin, end, keys_.begin(), [&](int v) {

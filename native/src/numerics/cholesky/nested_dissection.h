@@ -28,10 +28,10 @@ struct DissectionTree {
   std::vector<Node> nodes;  // in postorder: descendants directly before their ancestor
 };
 
-/// Bisects each connected part recursively at the median of a coordinate, in the best of four directions, down to
-/// leaves of at most 16 vertices. A separator is the smallest set of vertices that contains an end of every edge
-/// between the halves. positions: one finite row per vertex; poor positions (for example, all equal) cause fill, not
-/// errors. Vertices beyond the last row form the root above all others.
+/// Returns the tree of separators. Bisects each connected part recursively at the median of a coordinate, in the best
+/// of four directions, down to leaves of at most 16 vertices. A separator is the smallest set of vertices that contains
+/// an end of every edge between the halves. positions: one finite row per vertex; poor positions (for example, all
+/// equal) cause fill, not errors. Vertices without a row form the root above all other nodes.
 DissectionTree nested_dissection(const Graph& graph, const Positions2& positions);
 
 }  // namespace wirewarp

@@ -5,12 +5,12 @@
 
 namespace wirewarp {
 
-/// Fills all_fronts with subtrees of about equal work. Splits subtrees at the top as long as that shortens the whole
-/// run.
+/// Fills all_fronts with subtrees of about equal work. Splits heavy subtrees at their roots if this shortens the
+/// elimination.
 void partition_subtrees(FrontLayout& layout);
 
 /// Fills Front::schur and schur_tiles. Each share of subtrees has two stacks, and so do the ancestors: a Schur
-/// complement is pushed on one stack while those of its children are popped from the other.
+/// complement is pushed on one stack, while the Schur complements of the children are popped from the other stack.
 void place_schur_complements(FrontLayout& layout);
 
 /// Fills shared_vertices and Front::num_own_rows, and replaces the other rows with their indices in shared_vertices.

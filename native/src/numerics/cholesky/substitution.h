@@ -14,7 +14,7 @@ namespace wirewarp {
 
 class Substitution {
  public:
-  /// layout and kernels must outlive this.
+  /// layout and kernels must outlive this object.
   Substitution(const FrontLayout& layout, bool in_threads, const FrontKernels& kernels);
 
   /// Returns the fronts that contain the given vertices, with all their ancestors; others() returns the complement.
@@ -24,8 +24,8 @@ class Substitution {
 
   /// b := L⁻¹ b, where b is zero except at pivots of the given fronts. factor: the panels of all fronts.
   void forward(const Tile* factor, Eigen::Ref<Eigen::MatrixXd> b, const FrontSet& nonzero) const;
-  /// b := L⁻ᵀ b at pivots of the wanted fronts. These must include their ancestors, or a call for the ancestors must
-  /// come before.
+  /// b := L⁻ᵀ b at pivots of the wanted fronts. If these do not include all their ancestors, an earlier call must have
+  /// solved for the ancestors.
   void back(const Tile* factor, Eigen::Ref<Eigen::MatrixXd> b, const FrontSet& wanted) const;
 
  private:

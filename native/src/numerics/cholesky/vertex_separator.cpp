@@ -8,8 +8,8 @@ namespace wirewarp {
 VertexSeparator::VertexSeparator(const Graph& graph)
     : graph_(graph), partner_(graph.num_vertices(), -1), via_(partner_.size()), seen_(partner_.size(), 0) {}
 
-/// The vertices that a failed search visited cannot be reached by later searches. Their upper vertices cover the edges
-/// between them, and the lower vertices cover all other edges.
+/// The vertices that a failed search visited cannot be reached by later searches. The visited upper vertices cover all
+/// edges of visited vertices, and the lower vertices that were not visited cover all other edges.
 void VertexSeparator::separate(const std::vector<int>& cut, std::vector<Side>& side) {
   for (int v : cut) {
     if (side[v] != Side::lower_cut || match(v, side)) continue;
@@ -23,8 +23,8 @@ void VertexSeparator::separate(const std::vector<int>& cut, std::vector<Side>& s
   }
 }
 
-/// Searches breadth first for an augmenting path: from a lower vertex to an upper one without partner, alternately
-/// along edges outside and inside the matching. Augments the matching along it.
+/// Searches breadth first for an augmenting path: from a lower vertex to an upper vertex without a partner,
+/// alternately along edges outside and inside the matching. Augments the matching along this path.
 bool VertexSeparator::match(int vertex, const std::vector<Side>& side) {
   ++search_;
   lower_met_ = {vertex};

@@ -11,7 +11,8 @@ namespace wirewarp {
 enum class Side : char { outside, lower, lower_cut, upper, upper_cut, separator };
 
 /// Finds the smallest set of vertices that contains an end of every edge across a cut. By König's theorem (D. König,
-/// Graphok és mátrixok, 1931), a maximum matching of these edges has the same number of edges, and leads to the set.
+/// Graphok és mátrixok, 1931), a maximum matching of these edges has as many edges as the set has vertices, and
+/// determines the set.
 class VertexSeparator {
  public:
   explicit VertexSeparator(const Graph& graph);
@@ -24,8 +25,8 @@ class VertexSeparator {
   bool match(int vertex, const std::vector<Side>& side);
 
   const Graph& graph_;
-  std::vector<int> partner_;  // in the matching; -1: none
-  std::vector<int> via_;      // the lower vertex from which a search reached an upper one
+  std::vector<int> partner_;  // partner in the matching; -1: none
+  std::vector<int> via_;      // the lower vertex from which a search reached an upper vertex
   std::vector<int> seen_;     // the last search that reached the vertex
   int search_ = 0;
   std::vector<int> lower_met_, upper_met_;  // visited by the current search

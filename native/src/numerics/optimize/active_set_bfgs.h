@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Algorithm 1 of the paper: BFGS with an active set of bounds, for any function in a box.
 //
-// Each step minimizes the quadratic model of the function over the box, so iterates never leave it: the paper's penalty
-// terms are always zero, and its final projection changes nothing.
+// Each step minimizes the quadratic model of the function over the box, so iterates never leave the box. The paper's
+// penalty terms are therefore always zero, and its final projection changes nothing.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,7 +16,7 @@ struct ValueAndGradient {
   Eigen::VectorXd gradient;
 };
 
-/// Returns nullopt if the function is not defined at x. The line search then shortens the step.
+/// Returns nullopt at a point x for which the function is not defined. The line search then shortens the step.
 using BoxFunction = std::function<std::optional<ValueAndGradient>(const Eigen::VectorXd& x)>;
 
 struct BoxMinimum {
@@ -28,9 +28,10 @@ struct BoxMinimum {
 };
 
 /// Minimizes the function from a start in the box. Never returns a value above the start's. Throws
-/// std::bad_optional_access if the function is not defined at the start. lower < upper, both finite. tolerance:
-/// relative. The function is called at most max_evaluations times. hessian: positive definite estimate at the start;
-/// the default is a multiple of the identity.
+/// std::bad_optional_access if the function is not defined at the start. lower must be below upper, and
+/// both must be finite. tolerance: smallest predicted decrease that is worthwhile, over the value. The function is
+/// called at most max_evaluations times. hessian: positive definite estimate at the start; the default is a multiple of
+/// the identity.
 BoxMinimum minimize_in_box(const BoxFunction& function, const Eigen::VectorXd& lower, const Eigen::VectorXd& upper,
                            const Eigen::VectorXd& start, double tolerance, int max_evaluations,
                            const std::optional<Eigen::MatrixXd>& hessian = {});
