@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Finds Eigen and OpenMesh: as installed, otherwise as tagged releases.
+# Finds installed copies of Eigen and OpenMesh, or downloads tagged releases.
 #   eigen_headers       include folder
 #   wirewarp_openmesh   target with the headers, and with the library if it is installed
-#   openmesh_sources    if it is not installed: its half-edge mesh, which is compiled into our library
+#   openmesh_sources    if OpenMesh is not installed: the sources of its half-edge mesh, compiled into our library
 # FETCHCONTENT_SOURCE_DIR_EIGEN and FETCHCONTENT_SOURCE_DIR_OPENMESH name folders with the sources, which are used
-# instead of installed ones. The source package for PyPI contains both.
+# instead of installed copies. The source package for PyPI contains the sources of both libraries.
 include(FetchContent)
 
 FetchContent_Declare(
@@ -19,7 +19,7 @@ FetchContent_Declare(
   GIT_REPOSITORY https://gitlab.vci.rwth-aachen.de:9000/OpenMesh/OpenMesh.git
   GIT_TAG OpenMesh-11.0
   GIT_SHALLOW ON
-  SOURCE_SUBDIR built-by-us  # does not exist either: OpenMesh's own build makes much that we do not need
+  SOURCE_SUBDIR built-by-us  # does not exist either, because OpenMesh's own build makes much that we do not need
 )
 set(inside ${CMAKE_CURRENT_SOURCE_DIR}/libraries)
 if(EXISTS ${inside})
@@ -49,6 +49,6 @@ else()
   set(core ${openmesh_SOURCE_DIR}/src/OpenMesh/Core)
   file(GLOB openmesh_sources ${core}/Mesh/*.cc ${core}/Utils/BaseProperty.cc ${core}/System/omstream.cc)
   set_source_files_properties(${openmesh_sources} PROPERTIES COMPILE_OPTIONS -w
-                              COMPILE_DEFINITIONS "NOMINMAX;_USE_MATH_DEFINES")  # as in its own build for Windows
-  target_include_directories(wirewarp_openmesh SYSTEM INTERFACE ${core}/../..)  # SYSTEM: their headers cause warnings
+                              COMPILE_DEFINITIONS "NOMINMAX;_USE_MATH_DEFINES")  # as OpenMesh builds it for Windows
+  target_include_directories(wirewarp_openmesh SYSTEM INTERFACE ${core}/../..)  # SYSTEM: the headers cause warnings
 endif()

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Installs the library with `cmake --install`, so that find_package(wirewarp) finds the target wirewarp::wirewarp.
-# It needs no other library: it contains OpenMesh, unless an installed one was used, and comes with the Eigen headers
-# that it was compiled with.
+# The installed library needs no other library. It contains OpenMesh, unless an installed OpenMesh was used, and comes
+# with the Eigen headers that it was compiled with.
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
 
@@ -13,7 +13,7 @@ if(NOT openmesh_sources)
   target_link_libraries(wirewarp PRIVATE $<INSTALL_INTERFACE:OpenMeshCore>)
 endif()
 configure_file(cmake/wirewarp-config.cmake.in wirewarp-config.cmake @ONLY)
-write_basic_package_version_file(wirewarp-config-version.cmake COMPATIBILITY SameMinorVersion)  # while it is 0.x
+write_basic_package_version_file(wirewarp-config-version.cmake COMPATIBILITY SameMinorVersion)  # while at 0.x
 
 # Wheels only contain the component `wirewarp`.
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME development)

@@ -76,7 +76,7 @@ void factorize(benchmark::State& state, bool in_threads, const FrontKernels& ker
   const Springs springs(state);
   reset_peak_memory();
   MultifrontalCholesky cholesky = springs.analyze(in_threads, kernels);
-  bool stable = cholesky.factorize(springs.lower);  // the first run also waits for the system to provide memory
+  bool stable = cholesky.factorize(springs.lower);  // not measured: also waits for the system to provide memory
   for (auto _ : state) stable = cholesky.factorize(springs.lower) && stable;
   if (!stable) throw std::domain_error("the springs are not stable");
   state.counters["peak_MB"] = peak_memory_mb();
@@ -138,7 +138,7 @@ BENCHMARK(cholesky_factor_two_threads)->Apply(sizes)->UseRealTime();
 BENCHMARK(cholesky_factor_plain)->Apply(sizes);
 BENCHMARK(cholesky_solve)->Apply(columns);
 
-// A million triangles would take Eigen more than a minute.
+// Eigen would need more than a minute for a million triangles.
 void smaller_sizes(benchmark::internal::Benchmark* cholesky) {
   cholesky->ArgName(kTriangles)->Arg(10'000)->Arg(100'000)->Unit(benchmark::kMillisecond);
 }

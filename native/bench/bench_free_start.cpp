@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Measures the free ARAP flattening from two starts: the embedding in a circle, as in the refined method, and the rigid
-// shape, as for h0 in WireWarping++. Also measures the embedding alone.
+// Measures the free ARAP flattening from two starts: the embedding in a circle, as in the refined method, and the shape
+// with rigid wires, as for h0 in WireWarping++. Also measures the embedding alone.
 #include <benchmark/benchmark.h>
 
 #include "bench_sheet.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Measures one evaluation of the shape error E(ψ(h)), and its gradient with respect to h, for increasing numbers of
-// wires. The sheet is almost flat, so Eq. (1) is solved in few steps. On other sheets, an evaluation takes longer, but
-// a gradient does not.
+// wires. The sheet is almost flat, so Eq. (1) is solved in few steps. On a sheet with higher bumps, an evaluation takes
+// longer, but a gradient does not.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -15,7 +15,7 @@ namespace {
 constexpr double kHeight = 0.01;
 constexpr double kVariation = 1e-4;  // relative change of the lengths
 
-/// A warp after its first use, so that one-time work is done.
+/// A Warp after its first use, so that the measurements do not contain work that is done only once.
 struct BenchWarp {
   explicit BenchWarp(const benchmark::State& state)
       : sheet(state, kHeight),

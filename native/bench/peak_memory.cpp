@@ -17,7 +17,7 @@ void reset_peak_memory() {
 double peak_memory_mb() {
   std::ifstream status("/proc/self/status");
   for (std::string line; std::getline(status, line);) {
-    if (line.rfind("VmHWM:", 0) == 0) return std::stod(line.substr(6)) / 1024;  // written in kB
+    if (line.rfind("VmHWM:", 0) == 0) return std::stod(line.substr(6)) / 1024;  // the file has kilobytes
   }
   throw std::runtime_error("/proc/self/status has no VmHWM");
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The arguments that flatten(), start() and measure() share. Each function throws FlattenError: invalid_type for a
-// wrong type, and the core's errors for values.
+// Reads the arguments that most functions of the module share. Each function throws FlattenError: invalid_type for a
+// wrong type, and the core's errors for wrong values.
 #pragma once
 
 #include "bind.h"

@@ -52,7 +52,7 @@ void check_kind(const py::array& array, py::handle value, const std::string& nam
   throw wrong_type(name, wanted, found);
 }
 
-/// Checks that rows have the given shape; an empty list has no rows. Throws invalid_shape.
+/// Throws invalid_shape unless all rows have the given shape. An empty list has no rows.
 void check_rows(const py::array& array, const std::string& name, const std::vector<py::ssize_t>& row) {
   if (array.ndim() == 1 && array.size() == 0) return;
   if (array.ndim() == static_cast<py::ssize_t>(row.size()) + 1 &&

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// wirewarp.Cache, which keeps solved pieces for the next run.
+// Binds wirewarp.Cache, which keeps solved pieces for the next run.
 #include "wirewarp/cache.h"
 
 #include "bind.h"

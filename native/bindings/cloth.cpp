@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// wirewarp.Cloth: checked when it is created, immutable afterwards.
+// Binds wirewarp.Cloth, which is checked when it is created and cannot be changed afterwards.
 #include "wirewarp/cloth.h"
 
 #include "arrays.h"
@@ -59,7 +59,7 @@ void bind_cloth(py::module_& module) {
       },
       py::arg("name"), "Returns the label, description and source of the preset with this name, as a dict.");
   record.def_static("presets", &preset_names,
-                    "Returns the names that preset() accepts; new ones are added at the end.");
+                    "Returns the names that preset() accepts. New names are added at the end.");
   record.def(py::pickle(
       [](const Cloth& cloth) {
         return py::make_tuple(cloth.weft, cloth.warp, cloth.shear, cloth.squeeze, cloth.stretch, cloth.locking,

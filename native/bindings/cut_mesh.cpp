@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// wirewarp.SurfacePath and wirewarp.cut_mesh: lines across triangles, and meshes with these lines as edges.
+// Binds wirewarp.SurfacePath and wirewarp.cut_mesh: lines across triangles, and meshes with these lines as edges.
 #include "wirewarp/cut_mesh.h"
 
 #include <pybind11/eigen.h>
@@ -42,16 +42,17 @@ constexpr const char* kCutDoc =
     R"(Divides triangles so that lines on the surface become edges, for example seams for flatten().
 
 The surface does not change: each new vertex is on an edge or in a triangle of the input. Vertices keep their numbers,
-and new ones follow. Faces keep their orientation. Faces without a path keep their number; a divided face leaves its
-number to one of its parts, and its other parts come last. Paths may cross each other.
+and new vertices follow. Faces keep their orientation. Faces without a path keep their number. One part of a divided
+face keeps the number of the face, and its other parts come last. Paths may cross each other.
 
 paths: a list of SurfacePath. Consecutive points must be in one triangle, so a path has a point on each edge it crosses.
-snap: 0.0001 to 0.25. To avoid slivers, a point moves if it is nearer to something than this: to an edge if the
-    barycentric coordinate of the opposite corner is less, to a vertex if the share of the other end of their edge is
-    less, and to another point if all their coordinates differ by less. A snapped path does not move again.
+snap: 0.0001 to 0.25. To avoid slivers, points move in three cases. A point moves to an edge if the barycentric
+    coordinate of the opposite corner is less than snap. A point on an edge moves to an end if the weight of the other
+    end is less than snap. A point moves to another point if all their coordinates differ by less than snap. A snapped
+    path does not move again.
 
-Returns (vertices, faces, edges, sources). edges (k, 2) are those of the paths in order, one path after the other, each
-edge once. With sources, a CutSources, the attributes of the new mesh are
+Returns (vertices, faces, edges, sources). edges (k, 2) are the edges of the paths in order, one path after the other,
+each edge once. With sources, a CutSources, the attributes of the new mesh are
     (sources.vertex_weights[:, :, None] * of_vertices[sources.vertices]).sum(axis=1),
     of_faces[sources.faces], and
     np.einsum("fij,fjk->fik", sources.corner_weights, of_corners[sources.faces]) for of_corners (m, 3, d).

@@ -9,8 +9,8 @@
 
 namespace wirewarp::bindings {
 
-/// Returns the comment on "Struct", "Struct.field" or "Enum.0", the first enumerator. Throws std::logic_error if it
-/// does not exist.
+/// Returns the comment on "Struct", "Struct.field" or "Enum.0", the first enumerator. Throws std::logic_error if there
+/// is no such comment.
 const char* doc_of(const std::string& name);
 
 /// Returns the docstring of an enum field: the meaning of the field and of each string.

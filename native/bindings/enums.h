@@ -61,7 +61,7 @@ Enum value_of(const std::string& name, const Named<Enum> (&names)[N]) {
   for (const Named<Enum>& entry : names) {
     if (entry.name == name) return entry.value;
   }
-  throw std::invalid_argument("'" + name + "' is no known value");
+  throw std::invalid_argument("'" + name + "' is not a known value");
 }
 
 }  // namespace wirewarp::bindings

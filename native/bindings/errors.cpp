@@ -51,7 +51,7 @@ FlattenError from_python_error(py::handle error) {
   const std::vector<ErrorCode>& codes = all_error_codes();
   const auto code =
       std::find_if(codes.begin(), codes.end(), [&](ErrorCode known) { return describe(known).name == name; });
-  if (code == codes.end()) throw py::value_error("'" + name + "' is no error code of this version of wirewarp");
+  if (code == codes.end()) throw py::value_error("'" + name + "' is not an error code of this version of wirewarp");
   ErrorElements elements{error.attr("vertices").cast<std::vector<int>>(),
                          error.attr("edges").cast<std::vector<VertexPair>>(),
                          error.attr("faces").cast<std::vector<int>>(),
@@ -76,7 +76,7 @@ void bind_errors(py::module_& module) {
         }
         return result;
       },
-      "Name of every error code -> (meaning, remedy, arguments), in declaration order.");
+      "Returns a dict: name of every error code -> (meaning, remedy, arguments), in declaration order.");
   py::register_local_exception_translator(raise_flatten_error);
 }
 

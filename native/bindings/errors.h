@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// FlattenError between C++ and Python. The Python class lives in the package, beside this module.
+// Converts FlattenError between C++ and Python. The package beside this module defines the Python class.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -14,10 +14,10 @@ namespace py = pybind11;
 /// Returns the name of the package from which this module was imported: "wirewarp", or longer if an add-on bundles it.
 std::string package_name();
 
-/// Returns the Python FlattenError with the same contents.
+/// Returns a Python FlattenError with the contents of a C++ FlattenError.
 py::object to_python_error(const FlattenError& error);
 
-/// Returns the C++ FlattenError with the contents of a Python one.
+/// Returns a C++ FlattenError with the contents of a Python FlattenError.
 FlattenError from_python_error(py::handle error);
 
 /// Binds the table from which the package makes its ErrorCode, and the translator that raises FlattenError.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// wirewarp.flatten and wirewarp.measure: read the arrays, release the GIL, run the core.
+// Binds wirewarp.flatten and wirewarp.measure, which read the arrays, release the GIL and run the core.
 #include "wirewarp/flatten.h"
 
 #include "arguments.h"
@@ -50,18 +50,18 @@ seams: (k, 2) vertex pairs along which the surface is cut.
 wires: Wire objects. A wire along a seam or outline sets the length of that section, on all its sides.
 eases: Ease objects: sides that are longer than the sides they are sewn to.
 options: Options; None for the defaults.
-progress: called as progress(stage, fraction). Returning False cancels the pieces that are not flat yet; in the first
-    stage, "charts", and in the last, "measure", and if flat pieces take long to measure, it cancels all pieces. An
-    exception cancels and is raised again. It is always called in the calling thread.
-cache: a Cache: pieces that did not change since its last run are not solved again.
+progress: called as progress(stage, fraction), always in the calling thread. Returning False cancels the pieces that are
+    not flat yet. It cancels all pieces in the first stage, "charts", in the last stage, "measure", and if flat pieces
+    take long to measure. An exception cancels the run and is raised again.
+cache: a Cache. Pieces that did not change since the last run with this cache are not solved again.
 
 Raises FlattenError if the input is not a mesh with seams and wires. If a region cannot be flattened, its Piece.error is
 the FlattenError, and the other pieces are not affected.)";
 
 constexpr const char* kMeasureDoc =
-    R"(Measures and checks a flattening made elsewhere, as flatten() does.
+    R"(Measures and checks a flattening from any program, by the same rules as flatten().
 
-Nothing is solved: a million triangles take about a second, and there is no progress to cancel.
+Nothing is solved: a million triangles take about a second, and the call cannot be canceled.
 
 corner_uv: (m, 3, 2) flat position of each corner of each face, scene units; returned unchanged.
 The other arguments are those of flatten().)";

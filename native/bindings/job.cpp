@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// wirewarp.Job, and wirewarp.start, which runs flatten() as a job.
+// Binds wirewarp.Job, and wirewarp.start, which runs flatten() as a job.
 #include "job.h"
 
 #include <optional>
@@ -20,7 +20,7 @@ constexpr std::chrono::milliseconds kSignalPeriod(50);
 }  // namespace
 
 Job::Job(Work work, py::object used) : work_(std::move(work)), used_(std::move(used)) {
-  // Registered here, because Python may end before the thread starts.
+  // The work is registered in this thread, because Python may end before the new thread starts.
   thread_ = std::thread([this, running = std::make_unique<RunningWork>()] { run(); });
 }
 
@@ -93,7 +93,7 @@ void Job::wait() {
 bool Job::wait_for(std::chrono::milliseconds time) {
   const py::gil_scoped_release no_gil;
   std::unique_lock lock(mutex_);
-  // Waits by the system clock: the steady clock needs glibc 2.30.
+  // Waits by the system clock, because waiting by the steady clock needs glibc 2.30.
   return ended_->wait_until(lock, std::chrono::system_clock::now() + time, [this] { return is_done_; });
 }
 
@@ -112,8 +112,8 @@ std::unique_ptr<Job> start(const py::object& vertices, const py::object& faces, 
 constexpr const char* kJobDoc =
     R"(A run of the core in its own thread, while Python continues.
 
-start(), start_darts(), start_seams(), start_plan() and start_simplify() return one. A job without references is
-canceled and waited for, also when Python ends.)";
+start(), start_darts(), start_seams(), start_plan() and start_simplify() return a Job. If the last reference to a job is
+deleted, or if Python ends, the job is canceled, and Python waits for its end.)";
 
 constexpr const char* kStartDoc =
     R"(Starts flatten() with these arguments and returns a Job immediately.
@@ -126,12 +126,12 @@ void bind_job(py::module_& module) {
   py::class_<Job> job(module, "Job", py::module_local(), kJobDoc);
   job.attr("__module__") = package_name();
   job.def("progress", &Job::progress,
-          "(stage, fraction): the last progress reported, as to the callback of the call; ('', 0.0) before the first "
-          "report.");
-  job.def("cancel", &Job::cancel, "Cancels unfinished work as soon as the core checks for it.");
+          "Returns (stage, fraction), the last progress that the run reported; ('', 0.0) before the first report.");
+  job.def("cancel", &Job::cancel, "Cancels unfinished work as soon as the core checks for cancellation.");
   job.def("is_done", &Job::is_done, "Returns whether result() would return immediately.");
   job.def("result", &Job::result,
-          "Waits for the result and returns it. Raises the exception of the call; Ctrl-C cancels and is raised.");
+          "Waits for the result and returns it. Raises the exception of the run. Ctrl-C cancels the run and raises "
+          "KeyboardInterrupt.");
   job.def("__repr__", [](const Job& self) { return "Job(" + std::string(self.is_done() ? "done" : "running") + ")"; });
   job.def("__reduce_ex__", [](const Job&, int) -> py::object {
     throw py::type_error("a Job cannot be copied or pickled: its thread runs in this process");

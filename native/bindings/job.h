@@ -56,15 +56,15 @@ class Job {
   const py::object used_;
   const int num_forks_ = num_forks();
   std::atomic<bool> cancelled_{false};
-  mutable std::mutex mutex_;  // guards the next four members
+  mutable std::mutex mutex_;  // guards is_done_, stage_ and fraction_; ended_ waits with it
   std::unique_ptr<std::condition_variable> ended_ = std::make_unique<std::condition_variable>();
   bool is_done_ = false;
   std::string stage_;
   double fraction_ = 0;
-  MakeResult make_result_;  // this and the next are written before is_done_ is set, and read afterwards
+  MakeResult make_result_;  // make_result_ and error_ are written before is_done_ is set, and read afterwards
   std::exception_ptr error_;
   py::object python_result_;
-  std::thread thread_;  // the last member, because the thread uses all others
+  std::thread thread_;  // the last member, because the thread uses all other members
 };
 
 /// Returns work whose result is the value that `find` returns. find: called with a Progress.

@@ -6,7 +6,7 @@
 
 PYBIND11_MODULE(in_main_interpreter, module) {
   using namespace wirewarp::bindings;
-  module.doc() = "The compiled part of wirewarp; use the package.";
+  module.doc() = "The compiled part of wirewarp. Import the package instead.";
   module.attr("__version__") = WIREWARP_VERSION;
   bind_errors(module);
   bind_cloth(module);
@@ -23,7 +23,8 @@ PYBIND11_MODULE(in_main_interpreter, module) {
   bind_running_calls();
 }
 
-/// pybind11 would wait forever for the GIL of the main interpreter, which the caller of a subinterpreter holds.
+/// Refuses subinterpreters. In a subinterpreter, pybind11 would wait forever for the GIL of the main interpreter, which
+/// the caller holds.
 PYBIND11_PLUGIN_IMPL(_wirewarp) {
   if (PyInterpreterState_Get() != PyInterpreterState_Main()) {
     PyErr_SetString(PyExc_ImportError, "wirewarp works in the main interpreter alone, not in a subinterpreter");

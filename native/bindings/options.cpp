@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// wirewarp.Options: the enums as strings, every value checked when it is set.
+// Binds wirewarp.Options. Enums are strings in Python, and every value is checked when it is set.
 #include "wirewarp/options.h"
 
 #include <cmath>
@@ -39,7 +39,7 @@ int read_whole_number(py::handle value, const std::string& name) {
   return static_cast<int>(number);
 }
 
-/// Sets an option, or leaves all options unchanged if the value is out of its range.
+/// Sets an option. If the value is out of its range, leaves all options unchanged and throws invalid_option.
 template <class Value>
 void set(Options& options, Value Options::*member, Value value) {
   Options changed = options;
@@ -73,7 +73,7 @@ std::optional<Cloth> read_cloth(py::handle value) {
   if (value.is_none()) return std::nullopt;
   if (py::isinstance<py::str>(value)) return cloth_preset(value.cast<std::string>()).cloth;
   if (py::isinstance<Cloth>(value)) return value.cast<Cloth>();
-  refuse("cloth", value, "None, a Cloth or the name of one");
+  refuse("cloth", value, "None, a Cloth or the name of a fabric");
 }
 
 /// Returns all options by name, as they are set.

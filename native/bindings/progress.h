@@ -17,8 +17,8 @@ class PythonProgress {
   /// callback: callable(stage, fraction) or None. Throws invalid_type.
   explicit PythonProgress(py::object callback);
 
-  /// Returns false to cancel: the callback returned something false other than None, or Python raised (including
-  /// Ctrl-C).
+  /// Returns false to cancel: the callback returned a false value other than None, or Python raised an exception, also
+  /// for Ctrl-C.
   bool report(const std::string& stage, double fraction);
 
   /// Raises the exception that Python raised during the run, if any. Needs the GIL.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// wirewarp.propose_darts, propose_seams, plan_cuts and simplify_seams, and the same as jobs: start_darts, start_seams,
-// start_plan and start_simplify.
+// Binds propose_darts, propose_seams, plan_cuts and simplify_seams, and the functions that run them as jobs:
+// start_darts, start_seams, start_plan and start_simplify.
 #include "wirewarp/propose.h"
 
 #include <memory>
@@ -27,26 +27,25 @@ constexpr const char* kDartsDoc =
 
 Each dart leads from the outline to a point inside, along smooth chains of edges, and does not cross wires. All figures
 come from flatten() with the edges of the dart as seams: flatten(..., seams=[*seams, *proposal.edges]). strain is the
-stretch in the report of such a run, for the piece or the worst of its num_pieces parts. For a dart that helps only
-together with its mirror image, strain_with_twin is below the strain before. Darts that leave 100% or more are not
-returned.
+stretch in the report of this run, for the worst of the num_pieces parts. If a dart helps only together with its mirror
+image, strain_with_twin is below strain_before. Darts that leave a strain of 100% or more are not returned.
 
-piece: index of the piece to cut in the result of flatten(); None: the one that gains most.
+piece: index of the piece to cut in the result of flatten(); None: the piece with the best cut.
 count: maximum number of proposals, with mirror images counted once.
-strain: accepted strain: pieces with no more (DartProposal.strain) are ignored; None for 0.005.
+strain: accepted strain; None for 0.005. Pieces with at most this strain (DartProposal.strain) are ignored.
 longest: maximum length of a cut on the surface, scene units; None for any length.
 no_seam: (k, 2) vertex pairs, edges along which no cut may run.
-smooth: True for darts that are smooth lines across triangles without corners, straight unless a bend gains clearly
-    more, and for the best one along edges if it leaves at least 5% less strain. A smooth dart has no edges:
-    vertices, faces, edges, sources = cut_mesh(vertices, faces, proposal.paths) makes them, and its figures are those of
-    flatten(vertices, faces, seams=[*seams, *edges]). Around its tip, the mean strain is at most 3% or that of the piece
-    without the dart.
-no_crossing: (k, 2) vertex pairs, edges that no smooth dart may cross or touch; darts along edges may.
-progress: called as progress("cuts", fraction); returning False cancels, which raises FlattenError.
+smooth: True for darts that are smooth lines across triangles without corners. They are straight unless a bend gains
+    clearly more. The best dart along edges is added if it leaves at least 5% less strain. A smooth dart has no edges.
+    To make them, call vertices, faces, edges, sources = cut_mesh(vertices, faces, proposal.paths). The figures are
+    those of flatten(vertices, faces, seams=[*seams, *edges]). Around the tip of a smooth dart, the mean strain is at
+    most 3%, or the strain of the piece without the dart if that is larger.
+no_crossing: (k, 2) vertex pairs, edges that no smooth dart may cross or touch. Darts along edges may touch them.
+progress: called as progress("cuts", fraction). Returning False cancels the search and raises FlattenError "cancelled".
 The other arguments are those of flatten().
 
 Raises the errors of flatten(); the error of the requested piece if it has no flat shape, with seams that fix it; and
-FlattenError "no_proposal" if a piece is flat already, has no room or gains nothing.)";
+FlattenError "no_proposal" if the piece is flat already, has no room for a cut, or gains nothing from a cut.)";
 
 constexpr const char* kSeamsDoc =
     R"(Returns seams across a piece, from outline to outline, that lower the stretch that it needs.
@@ -54,23 +53,26 @@ constexpr const char* kSeamsDoc =
 Arguments, figures and errors are those of propose_darts().
 
 Cut sets: a piece may have no flat shape because it lacks seams: it is closed (a ball), has handles, or its outline is
-too short (a tube). A flat shape with a strain of 1 or more and without wires inside does not count. Then each proposal is a
-set of seams and darts with which all parts have a flat shape. If no piece is requested, the largest one that lacks
-seams is cut. The first set brings every part to the accepted strain (None for 0.05) if at most forty cuts and their
-mirror images can do so. Each later set is shorter and leaves more strain. Sets are symmetric if the piece is, and may
-cross wires. For a set, edges has one line after the other, energy is that of all parts, strain that of the worst part,
-and longest limits the whole set; energy_before and strain_before are infinite. Pieces are not joined to one that covers
-less than 60% of its convex hull, and less of it than each of them does.
+too short (a tube). A flat shape with a strain of 1 or more counts as no flat shape, unless the piece has wires inside.
+Then each proposal is a set of seams and darts with which all parts have a flat shape. If no piece is requested, the
+largest piece that lacks seams is cut. The first set brings every part to the accepted strain (None for 0.05), unless
+more than forty cuts with their mirror images would be needed. Each later set is shorter and leaves more strain. Sets
+are symmetric if the piece is symmetric, and may cross wires.
 
-narrowest: least width of the flat pieces of a cut set, scene units; 0 for any width. Pieces are not joined to one that
-    is narrower than this, unless one of them is as narrow. Use a little more than twice the allowance: see
+For a set, edges has one line after the other, energy is the energy of all parts, and strain is the strain of the worst
+part. energy_before and strain_before are infinite. longest limits the length of the whole set. Pieces are not joined to
+a piece that covers less than 60% of its convex hull, and a smaller share of its hull than each of the joined pieces.
+
+narrowest: least width of the flat pieces of a cut set, scene units; 0 for any width. Pieces are not joined to a piece
+    that is narrower than this, unless one of them is equally narrow. Use a little more than twice the allowance: see
     pattern.piece_width() and pattern.has_room().
 smooth: True for sets of smooth lines, which turn by less than 30 degrees at each vertex between their ends. Lines keep
-    some bends, or their edges, if lines would meet, if more pieces would be narrower than narrowest, or if the strain
-    would more than double. The strain also stays within the accepted one, or within the least of its doubles that the
-    set along edges keeps: 0.05, 0.1, 0.2, and so on. A set keeps all its edges if more than half of its bends would remain. Smooth
-    sets have paths and no edges, as in propose_darts(). The sets keep the order that they have along edges, so a smooth
-    set may leave less strain than an earlier one. Seams across one piece always follow edges.
+    some bends, or stay on edges, if smoother lines would meet, make more pieces narrower than narrowest, or more than
+    double the strain. The strain also stays within the accepted strain, or within the smallest of 2, 4, 8, ... times
+    the accepted strain that is not below the strain of the set along edges. A set keeps all its edges if more than half
+    of its bends would remain. Smooth sets have paths and no edges, as in propose_darts(). The sets keep the order that
+    they have along edges, so a smooth set may leave less strain than an earlier set. Seams across one piece always
+    follow edges.
 no_crossing: (k, 2) vertex pairs, edges that no smooth line may cross. Smooth lines do not cross wires and edges of
     no_seam either.
 
@@ -88,20 +90,20 @@ constexpr const char* kStartSeamsDoc =
 After cancel(), result() returns the cut sets found by then.)";
 
 constexpr const char* kPlanDoc =
-    R"(Returns cuts to make in this order until the strain is low enough. Each cuts the worst piece that a cut helps.
+    R"(Returns cuts to make in this order until the strain is low enough. Each cut is in the worst piece that it helps.
 
 kind: "dart" or "seam", as in propose_darts() and propose_seams().
-strain: the target, 0.05 for 5%: pieces with no more (DartProposal.strain) are ignored.
+strain: the target, 0.05 for 5%. Pieces with at most this strain (DartProposal.strain) are ignored.
 most: maximum number of cuts, 1 or more; a cut set (see propose_seams()) counts as one.
 longest: maximum length of a cut on the surface, scene units; None for any length.
 total_length: maximum length of all cuts together on the surface, scene units; None for any length.
 piece: index of the only piece to cut, in the result of flatten(); None for any piece.
-twins: makes mirror images together if that is better and allowed. They count as two cuts, one after the other.
+twins: makes a cut together with its mirror image if both are better and allowed. They count as two consecutive cuts.
 no_seam: (k, 2) vertex pairs, edges along which no cut may run.
 The other arguments are those of flatten(); progress is called as in propose_darts().
 
-The figures of each cut and the number of its piece refer to the state with the earlier cuts; strain_left is the strain
-of the worst part with all of them. Fewer cuts than allowed mean that the target is met or that no further cut helps.
+The figures of each cut and the number of its piece refer to the model with all earlier cuts. strain_left is the strain
+of the worst part after the cut. If there are fewer cuts than allowed, the target is met or no further cut helps.
 Raises the errors of propose_darts() for the first cut, and FlattenError "no_proposal" if the target is met already.)";
 
 constexpr const char* kStartPlanDoc =
@@ -110,21 +112,21 @@ constexpr const char* kStartPlanDoc =
 constexpr const char* kSimplifyDoc =
     R"(Leaves out seams that a model can do without: fewer and larger pieces with little more stretch.
 
-Sections of seams, or parts of them, are removed one by one, the longest first. Without a section, the pieces
-beside it are joined. The section is left out only if flatten() finds a flat shape of the joined piece with at most the
-given strain, or at most the strain of the worst of these pieces with the given seams. Mirrored sections of a symmetric part between seams that remain are left out
-together.
+Sections of seams, or parts of them, are removed one by one, the longest first. Removing a section joins the pieces
+beside it. A section is removed only if flatten() finds a flat shape of the joined piece with at most the given strain,
+or with at most the strain that the worst of its pieces has with the given seams. If a part of the model between the
+remaining seams is symmetric, mirrored sections in this part are removed together.
 
-seams: those of a user or of any unwrapping tool, as flatten() takes them.
+seams: the seams of a user or of any unwrapping tool, in the form that flatten() accepts.
 strain: accepted strain (DartProposal.strain); 0.05 for 5%.
 progress: called as progress("cuts", fraction). If it returns False, the search ends with the seams that remain by then,
-    and was_stopped is True. FlattenError "cancelled" is raised only before the given seams have been flattened.
-The other arguments are those of flatten(), and every figure is of flatten(..., seams=proposal.edges).
+    and was_stopped is True. FlattenError "cancelled" is raised only before the model with the given seams is flat.
+The other arguments are those of flatten(). Every figure comes from flatten(..., seams=proposal.edges).
 
 Seams with an ease on one side and seams with three sides or more remain. So do the seams of a part of the model that
 has no flat shape for other reasons than missing seams, such as a Moebius strip.
 
-Raises what flatten() raises.)";
+Raises the errors of flatten().)";
 
 constexpr const char* kStartSimplifyDoc =
     R"(Starts simplify_seams() with these arguments and returns a Job immediately, like start().
@@ -175,7 +177,7 @@ auto find_now(const Find& find, const py::object& progress) {
   return proposals;
 }
 
-/// Returns propose() or plan() with these arguments, as a function of a Progress.
+/// Returns a function of a Progress that runs this search with these arguments.
 template <class Search, class Wanted>
 auto search_of(Search search, const py::object& vertices, const py::object& faces, const py::object& seams,
                const py::object& wires, const py::object& options, const py::object& eases, Wanted wanted) {
@@ -257,7 +259,7 @@ std::unique_ptr<Job> start_simplify(const py::object& vertices, const py::object
       work_that(search_of(simplify_seams, vertices, faces, seams, wires, options, eases, strain)));
 }
 
-/// own: further arguments, after those of the mesh.
+/// Defines a search in the module. own: further arguments, after the arguments that all searches have.
 template <class Function, class... Own>
 void define(py::module_& module, const char* name, Function function, const char* doc, const Own&... own) {
   module.def(name, function, py::call_guard<RunningCall>(), py::arg("vertices"), py::arg("faces"), py::kw_only(),
@@ -265,7 +267,7 @@ void define(py::module_& module, const char* name, Function function, const char
              py::arg("eases") = py::tuple(), own..., doc);
 }
 
-/// more: further arguments, after those that both functions have.
+/// Defines a search for proposals in the module. more: further arguments, after the arguments of all such searches.
 template <class Function, class... More>
 void define_proposals(py::module_& module, const char* name, Function function, const char* doc, const More&... more) {
   define(module, name, function, doc, py::arg("piece") = py::none(), py::arg("count") = CutOptions().count,

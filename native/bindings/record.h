@@ -78,7 +78,7 @@ inline void from_python(py::handle from, std::vector<VertexPair>& pairs) {
   for (const auto& row : matrix.rowwise()) pairs.push_back({row[0], row[1]});
 }
 
-/// Returns how pickle recreates a record, for any protocol: copyreg.__newobj__, the class, the state.
+/// Returns what pickle needs to recreate a record, for any protocol: copyreg.__newobj__, the class and the state.
 py::tuple record_reduce(const py::object& record, int protocol);
 
 /// Returns all fields in their order.
@@ -101,7 +101,7 @@ class Record : public py::class_<T> {
     const std::string module_name = py::str(module.attr("__name__"));
     this->attr("__module__") = module_name.substr(0, module_name.rfind('.'));
     this->attr("_fields") = py::list();
-    this->def("to_dict", &record_to_dict, "All fields as plain, JSON-able values; NaN and infinity become None.");
+    this->def("to_dict", &record_to_dict, "Returns all fields as plain values for JSON. NaN and infinity become None.");
     this->def("__repr__", &record_repr);
     this->def("__reduce_ex__", &record_reduce);
   }
@@ -123,8 +123,8 @@ class Record : public py::class_<T> {
         doc_of(own(name), enumeration, names));
   }
 
-  /// Adds a value that get(record, owner) returns, where owner is the Python object of the record; set(record, value)
-  /// restores it. doc: the documentation, needed if the header has no such member.
+  /// Adds a value that get(record, owner) returns, where owner is the Python object of the record. set(record, value)
+  /// restores the value from a pickle. doc: the documentation, needed if the header has no such member.
   template <class Get, class Set>
   Record& field(const char* name, Get get, Set set, const std::string& doc = "") {
     const std::string text = doc.empty() ? doc_of(own(name)) : doc;
@@ -137,7 +137,7 @@ class Record : public py::class_<T> {
   /// Makes records picklable from the values of all fields. Call it after the last field.
   Record& picklable() {
     this->def(py::pickle(&record_state, [setters = setters_](const py::tuple& state) {
-      if (state.size() != setters.size()) throw py::value_error("the pickle is of another version of wirewarp");
+      if (state.size() != setters.size()) throw py::value_error("the pickle is from another version of wirewarp");
       T record;
       for (std::size_t i = 0; i < setters.size(); ++i) setters[i](record, state[i]);
       return record;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The results of flatten() and measure(), field by field as in wirewarp/result.h.
+// Binds the results of flatten() and measure(), field by field as in wirewarp/result.h.
 #include <algorithm>
 
 #include "bind.h"
@@ -36,7 +36,7 @@ py::dict run_report(const FlattenResult& result) {
   return report;
 }
 
-/// Reads those entries of run_report() that are not in other fields.
+/// Reads the entries of run_report() that no other field contains.
 void read_run_report(FlattenResult& result, py::handle report) {
   result.method = report["method"].cast<std::string>();
   result.reused_pieces = report["reused_pieces"].cast<int>();
@@ -158,8 +158,8 @@ void bind_results(py::module_& module) {
       .field("wires", &FlattenResult::wires)
       .field(
           "report", [](const FlattenResult& result, py::handle) { return run_report(result); }, &read_run_report,
-          "method, numbers of pieces, failed_pieces, reused_pieces (taken from the cache) and faces, and seconds per "
-          "stage, summed over pieces that are solved side by side.")
+          "A dict with the method, the numbers pieces, failed_pieces, reused_pieces (taken from the cache) and faces, "
+          "and the seconds per stage, summed over pieces that are solved in parallel.")
       .picklable();
 }
 

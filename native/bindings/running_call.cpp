@@ -58,7 +58,7 @@ void forget_threads_of_parent() {
 }
 
 /// Number of nested calls in this thread: a call may run Python code that calls the module again. The end of Python
-/// waits for the outermost call, so an inner one must return.
+/// waits for the outermost call, so an inner call must return.
 thread_local int depth_of_calls = 0;
 
 /// If Python is ending, sleeps until the process ends, as Python 3.14 does with its daemon threads.

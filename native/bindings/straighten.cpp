@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// wirewarp.straighten_path: a smooth line beside a path of edges.
+// Binds wirewarp.straighten_path, which returns a smooth line beside a path of edges.
 #include "wirewarp/straighten.h"
 
 #include <pybind11/eigen.h>
@@ -31,15 +31,16 @@ py::tuple run_straighten(const py::object& vertices, const py::object& faces, co
 }
 
 constexpr const char* kStraightenDoc =
-    R"(Returns the shortest line through the triangles that touch a path of edges, with the same ends. It smooths darts.
+    R"(Returns the shortest line through the triangles that touch a path of edges, with the same ends, to smooth darts.
 
 path: vertices, each joined to the next by an edge that is not on a seam or outline. A future seam must not be among the
     seams yet.
 seams, wires: as in flatten(). The line meets them at the same vertices as the path.
 
 Returns (edges, t), one row for each point of the line, including its ends: edges (k, 2) vertices, t (k,) numbers. The
-point is vertices[edges[i, 0]] + t[i] (vertices[edges[i, 1]] - vertices[edges[i, 0]]), with t in [0.05, 0.95]: the line
-passes through a vertex that it would pass more closely. For a vertex, both numbers in its row are equal, and t is 0.
+point is vertices[edges[i, 0]] + t[i] (vertices[edges[i, 1]] - vertices[edges[i, 0]]), with t in [0.05, 0.95]. If the
+line would cross an edge closer to an end, it passes through this end. For a vertex, both numbers in its row are equal,
+and t is 0.
 
 Raises the errors of flatten() for the mesh, and FlattenError "invalid_option", which names the pair of vertices, if
 path does not follow edges.)";

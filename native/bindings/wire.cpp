@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// wirewarp.Wire and wirewarp.Ease: checked when they are created, immutable afterwards.
+// Binds wirewarp.Wire and wirewarp.Ease, which are checked when they are created and cannot be changed afterwards.
 #include <cmath>
 
 #include "arrays.h"
@@ -49,10 +49,10 @@ void bind_wire(py::module_& module) {
   Record<Wire> record(module, "Wire");
   record.def(py::init(&make_wire), py::call_guard<RunningCall>(), py::arg("vertices"), py::arg("tolerance") = 0.0,
              py::arg("name") = "", py::arg("ease") = 0.0,
-             "vertices: any sequence or array of whole numbers, consecutive ones joined by an edge; a closed wire "
-             "repeats its first. tolerance: 0 rigid, finite elastic, math.inf super-elastic. ease: the length asked "
-             "for is (1 + h) "
-             "times the 3D one, |h - ease| <= tolerance. Along a seam or outline all its sides have one h.");
+             "vertices: any sequence or array of whole numbers. An edge joins each vertex to the next. A closed wire "
+             "repeats its first vertex. tolerance: 0 for a rigid wire, a finite number for an elastic wire, math.inf "
+             "for a free wire. ease: the flat length is (1 + h) times the 3D length, with |h - ease| <= tolerance. "
+             "Along a seam or outline, all sides have the same h.");
   record.def(
       py::pickle([](const Wire& wire) { return py::make_tuple(wire.vertices, wire.tolerance, wire.name, wire.ease); },
                  [](const py::tuple& fields) { return make_wire(fields[0], fields[1], fields[2], fields[3]); }));

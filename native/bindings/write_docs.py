@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writes the comments of the public headers as a C++ table for Python's docstrings, so that there is one text for both.
+"""Writes the comments of the public headers as a C++ table, from which the Python module takes its docstrings.
 
 Usage: python write_docs.py OUTPUT HEADER...
 
-A struct or enum has the `///` comment above it. A field or enumerator has the `///` comment above or the `//` comment
-after it, with its continuation lines below. The table has "Struct", "Struct.field" and "Enum.0", "Enum.1", ...
+The text of a struct or enum is the `///` comment above it. The text of a field or enumerator is the `///` comment above
+it, or the `//` comment after it with the lines that continue it. The keys of the table are "Struct", "Struct.field" and
+"Enum.0", "Enum.1", ...
 """
 
 import re
@@ -47,8 +48,8 @@ def comments(header: str) -> Iterator[tuple[str, str]]:
 
 
 def sentence(text: str) -> str:
-    """Return the text in Python's style: members with a dot, a capital at the start unless it is a symbol, a final
-    period.
+    """Return the text in Python's style: members with a dot, a capital letter at the start unless the first word is a
+    symbol, and a final period.
     """
     text = text.replace("::", ".")
     if re.match(r"[a-z]{2}|a ", text):
@@ -61,7 +62,7 @@ def main() -> None:
     rows = [entry for header in headers for entry in comments(header.read_text())]
     lines = [f'    {{"{name}", R"doc({sentence(text)})doc"}},' for name, text in rows]
     text = "\n".join(["// Made by write_docs.py.", "constexpr Doc kDocs[] = {", *lines, "};", ""])
-    # An unchanged file is not written, because everything that includes it would be compiled again.
+    # An unchanged file is not written, because all sources that include it would be compiled again.
     if not (output.is_file() and output.read_text() == text):
         output.write_text(text)
 

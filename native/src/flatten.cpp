@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The pipeline, top-down; the mathematics is in the files it names. native/README.md maps the paper to them.
+// The pipeline from the input to the result. The mathematics is in the included files. native/README.md lists the file
+// for each part of the paper.
 #include "flatten.h"
 
 #include <stdexcept>
@@ -44,8 +45,8 @@ Charts cut(const Run& run, const EdgeTable& edges, ProgressReport& report, Secon
   return cut_into_charts(run.input, edges, stop.in("charts"));
 }
 
-/// Largest number of polls of a WorkMeter, at most about half a second, for which flat pieces are still measured after
-/// the caller canceled.
+/// After the caller cancels, flat pieces are still measured until a WorkMeter has polled this many times, which takes
+/// about half a second at most.
 constexpr int kQuestionsAfterCancel = 25;
 
 StopToken while_measuring(ProgressReport& report) {
@@ -80,7 +81,8 @@ FlattenResult flatten_cut(Charts charts, const Run& run, ProgressReport& report,
   return result;
 }
 
-/// Returns the result of a run that was stopped before or after all charts: no piece has a layout.
+/// Returns the result of a run that was stopped before its charts were solved or while they were measured. No piece has
+/// a layout.
 FlattenResult cancelled_result(const FlattenInput& input, const EdgeTable& edges) {
   const Charts charts = list_charts(input, edges, cancelled());
   return assemble_result(input, charts, std::vector<SolvedChart>(charts.charts.size(), cancelled_chart()), {});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The parts of flatten(), for searches and tests that need more than it returns.
+// The parts of flatten(), for searches and tests that need more than the result of flatten().
 #pragma once
 
 #include "base/internal_options.h"
@@ -12,7 +12,7 @@ namespace wirewarp {
 /// Throws FlattenError if flatten() refuses the whole input. The table keeps a reference to the input's faces.
 EdgeTable check_request(const FlattenInput& input, const Options& options);
 
-/// flatten() with internal options. All runs with one cache must use the same options.
+/// Does the same as flatten(), with internal options. All runs with one cache must use the same internal options.
 FlattenResult flatten_with(const FlattenInput& input, const InternalOptions& options, const Progress& progress = {},
                            Cache* cache = nullptr);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Measures and checks a flattening made elsewhere.
+// Measures and checks a flattening from any program.
 #include <algorithm>
 #include <limits>
 #include <map>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Compares expensive runs (many wires, fabrics, elastic seams) with plain runs. Prints a Markdown table with the
-// medians of alternating runs in user seconds, which depend little on other programs.
+// medians of alternating runs. Times are user seconds, which depend little on other programs.
 //
 //   wirewarp_cost_ratios [ROUNDS [PART_OF_A_NAME]]
 #include <sys/resource.h>
@@ -23,7 +23,7 @@ namespace wirewarp {
 namespace {
 
 constexpr double kTolerance = 0.03;
-constexpr int kPiece = 3'000, kNet = 40'000, kCached = 10'000, kSmallNet = 360;  // triangles, about
+constexpr int kPiece = 3'000, kNet = 40'000, kCached = 10'000, kSmallNet = 360;  // approximate numbers of triangles
 
 struct Comparison {
   std::string name;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Prints E(ψ(h)) and its exact derivative with respect to the length variation h of one wire part, for one part after
-// the other; h of all other parts is 0 (paper Fig. 3).
+// Prints E(ψ(h)) and its exact derivative with respect to the length variation h of one wire part. Does so for each
+// part in turn, with h = 0 for all other parts (paper Fig. 3).
 //
 //   wirewarp_error_curves PIECE LIMIT STEPS < SURFACE
 //
-// SURFACE contains numbers between blanks: the numbers of vertices, faces, seam edges and wires; the coordinates; the
-// vertex triples of faces; the vertex pairs of seam edges; and the wires, each as its number of vertices and these
+// SURFACE contains numbers separated by blanks: the numbers of vertices, faces, seam edges and wires; the coordinates;
+// the vertex triples of faces; the vertex pairs of seam edges; and for each wire, its number of vertices and its
 // vertices. PIECE is the number of a piece, in the order of flatten(). Prints a line "wire part h E dE/dh" for each of
 // STEPS + 1 values of h from -LIMIT to LIMIT and each wire part in the piece. E and its derivative are nan if ψ(h) does
 // not exist.

@@ -13,12 +13,12 @@ namespace wirewarp {
 ///   weft (f_weft − 1)² + warp (f_warp − 1)² + shear (f_weft f_warp sin γ)²
 ///
 /// where f is the worn length of a thread divided by its flat length, and γ is the angle by which weft and warp differ
-/// from a right angle. Only ratios of the stiffnesses count. For small strains, (1, 1, ½) is the isotropic energy of a
-/// run without a cloth.
+/// from a right angle. Only ratios of the stiffnesses count. With weft 1, warp 1 and shear ½, the energy of small
+/// strains equals the isotropic energy of a run without a cloth.
 struct Cloth {
   double weft = 1;     // stiffness of the threads across the grain; positive
   double warp = 1;     // stiffness of the threads along the grain; positive
-  double shear = 0.5;  // stiffness against shear; positive, small for wovens
+  double shear = 0.5;  // stiffness against shear; positive, small for woven fabrics
 
   /// Cost of compressing a thread divided by the cost of stretching it: above 1 if the material hardly compresses. In
   /// [0.01, 100].
@@ -27,27 +27,28 @@ struct Cloth {
   static constexpr double most_squeeze = 100;
 
   /// Negative ease: relative stretch of the cloth when worn, along weft and warp. 0.2 is 20%. The energy measures the
-  /// deviation from this state. Flat lengths are shorter accordingly, each by its direction, with both sides of a seam
-  /// alike. Dimensionless, in [-0.5, 4].
+  /// deviation from the worn state. Flat lengths are shorter according to the stretch in their direction. All sides of
+  /// a seam become shorter by the same factor. Dimensionless, in [-0.5, 4].
   std::array<double, 2> stretch = {0, 0};
   static constexpr double least_stretch = -0.5;
   static constexpr double most_stretch = 4;
 
   /// Angle γ in radians, in (0, π/2), above which threads press on each other. A larger γ adds the energy 10 max(weft,
-  /// warp) (|sin γ| − sin locking)². None: they never do.
+  /// warp) (|sin γ| − sin locking)². None: threads never press on each other.
   std::optional<double> locking;
 
-  /// Maximum strain along weft and warp, dimensionless and not negative. A piece that needs more in either direction
-  /// has a warning. None: not checked.
+  /// Maximum strain along weft and warp, dimensionless and not negative. A piece with more strain in either direction
+  /// gets a warning. None: the strain is not checked.
   std::optional<std::array<double, 2>> limits;
 
   /// Largest ratio of two stiffnesses. Real fabrics stay below 300.
   static constexpr double most_anisotropy = 1e4;
 };
 
-/// A fabric that can be chosen by its name. Its figures are for an ordinary fabric of this kind, so measure your own.
+/// A fabric that can be chosen by its name. Its figures are for an ordinary fabric of this kind, so measure your own
+/// fabric.
 struct ClothPreset {
-  std::string name;         // as in Options
+  std::string name;         // name for scripts: "woven"
   std::string label;        // name for users: "Woven Cotton"
   std::string description;  // one sentence
   Cloth cloth;              // with limits: its maximum stretch across and along the grain

@@ -8,35 +8,37 @@
 
 namespace wirewarp {
 
-using CornerWeights = Eigen::Matrix<double, Eigen::Dynamic, 9, Eigen::RowMajor>;  // m by (3 corners x 3 shares)
+using CornerWeights = Eigen::Matrix<double, Eigen::Dynamic, 9, Eigen::RowMajor>;  // m by (3 corners x 3 weights)
 
-/// The sources of the elements of a cut mesh, for the transfer of attributes of any kind.
+/// The input elements from which each element of a cut mesh was made. Use them to transfer attributes of any kind.
 struct CutSources {
   Triangles vertices;            // (n, 3) input vertices from which each vertex is interpolated
   Positions3 vertex_weights;     // (n, 3) their weights, which sum to 1
   std::vector<int> faces;        // (m,) input face that contains each face
-  CornerWeights corner_weights;  // (m, 3, 3) per corner of a face: the weights of the corners of that input face
-  std::vector<int> edge_paths;   // (k,) path to which each edge belongs
+  CornerWeights corner_weights;  // (m, 3, 3) for each corner of a face, the weights of the input face's corners
+  std::vector<int> edge_paths;   // (k,) index of the path to which each edge belongs
   std::vector<std::vector<int>> divided_edges;  // vertices along each divided edge of the input, including its ends
 };
 
 struct CutMesh {
-  Positions3 vertices;            // (n, 3) vertices of the input, then the new ones
+  Positions3 vertices;            // (n, 3) vertices of the input, then the new vertices
   Triangles faces;                // (m, 3) faces without a path keep their index; parts of divided faces come last
   std::vector<VertexPair> edges;  // (k, 2) edges of the paths in order, one path after the other, each edge once
   CutSources sources;
 };
 
 /// Divides triangles so that paths become edges. The surface does not change: each new vertex is on an edge or in a
-/// triangle of the input, and vertices keep their numbers. Faces keep their orientation, and a manifold remains one.
-/// Paths may cross, touch and follow each other and edges; a crossing becomes a vertex.
+/// triangle of the input, and vertices keep their numbers. Faces keep their orientation, and a manifold mesh remains a
+/// manifold. Paths may cross, touch and follow each other and edges. A crossing becomes a vertex.
 ///
-/// To avoid slivers, a point moves to an edge if the barycentric coordinate of the opposite corner is less than `snap`,
-/// to a vertex if the share of the other end of their edge is less, and to another point if all their coordinates
-/// differ by less. A line that passes a point within half of `snap` leads through it. snap is from 0.0001 to 0.25. With
-/// snap 0.05 and edges of 10 mm, a line moves by 1 mm at most. The parts of a triangle that a straight line crosses
-/// have at least snap (1 - snap) times its height, and the line does not move if it is cut again. Lines that meet at
-/// small angles leave smaller parts.
+/// To avoid slivers, points move in three cases. A point moves to an edge if the barycentric coordinate of the opposite
+/// corner is less than `snap`. A point on an edge moves to an end if the weight of the other end is less than `snap`. A
+/// point moves to another point if all their coordinates differ by less than `snap`. A line that passes a point within
+/// half of `snap` leads through this point.
+///
+/// snap is from 0.0001 to 0.25. With snap 0.05 and edges of 10 mm, a line moves by 1 mm at most. If a straight line
+/// crosses a triangle, the parts have at least snap (1 - snap) times the height of the triangle. Lines that meet at
+/// small angles leave smaller parts. A line that is cut again does not move.
 ///
 /// Throws empty_mesh, vertex_out_of_range, non_finite_coordinates, repeated_vertex_in_face, and invalid_option for a
 /// path that is not on the mesh, has two consecutive points without a common triangle, or is so short that its points

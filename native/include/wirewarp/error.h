@@ -15,7 +15,7 @@ namespace wirewarp {
 
 /// The kind of an error. describe(code) returns its meaning and remedy.
 enum class ErrorCode {
-  // Raised if the input is not a mesh with seams and wires. There is no result then.
+  // Raised if the input is not a mesh with seams and wires, or if an option is out of range. There is no result.
   invalid_shape,
   invalid_type,
   invalid_option,
@@ -31,7 +31,7 @@ enum class ErrorCode {
   invalid_ease,
   ease_without_side,
   side_in_two_eases,
-  // In the error of a piece. Other pieces are not affected.
+  // Stored in the error of a piece. Other pieces are not affected.
   repeated_vertex_in_face,
   repeated_face,
   zero_area_face,
@@ -92,10 +92,10 @@ struct ErrorElements {
 /// place and remedy. A program for other users makes its own sentence from the code, arguments and elements.
 class FlattenError : public std::runtime_error {
  public:
-  /// Makes an error, with a sentence from its other parts. with_layout: see has_layout.
+  /// Makes an error whose sentence describes the other arguments. with_layout: see has_layout.
   FlattenError(ErrorCode error_code, ErrorArguments details, ErrorElements named = {}, bool with_layout = false);
 
-  /// Makes an error with a given sentence, for example a stored one.
+  /// Makes an error with a given sentence, for example the sentence of a stored error.
   FlattenError(ErrorCode error_code, const std::string& message, ErrorElements named = {}, bool with_layout = false,
                ErrorArguments details = {})
       : std::runtime_error(message),

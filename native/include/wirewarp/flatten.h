@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The whole public API. flatten() makes flat pieces, and measure() measures and checks any flattening with the same
-// code.
+// The main header. flatten() makes flat pieces. measure() measures and checks a flattening from any program by the same
+// rules. The other headers in this folder suggest cuts, make them in the mesh and straighten their lines.
 //
-// The method is that of Y. Zhang and C. C. L. Wang, "WireWarping++: Robust and Flexible Surface Flattening With Length
-// Control", IEEE Transactions on Automation Science and Engineering. "Paper", equations and sections refer to it.
+// The library extends the method of Y. Zhang and C. C. L. Wang, "WireWarping++: Robust and Flexible Surface Flattening
+// With Length Control", IEEE Transactions on Automation Science and Engineering. In all comments, "paper" and the
+// numbers of equations and sections refer to this article.
 #pragma once
 
 #include <functional>
@@ -16,7 +17,8 @@
 namespace wirewarp {
 
 /// A measuring line: a chain of mesh edges. Its flat length is (1 + h) l with |h - ease| <= tolerance, where l is its
-/// length on the surface. Along a seam or outline, it sets the length of that section, equally on all sides.
+/// length on the surface. Along a seam or outline, the wire sets the length of its section of the seam or outline,
+/// equally on all sides.
 struct Wire {
   std::vector<int> vertices;  // (n,) each joined to the next by an edge; a closed wire repeats its first vertex
   double tolerance = 0;       // dimensionless; 0: rigid; finite: elastic; infinity: free, with any length
@@ -40,7 +42,7 @@ void check_ease(const Ease& ease);
 
 /// A triangle mesh, the seams that cut it and the wires on it.
 struct FlattenInput {
-  Positions3 vertices;  // magnitudes below 1e60
+  Positions3 vertices;  // coordinates with magnitudes below 1e60
   Triangles faces;
   VertexPairs seams;  // edges along which the surface is cut
   std::vector<Wire> wires;
@@ -51,15 +53,15 @@ class Cache;
 
 /// Called with the stage ("charts", "start", "shape", "wires", "interior", "lengths", "measure") and the fraction of
 /// the run in [0, 1], at regular intervals of work, whatever the number and size of the pieces. Returning false cancels
-/// the pieces that are not flat yet. In "charts", the first stage, and in "measure", the last one, it cancels all
-/// pieces. Pieces are solved on several cores, but only the thread that called flatten() makes this call.
+/// the pieces that are not flat yet. In the first stage, "charts", and in the last stage, "measure", returning false
+/// cancels all pieces. Pieces are solved on several cores, but only the thread that called flatten() makes this call.
 using Progress = std::function<bool(const std::string& stage, double fraction)>;
 
 /// Flattens every chart of the input and packs the pieces without overlap. Front faces have positive area. Throws
 /// FlattenError if the input is not a mesh with seams and wires, or if an option is out of range. If a chart cannot be
 /// flattened, its Piece contains the FlattenError, and the other pieces are not affected. With a cache
-/// (wirewarp/cache.h), charts that have not changed since its last run are not solved again. Safe to call from several
-/// threads.
+/// (wirewarp/cache.h), charts that have not changed since the last run with this cache are not solved again. Several
+/// threads may call this function at the same time.
 FlattenResult flatten(const FlattenInput& input, const Options& options = {}, const Progress& progress = {},
                       Cache* cache = nullptr);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How to flatten. These comments are also the docstrings of the Python package.
+// The options of flatten(). These comments are also the docstrings of the Python package.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@ namespace wirewarp {
 /// How wire lengths and the shape are found. Use the default unless you compare with the paper.
 enum class Method {
   wirewarping,         // paper II-A: all wires rigid, planar angles closest to the surface angles (Eq. 1)
-  wirewarp_plus_plus,  // paper II-B: the same, with the lengths of elastic wires chosen for the least distortion
+  wirewarp_plus_plus,  // paper II-B: as wirewarping, but elastic wires get the lengths with the least distortion
   refined,             // not in the paper: the least distorted shape with the requested lengths
 };
 
@@ -32,16 +32,16 @@ enum class Inner {
 /// How the pieces are placed.
 enum class PieceLayout {
   packed,  // packed into about a square
-  row,     // side by side on one line, from left to right in their order
+  row,     // side by side on one line, from left to right in the order of the pieces
 };
 
 /// Direction that is up in each piece.
 enum class Orientation {
-  wire,      // the wire Options::grain; without wires the longest chain of the outline
+  wire,      // the wire Options::grain; without wires, the longest chain of the outline
   boundary,  // the longest straight section of the outline, with the piece on its left
   up,        // Options::up: the direction in which the surface rises most on average; for level pieces, as for wire
   best,      // the direction with the least energy of the cloth; needs a cloth
-  grain,     // as for wire in pieces that the wire Options::grain crosses, as for up in the others
+  grain,     // as for wire in pieces that the wire Options::grain crosses, as for up in other pieces
 };
 
 /// Surface of a thick material that the input represents.
@@ -63,21 +63,25 @@ struct Options {
   static constexpr double least_fairness = 0.001;
   static constexpr double most_fairness = 10;
 
-  /// For the refined method: maximum number of Newton factorizations for a piece. A piece that reaches it keeps its
-  /// current shape. All starts and stages count: a coarser mesh, closed slits and elastic seams. A factorization of
-  /// pieces coupled by elastic seams counts for each of them. The count starts again for the stretch of a fabric, which
-  /// starts from the piece without stretch; for each coupled piece alone, if no stretched shapes with common lengths
-  /// are found; and for each piece that is flipped or overlaps itself without the stretch. The search for
-  /// contradicting wires has its own limits. >= 1.
+  /// For the refined method: maximum number of Newton factorizations for a piece. A piece that reaches this number
+  /// keeps its current shape. All starts and stages count: a coarser mesh, closed slits and elastic seams. A
+  /// factorization of pieces coupled by elastic seams counts for each of these pieces. The search for contradicting
+  /// wires has its own limits. >= 1.
+  ///
+  /// For a fabric that is stretched when worn, each piece is solved without the stretch first. The count starts again:
+  ///
+  /// - for the solution with the stretch
+  /// - for each coupled piece alone, if no stretched shapes with common lengths are found
+  /// - for each piece that is flipped or overlaps itself in its solution without the stretch
   int max_factorizations = 200;
 
   /// For the refined method: fabric that the pieces are cut from, with x along its weft and y along its warp. None: an
-  /// isotropic material, Eq. (4). The piece is first turned by orientation and then keeps this direction. Except
-  /// for best, two of its vertices define the direction.
+  /// isotropic material, Eq. (4). Each piece is first turned as Options::orientation says, and then keeps this
+  /// direction. Two vertices of the piece define the direction, except for Orientation::best.
   std::optional<Cloth> cloth;
 
   /// Thickness of the material in scene units, finite and at least 0. Bent material keeps its length in the middle of
-  /// its thickness. Therefore the middle surface is flattened, and all lengths and areas refer to it.
+  /// its thickness. Therefore, the middle surface is flattened, and all lengths and areas refer to the middle surface.
   double thickness = 0;
 
   Surface surface = Surface::inside;  // surface of the thick material that the input represents

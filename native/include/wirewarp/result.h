@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The result of a flattening. Indices refer to the input mesh unless a comment says "piece". Lengths are in scene
-// units, and NaN without a layout. These comments are also the docstrings of the Python package.
+// units. They are NaN for a piece without a layout (flat shape). These comments are also the docstrings of the Python
+// package.
 #pragma once
 
 #include <limits>
@@ -21,8 +22,8 @@ enum class WireKind {
   super_elastic,  // free: an infinite tolerance
 };
 
-/// Length of a whole wire, or of one part of it inside one piece. Parts end at seams and outlines. A part along a dart
-/// has a report for each side.
+/// Length of a whole wire, or of one part of a wire inside one piece. Parts end at seams and outlines. A part along a
+/// dart has a report for each side.
 struct WireReport {
   std::string name;                 // the wire's name
   int wire_index = -1;              // index into the input's wires
@@ -31,7 +32,7 @@ struct WireReport {
   double tolerance = 0;             // dimensionless, as in the input
   double length_3d = 0;             // on the surface, scene units
   double length_2d = 0;             // in the piece, scene units
-  double variation = 0;  // h, the relative change of length that the method chose: lengths are (1+h) times the 3D ones
+  double variation = 0;       // h, the chosen relative change of length: flat lengths are (1+h) times the 3D lengths
   double max_edge_error = 0;  // largest |l2 - (1+r)(1+h) l| / l of its edges, where r is the ease of their side
   std::vector<int> vertices;  // (n,) in order along the wire; a closed wire repeats its first vertex
 };
@@ -41,17 +42,17 @@ struct WireReport {
 struct HelperWire {
   double length_3d = 0;  // on the surface, scene units
   double length_2d = 0;  // in the piece, scene units
-  double variation = 0;  // h: its flat length is (1+h) times the 3D one
+  double variation = 0;  // h: the flat length is (1+h) times the 3D length
   Positions3 points_3d;  // (n, 3) on the surface, in order along the wire
   Positions2 points_2d;  // (n, 2) in the piece
 };
 
-/// One chain of a piece's outline between junctions: hem, neckline, armhole or one side of a seam.
+/// One chain of a piece's outline between junctions, such as a hem, a neckline or one side of a seam.
 struct BoundaryReport {
   std::vector<int> vertices;  // (n,) in order, with the piece on the left; a closed chain repeats its first vertex
   double length_3d = 0;       // on the surface, scene units
   double length_2d = 0;       // in the piece, scene units
-  double max_edge_error = 0;  // largest |l2 - (1+r)(1+h) l| / l of its edges
+  double max_edge_error = 0;  // largest |l2 - (1+r)(1+h) l| / l of its edges, as in WireReport
   std::optional<int> seam;    // index into FlattenResult::seams; none if the chain is not a seam
 };
 
@@ -61,14 +62,14 @@ struct SeamReport {
   std::vector<VertexPair> edges;  // (k, 2) in order along the chain
   double length_3d = 0;           // on the surface, scene units
   std::vector<double> length_2d;  // one per side, scene units; NaN without a layout
-  double variation = 0;       // h, one for all sides: the mean if a wire runs along a part of it; NaN if no side has a
-                              // layout
+  double variation = 0;  // h, the same for all sides: the mean over the seam if a wire runs along a part of the seam;
+                         // NaN if no side has a layout
   std::vector<double> eases;  // r, one per side: relative excess over (1+h) length_3d; NaN without a layout
   double mismatch = 0;  // largest difference of l2 / (1+r) between sides with a layout; NaN if fewer than two have one
 };
 
-/// Distortion of a piece (paper IV-A), on the triangles and edges of the input. Without a layout only area_3d is known,
-/// the other numbers are NaN, and the lists are empty.
+/// Distortion of a piece (paper IV-A), on the triangles and edges of the input. Without a layout, only area_3d is
+/// known. All other numbers are NaN, and the lists of edges and of faulty faces are empty.
 struct Metrics {
   double arap_energy = 0;             // Eq. (4) divided by the 3D area
   Eigen::VectorXd face_arap;          // (q,) Eq. (6), one per face; sums to arap_energy * area_3d
@@ -82,9 +83,9 @@ struct Metrics {
   std::vector<VertexPair> wire_edges;     // (e, 2) the edges of edge_length_variation, wires first, then the boundary
   Eigen::VectorXd edge_length_variation;  // (e,) E_L (Eq. 5) = |l0 - l| / l0, one per wire edge
   std::vector<int> flipped_faces;         // faces that are flipped in the piece
-  std::vector<int> overlapping_faces;     // faces that overlap other faces of the piece
-  double angle_deviation_rms = 0;         // root mean square of theta - alpha over the wire nodes, radians
-  double angle_deviation_max = 0;         // maximum of |theta - alpha|, radians
+  std::vector<int> overlapping_faces;     // faces that overlap other faces of the same piece
+  double angle_deviation_rms = 0;         // root mean square, over the wire-nodes, of flat minus surface angle, radians
+  double angle_deviation_max = 0;         // largest magnitude of flat minus surface angle, radians
   double area_3d = 0;                     // on the surface, square scene units
   double area_2d = 0;                     // in the plane, square scene units
 };
@@ -97,17 +98,17 @@ enum class Termination {
   measured,   // by measure(): nothing was solved
 };
 
-/// The solver's work on one piece, even if it failed.
+/// The solver's work on one piece, even if the solver failed.
 struct PieceReport {
   Termination termination = Termination::failed;  // how it ended
   std::string message;                            // one sentence
   std::vector<std::string> warnings;              // sentences
   std::string start;     // refined: start of the shape: "unfolded", "sewn" (slits closed first), "coarse", "free" (ARAP
                          // without wires), "wires" (wires flattened first), "injective" (nothing flipped at any
-                         // step). Empty: no shape was found, or another method
+                         // step). Empty: no shape was found, or the method is not refined
   int inner_solves = 0;  // factorizations of the inner problem (Eq. 1); refined: 0
   int outer_iterations = 0;      // steps over the lengths of wires; refined: steps from the start to the shape
-  int gradient_evaluations = 0;  // gradients of the shape error with respect to these lengths
+  int gradient_evaluations = 0;  // gradients of the shape error with respect to the lengths of wires
 
   /// Factorizations of the interior placement and free flattening. Refined: factorizations of the Newton systems of all
   /// starts, including those of a coarser mesh and of the piece with closed slits, as Options::max_factorizations
@@ -118,10 +119,10 @@ struct PieceReport {
   /// times the square root of the piece's area is added to each length. NaN: no shape was found, or nothing was solved.
   double constraint_residual = std::numeric_limits<double>::quiet_NaN();
 
-  /// Largest entry of the projected gradient at the end. For Eq. (1), nodes of mean length have weight 1; NaN for the
-  /// first feasible point. Refined: gradient of f + λᵀc for all pieces coupled by elastic seams. Its entries for
-  /// vertices are divided by the square root of their area, and those for h by the area. At bounds, only the part that
-  /// points inside counts. NaN otherwise.
+  /// Largest entry of the projected gradient at the end. For Eq. (1), nodes of mean length have weight 1; NaN for
+  /// Inner::least_norm. Refined: gradient of f + λᵀc for all pieces coupled by elastic seams. Entries for vertices are
+  /// divided by the square root of the 3D area, and entries for h by the 3D area. At bounds, only the part that points
+  /// inside counts. NaN otherwise.
   double projected_gradient = std::numeric_limits<double>::quiet_NaN();
 
   /// Refined: arap_energy, or cloth_energy with a cloth, plus the angle term and the barriers against flipped triangles
@@ -153,7 +154,7 @@ struct FlattenResult {
   std::vector<WireReport> wires;          // whole wires
   std::string method;                     // the method used, or "measure"
   int reused_pieces = 0;                  // number of pieces taken from the cache
-  std::map<std::string, double> seconds;  // per stage, summed over pieces solved in parallel; and "total"
+  std::map<std::string, double> seconds;  // per stage, summed over pieces that are solved in parallel, and "total"
 };
 
 }  // namespace wirewarp

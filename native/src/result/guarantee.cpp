@@ -16,7 +16,7 @@ constexpr double kRelativeLengthError = 1e-9;  // the documented guarantee
 
 /// A wire edge with a planar length that breaks the guarantee.
 struct WrongEdge {
-  VertexPair vertices;  // input
+  VertexPair vertices;  // vertices of the input
   int part;             // index into chart.wire_parts; -1: boundary
   double difference;    // (l2 - (1+r)(1+h) l) / l
 };

@@ -6,8 +6,8 @@
 
 namespace wirewarp {
 
-/// Returns one report per wire part of the chart, in the order of chart.wire_parts. wires: the input's, for the names.
-/// variation: h, one per part.
+/// Returns one report per wire part of the chart, in the order of chart.wire_parts. wires: the input's wires, for their
+/// names. variation: h, one per part.
 std::vector<WireReport> measure_wire_parts(const Chart& chart, const std::vector<Wire>& wires, const Positions2& uv,
                                            const std::vector<double>& variation);
 
@@ -16,8 +16,8 @@ std::vector<WireReport> measure_wire_parts(const Chart& chart, const std::vector
 std::vector<BoundaryReport> measure_boundaries(const Chart& chart, const Positions2& uv,
                                                const std::vector<double>& variation);
 
-/// Returns one report per seam. pieces[i] is the flat piece of charts.charts[i] with its wires and boundaries measured.
-/// The sides of a piece without a layout are NaN.
+/// Returns one report per seam. pieces[i] is the flat piece of charts.charts[i], with measured wires and boundaries.
+/// The lengths of sides in a piece without a layout are NaN.
 std::vector<SeamReport> measure_seams(const FlattenInput& input, const Charts& charts,
                                       const std::vector<Piece>& pieces);
 
@@ -27,7 +27,7 @@ std::vector<SeamReport> measure_seams(const FlattenInput& input, const Charts& c
 std::vector<WireReport> measure_whole_wires(const FlattenInput& input, const Charts& charts,
                                             const std::vector<Piece>& pieces);
 
-/// Returns the length variation h, one per wire part, that fits a layout made elsewhere. For rigid parts, h is the
+/// Returns the length variation h, one per wire part, that fits a layout from any program. For rigid parts, h is the
 /// ease. For other parts, it is the variation of the total length over all sides in the chart, clamped to the
 /// tolerance.
 std::vector<double> fit_variation(const Chart& chart, const Positions2& uv);

@@ -106,7 +106,7 @@ std::optional<std::string> warn_of_limits(const Chart& chart, const Metrics& met
   const double warp = widespread(areas, metrics.face_warp_strain);
   if (weft <= (*cloth.limits)[0] && warp <= (*cloth.limits)[1]) return std::nullopt;
   return "The piece stretches by " + percent(std::max(weft, 0.0)) + " across and " + percent(std::max(warp, 0.0)) +
-         " along the grain; the fabric allows " + percent((*cloth.limits)[0]) + " and " + percent((*cloth.limits)[1]) +
+         " along the grain. The fabric allows " + percent((*cloth.limits)[0]) + " and " + percent((*cloth.limits)[1]) +
          ". Add a dart, or choose another fabric.";
 }
 

@@ -12,15 +12,15 @@
 
 namespace wirewarp {
 
-/// Returns all fields of Metrics. uv: one finite row per chart vertex, scene units, front faces counter-clockwise.
-/// Throws Stopped.
+/// Returns all fields of Metrics except cloth_energy. uv: one finite row per chart vertex, scene units, front faces
+/// counter-clockwise. Throws Stopped.
 Metrics measure_metrics(const Chart& chart, const WireNetwork& network, const Positions2& uv,
                         const StopToken& stop = {});
 
 /// Returns Metrics::cloth_energy. flat: x along the weft, y along the warp.
 double measure_cloth_energy(const Chart& chart, const Positions2& flat, const Cloth& cloth);
 
-/// Returns a sentence about how far the strain of the fabric exceeds its limits, or nullopt if it does not. For each
+/// Returns a warning if the strain of the fabric exceeds the limits of the cloth, otherwise nullopt. For each
 /// direction, uses the strain that 99% of the area does not exceed, because single slivers do not matter.
 std::optional<std::string> warn_of_limits(const Chart& chart, const Metrics& metrics, const Cloth& cloth);
 

@@ -11,8 +11,8 @@ namespace wirewarp {
 /// boxes by Options::layout without overlap, with the lower-left corner at the origin.
 ///
 /// layouts: one per chart, with one row per chart vertex in scene units; a layout without rows is skipped. options:
-/// layout, orientation, grain, up, gap and mirror. Rotation and translation change each coordinate by a few units of
-/// rounding. Throws Stopped.
+/// uses layout, orientation, grain, grain_angle, up, gap, mirror and cloth. Rotation and translation change each
+/// coordinate by a few rounding errors. Throws Stopped.
 std::vector<Positions2> pack_pieces(const std::vector<Chart>& charts, std::vector<Positions2> layouts,
                                     const Options& options, const StopToken& stop = {});
 

@@ -10,7 +10,7 @@
 namespace wirewarp {
 namespace {
 
-/// Returns the distance of the middle surface along the normals.
+/// Returns the signed distance from the input to the middle surface, along the normals.
 double offset_of(const Options& options) {
   switch (options.surface) {
     case Surface::inside:
@@ -23,12 +23,12 @@ double offset_of(const Options& options) {
   return 0;
 }
 
-/// Returns the vector from a corner to the next.
+/// Returns the vector from a corner of a face to the next corner.
 Eigen::Vector3d side(const Positions3& vertices, const Triangles& faces, Eigen::Index face, int corner) {
   return vertices.row(faces(face, (corner + 1) % 3)) - vertices.row(faces(face, corner));
 }
 
-/// Returns a normal with twice the area as length.
+/// Returns the normal of a face. Its length is twice the area of the face.
 Eigen::Vector3d normal_of(const Positions3& vertices, const Triangles& faces, Eigen::Index face) {
   return side(vertices, faces, face, 0).cross(-side(vertices, faces, face, 2));
 }
@@ -72,12 +72,13 @@ FlattenInput move_to_middle(const FlattenInput& input, const Options& options) {
     }
   }
   if (turned.empty()) return middle;
-  throw FlattenError(ErrorCode::invalid_option,
-                     ErrorArguments{{"name", "thickness"},
-                                    {"value", shortest(options.thickness)},
-                                    {"allowed", "be less, or the surface smoother, at " +
-                                                    name_elements("face", turned) + ", which curve more tightly"}},
-                     {{}, {}, turned});
+  throw FlattenError(
+      ErrorCode::invalid_option,
+      ErrorArguments{{"name", "thickness"},
+                     {"value", shortest(options.thickness)},
+                     {"allowed", "be less, or the surface smoother, at " + name_elements("face", turned) +
+                                     ", where the surface curves too tightly"}},
+      {{}, {}, turned});
 }
 
 }  // namespace wirewarp

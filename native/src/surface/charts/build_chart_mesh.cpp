@@ -36,8 +36,8 @@ void add_vertices(const FlattenInput& input, const SurfaceCut& cut, Chart& chart
   }
 }
 
-/// Adds edges and faces without add_face: because the sides are matched already, the order of faces does not affect the
-/// result.
+/// Adds edges and faces without OpenMesh's add_face(). The sides of edges are matched already, so the order of faces
+/// does not affect the result.
 void add_faces(const EdgeTable& edges, const SurfaceCut& cut, Chart& chart, ChartHandles& handles) {
   HalfEdgeMesh& mesh = chart.mesh;
   const auto vertex_of_corner = [&](int corner) { return handles.vertex_of_fan[cut.fan_of_corner[corner]]; };
@@ -87,9 +87,10 @@ double total_turning(const HalfEdgeMesh& mesh, const HalfEdgeChain& loop) {
   return turning;
 }
 
-/// Returns the loop that turns most to the left, which is exact for developable surfaces. If two loops turn equally
-/// (the ends of a tube), the longer one is the outer loop. A slit, which may turn more on a rough surface, is the outer
-/// loop only if all loops are slits: the surface is closed without them.
+/// Returns the index of the outer loop: the loop that turns most to the left, which is exact for developable surfaces.
+/// If two loops turn equally, as the ends of a tube do, the longer loop is the outer loop. On a rough surface, a slit
+/// may turn more than the outer loop. Therefore, a slit is the outer loop only if all loops are slits, as in a closed
+/// surface.
 std::size_t find_outer_loop(const Chart& chart, const std::vector<HalfEdgeChain>& loops) {
   constexpr double kSameTurning = 1e-6;  // radians: far above rounding, far below any intended turn
   std::size_t outer = 0;

@@ -31,7 +31,7 @@ struct WirePart {
 /// target.
 inline double solver_tolerance(const WirePart& part) { return part.tolerance / (1 + part.ease); }
 
-/// Returns h for a solver's g.
+/// Returns h for g, the relative change of the target length that a solver found.
 inline double variation_of(const WirePart& part, double g) {
   return std::clamp(part.ease + (1 + part.ease) * g, part.ease - part.tolerance, part.ease + part.tolerance);
 }
@@ -52,15 +52,15 @@ struct BoundaryChain {
 };
 
 struct Chart {
-  HalfEdgeMesh mesh;               // consistently oriented, manifold, connected; empty if the faces do not allow that
+  HalfEdgeMesh mesh;               // consistently oriented, manifold, connected; empty if the faces have faults
   std::vector<int> source_vertex;  // input vertex of each chart vertex
   std::vector<int> source_face;    // input face of each chart face
   std::vector<WirePart> wire_parts;
   std::vector<double> length_ratio;  // per edge of the mesh: target length at h = ease over 3D length, which is
                                      // (1 + r)(1 + ease); 1 for edges beyond the end of the list
   std::vector<BoundaryChain> boundary_chains;
-  std::vector<HalfEdgeChain> boundary_loops;  // [0] is the outer loop, the others are holes; the chart is on their left
-  std::optional<FlattenError> error;  // set if the chart cannot be flattened; its parts and chains are then empty
+  std::vector<HalfEdgeChain> boundary_loops;  // [0] is the outer loop, others are holes; the chart is on the left
+  std::optional<FlattenError> error;          // set if the chart cannot be flattened; parts and chains are then empty
 };
 
 /// Returns the target length at h = ease over the 3D length.
@@ -69,7 +69,8 @@ inline double length_ratio(const Chart& chart, HalfedgeHandle h) {
   return edge < chart.length_ratio.size() ? chart.length_ratio[edge] : 1;
 }
 
-/// Sets the source faces and target lengths of a chart that was made from some faces of a parent chart.
+/// Sets the target lengths of a chart that was made from some faces of a parent chart. chart.source_face must refer to
+/// the faces of the parent.
 void inherit_lengths(const Chart& parent, Chart& chart);
 
 /// Returns the ends of a half-edge in the input.
@@ -92,7 +93,7 @@ struct Seam {
   std::vector<VertexPair> edges;  // input vertices
   struct Side {
     int chart;
-    int boundary_chain;  // index into that chart's boundary_chains, -1 if the chart has an error
+    int boundary_chain;  // index into boundary_chains of the chart, -1 if the chart has an error
   };
   std::vector<Side> sides;
 };
@@ -101,7 +102,7 @@ struct Seam {
 struct Charts {
   std::vector<Chart> charts;
   std::vector<Seam> seams;
-  std::vector<char> is_boundary_wire;  // per wire of the input: whether all of it is on seams and boundaries
+  std::vector<char> is_boundary_wire;  // per wire of the input: whether the whole wire is on seams and boundaries
 };
 
 }  // namespace wirewarp

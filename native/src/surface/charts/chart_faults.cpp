@@ -95,7 +95,8 @@ void find_one_sided(const EdgeTable& edges, const SurfaceCut& cut, std::vector<F
   }
 }
 
-/// Finds vertices at which a chart is connected only by this vertex. Two charts may touch at a vertex.
+/// Finds vertices at which faces of one chart touch without an edge that connects them. Two charts may touch at a
+/// vertex.
 void find_vertex_faults(const FlattenInput& input, const EdgeTable& edges, const SurfaceCut& cut,
                         std::vector<Faults>& faults) {
   const bool is_uncut = input.seams.rows() == 0;
@@ -137,7 +138,7 @@ std::optional<FlattenError> first_fault(const Faults& faults) {
                         {{}, faults.non_manifold, {}, faults.non_manifold});
   }
   if (!faults.turned.empty()) {
-    // Flipping faces fixes a two-sided surface; only a seam fixes a one-sided one.
+    // Flipping faces fixes a two-sided surface; only a seam fixes a one-sided surface.
     return FlattenError(ErrorCode::inconsistent_orientation, ErrorArguments{{"is_one_sided", faults.is_one_sided}},
                         {{}, faults.turned, {}, faults.is_one_sided ? faults.turned : std::vector<VertexPair>()});
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Mesh faults of single charts.
+// Finds faults in the meshes of single charts.
 #pragma once
 
 #include <optional>
@@ -10,8 +10,8 @@
 
 namespace wirewarp {
 
-/// Returns for each chart the first reason why it is not an oriented manifold with faces of positive area. Two charts
-/// may touch at a vertex.
+/// Returns for each chart the first reason why the chart is not an oriented manifold with faces of positive area. Two
+/// charts may touch at a vertex.
 std::vector<std::optional<FlattenError>> find_chart_faults(const FlattenInput& input, const EdgeTable& edges,
                                                            const SurfaceCut& cut);
 

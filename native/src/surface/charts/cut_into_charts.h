@@ -11,7 +11,7 @@ namespace wirewarp {
 /// Throws Stopped.
 Charts cut_into_charts(const FlattenInput& input, const EdgeTable& edges, const StopToken& stop = {});
 
-/// Returns charts that contain only their faces and this error.
+/// Returns all charts without their meshes. Each chart contains only its faces and this error.
 Charts list_charts(const FlattenInput& input, const EdgeTable& edges, const FlattenError& error);
 
 }  // namespace wirewarp

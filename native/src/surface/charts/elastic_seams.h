@@ -15,7 +15,8 @@ std::vector<std::vector<int>> group_by_elastic_seams(const std::vector<Chart>& c
 /// Returns h = ease for each wire part.
 std::vector<double> eases_of(const Chart& chart);
 
-/// Fixes all elastic seams and outlines of a chart while it exists. Stages use it where these lengths are not unknowns.
+/// Fixes all elastic seams and outlines of a chart as long as this object exists, for stages in which these lengths are
+/// not unknowns.
 class FixedSeams {
  public:
   explicit FixedSeams(Chart& chart) : FixedSeams(chart, eases_of(chart)) {}
@@ -29,16 +30,16 @@ class FixedSeams {
 
  private:
   Chart& chart_;
-  std::vector<WirePart> elastic_parts_;  // of the chart before
-  std::vector<double> length_ratio_;     // of the chart before
+  std::vector<WirePart> elastic_parts_;  // wire parts of the chart before
+  std::vector<double> length_ratio_;     // length ratios of the chart before
 };
 
-/// Combines several charts into one chart that is not connected.
+/// Several charts as one chart that is not connected.
 struct CombinedCharts {
   Chart chart;                    // without boundary chains; wire parts in order
-  std::vector<int> first_vertex;  // per chart
-  std::vector<int> first_edge;
-  std::vector<int> first_part;
+  std::vector<int> first_vertex;  // per chart: index of its first vertex in the combined chart
+  std::vector<int> first_edge;    // per chart: index of its first edge
+  std::vector<int> first_part;    // per chart: index of its first wire part
 };
 
 CombinedCharts combine(const std::vector<const Chart*>& charts);

@@ -9,19 +9,19 @@
 
 namespace wirewarp {
 
-// uv: at least one row per vertex.
+// In all functions, uv has at least one row per vertex.
 
 /// Returns whether a flat piece has flipped faces.
 bool has_flips(const HalfEdgeMesh& mesh, const Positions2& uv);
 
-/// Returns whether faces of a flat piece overlap others.
+/// Returns whether faces of a flat piece overlap other faces.
 bool has_overlaps(const HalfEdgeMesh& mesh, const Positions2& uv);
 
 inline bool has_folds(const HalfEdgeMesh& mesh, const Positions2& uv) {
   return has_flips(mesh, uv) || has_overlaps(mesh, uv);
 }
 
-/// Returns the faces of a flat piece that are flipped or overlap others, in increasing order. Throws Stopped.
+/// Returns the faces of a flat piece that are flipped or overlap other faces, in increasing order. Throws Stopped.
 std::vector<int> find_folded_faces(const HalfEdgeMesh& mesh, const Positions2& uv, const StopToken& stop);
 
 }  // namespace wirewarp

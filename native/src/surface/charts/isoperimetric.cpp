@@ -15,9 +15,9 @@ namespace {
 /// useful.
 constexpr double kRequiredOfDisk = 0.25;
 
-/// Minimum p for several loops. It accepts a hemisphere with an eyelet (p = 1/2), but not tubes. In our garments,
-/// sleeves and open upper bodies have p from 0.33 to 0.39, legs and whole shirts from 0.07 to 0.16, cut panels 0.6 and
-/// more.
+/// Minimum p for several loops. This value accepts a hemisphere with an eyelet (p = 1/2), but not tubes. In our
+/// garments, sleeves and open upper bodies have p from 0.33 to 0.39, legs and whole shirts from 0.07 to 0.16, cut
+/// panels 0.6 and more.
 constexpr double kRequiredOfTube = 0.45;
 
 }  // namespace

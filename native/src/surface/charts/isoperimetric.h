@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The length of the outline bounds the area of a flat piece: without overlaps, an outer loop of length L encloses at
-// most L²/4π. If the surface has more area, the piece is distorted, with any wires.
+// most L²/4π. If the surface has more area, the piece must be distorted, whatever its wires.
 #pragma once
 
 #include <vector>

@@ -16,8 +16,8 @@ std::vector<int> fans_at(const EdgeTable& edges, const SurfaceCut& cut, int edge
   return fans;
 }
 
-/// The outline edges at each vertex. A chain continues through a vertex with two outline edges if both have the same
-/// fans on their sides.
+/// The outline edges at each vertex. A chain continues through a vertex with two outline edges if both edges have the
+/// same fans on their sides.
 struct OutlineVertices {
   std::vector<int> degree;
   std::vector<std::array<int, 2>> edges;  // the first two outline edges of each vertex

@@ -13,7 +13,7 @@
 namespace wirewarp {
 namespace {
 
-/// Returns for each half-edge the index of the other half-edge on the same edge; nullopt if it is not in the loop.
+/// Returns for each half-edge the index of the other half-edge on the same edge; nullopt if the loop lacks a half-edge.
 std::optional<std::vector<int>> find_mates(const Chart& chart, const HalfEdgeChain& loop) {
   std::map<VertexPair, int> first;
   std::vector<int> mate(loop.size(), -1);

@@ -18,7 +18,7 @@ struct Slit {
 /// back.
 std::optional<Slit> as_slit(const Chart& chart, const HalfEdgeChain& loop);
 
-/// Returns the boundary loops except the outer one that are slits with both rims at their 3D lengths.
+/// Returns the slits among the inner boundary loops. Slits whose rims have an ease or a tolerance are left out.
 std::vector<Slit> find_slits(const Chart& chart);
 
 /// A chart with sewn slits.
@@ -30,9 +30,9 @@ struct SewnChart {
 /// Returns the half-edge of the sewn chart for a half-edge of the open chart; not valid if there is none.
 HalfedgeHandle sewn_half_edge(const Chart& chart, const SewnChart& sewn, HalfedgeHandle h);
 
-/// Sews slits. Each becomes a rigid wire, after other wire parts and before elastic parts of the boundary. The outer
-/// loop stays the outer loop. Returns nullopt if the sewn surface is not a chart. Slits that consist of one edge must
-/// all be sewn.
+/// Sews slits. Each slit becomes a rigid wire, after other wire parts and before elastic parts of the boundary. The
+/// outer loop stays the outer loop. Returns nullopt if the sewn surface is not a chart. Slits that consist of one edge
+/// must all be sewn.
 std::optional<SewnChart> sew(const Chart& chart, const std::vector<Slit>& slits);
 
 }  // namespace wirewarp

@@ -11,7 +11,7 @@ namespace wirewarp {
 struct SurfaceCut {
   std::vector<char> is_seam;       // per edge: marked as a seam, and with at least two sides
   std::vector<int> chart_of_face;  // charts are numbered by their lowest face
-  /// For each corner 3 f + k: its fan. A fan consists of corners of one vertex that faces connect around it.
+  /// For each corner 3 f + k: its fan. A fan consists of the corners at one vertex that edges without a seam connect.
   std::vector<int> fan_of_corner;
   int num_charts = 0;
   int num_fans = 0;

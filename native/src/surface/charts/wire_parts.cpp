@@ -15,8 +15,8 @@ struct Run {
 };
 
 /// Splits the vertices of a wire into runs. The list of a closed wire is rotated first, to begin at the lowest vertex
-/// at which a run starts, so that its runs do not depend on where the list began. A run also ends at a vertex where the
-/// wire passes to another chart that touches the first one only there.
+/// at which a run starts, so that the runs do not depend on the start of the list. A run also ends at a vertex where
+/// the wire passes to another chart that touches the first chart only at this vertex.
 std::vector<Run> split_into_runs(std::vector<int>& vertices, const EdgeTable& edges, const SurfaceCut& cut,
                                  const Outline& outline) {
   const bool is_closed = vertices.front() == vertices.back();

@@ -13,9 +13,9 @@ namespace wirewarp {
 WireKind kind_of(double tolerance);
 
 /// Splits each wire into parts at every vertex on a seam or boundary, and where it passes to a chart that touches the
-/// first one only at a vertex. Adds the parts, and the target lengths of their eases, to their charts. A run of a wire
-/// along the outline becomes a part of kind boundary for each of its sides, and ends at the outline's junctions. The
-/// parts of a closed wire do not depend on where its list starts. Returns for each wire whether all of it is on the
+/// first chart only at a vertex. Adds the parts, and the target lengths of their eases, to their charts. A run of a
+/// wire along the outline becomes a part of kind boundary for each of its sides, and ends at the outline's junctions.
+/// The parts of a closed wire do not depend on where its list starts. Returns for each wire whether all of it is on the
 /// outline.
 std::vector<char> assign_wire_parts(const FlattenInput& input, const EdgeTable& edges, const SurfaceCut& cut,
                                     const Outline& outline, const std::vector<HalfedgeHandle>& half_edge_of_side,

@@ -39,7 +39,7 @@ void check_name(const Wire& wire) {
   if (wire.name.find('\0') == std::string::npos) return;
   throw FlattenError(ErrorCode::invalid_type, ErrorArguments{{"name", "The name of a wire"},
                                                              {"wanted", "text without NUL characters"},
-                                                             {"found", "text with one"}});
+                                                             {"found", "text with a NUL character"}});
 }
 
 bool leaves_length(double ease) { return std::isfinite(ease) && ease > -1; }
@@ -123,8 +123,8 @@ void check_eases(const FlattenInput& input, const EdgeTable& edges) {
   throw FlattenError(ErrorCode::side_in_two_eases, ErrorArguments{}, {{}, twice, {}});
 }
 
-/// Meshes with up to this many parts are accepted. Models with intentionally separate parts have a few hundred. A file
-/// with separate faces has one part per face, and its result would be useless and slow.
+/// Meshes with up to this many parts are accepted. Models with intentionally separate parts have a few hundred parts. A
+/// file with separate faces has one part per face, and its result would be useless and slow.
 constexpr int kManyParts = 1000;
 
 /// Parts with at most this many triangles on average count as single faces (a hexagon has four triangles).

@@ -7,7 +7,7 @@
 
 namespace wirewarp {
 
-/// Coordinates in scene units must be smaller in magnitude.
+/// Limit of coordinates, scene units: their magnitudes must be smaller.
 constexpr double kCoordinateLimit = 1e60;
 
 /// Throws invalid_option unless every option is in its documented range for an input with num_wires wires.

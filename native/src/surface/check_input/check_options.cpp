@@ -31,7 +31,7 @@ void check_options(const Options& options) {
                          "be refined if there is a cloth");
     }
   } else if (options.orientation == Orientation::best) {
-    throw wrong_option("orientation", "best", "be another one without a cloth, for which all directions are the same");
+    throw wrong_option("orientation", "best", "be wire, boundary, up or grain if there is no cloth");
   }
   if (options.max_factorizations < 1) {
     throw wrong_option("max_factorizations", std::to_string(options.max_factorizations), "be at least 1");

@@ -92,7 +92,7 @@ class MeshCut {
   const EdgeTable edges_;
   PathSites sites_;
   PathLines lines_;
-  std::vector<std::vector<int>> drawn_;  // sites of each path; consecutive ones differ
+  std::vector<std::vector<int>> drawn_;  // sites of each path; consecutive sites differ
 };
 
 /// Returns a face with both sites inside or on its border; -1 if there is none.
@@ -231,7 +231,7 @@ void check_surface_path(const SurfacePath& path) {
     throw wrong_option(
         "path",
         "a line of " + std::to_string(count) + " faces and " + std::to_string(path.coordinates.rows()) + " coordinates",
-        "have as many of both");
+        "have the same number of both");
   }
   for (Eigen::Index i = 0; i < count; ++i) {
     const int face = path.faces[static_cast<std::size_t>(i)];

@@ -12,7 +12,7 @@ namespace wirewarp {
 namespace {
 
 /// A line passes through a site, or crosses another line there, if the site is nearer than this share of `snap`. Sites
-/// are `snap` apart, so with one half the nearest site is unique.
+/// are `snap` apart, so with a share of one half, the nearest site is unique.
 constexpr double kCloseBy = 0.5;
 
 /// Maximum number of divisions in one face. Sites are `snap` apart, so even dense scribbles need far fewer.
@@ -72,7 +72,7 @@ int PathLines::site_close_by(int face, const Line& line) const {
   return -1;
 }
 
-/// Returns the crossing of two lines: the nearest site if one is near, otherwise a new one.
+/// Returns the crossing of two lines: the nearest site if a site is near, otherwise a new site.
 int PathLines::crossing_of(int face, const Line& one, const Line& other) {
   const FacePoint a = point(face, one[0]), b = point(face, one[1]);
   const FacePoint c = point(face, other[0]), d = point(face, other[1]);

@@ -22,14 +22,14 @@ class PathLines {
   /// Draws a line between two sites of a face. Lines along edges are ignored.
   void draw(int face, int from, int to);
 
-  /// Divides the lines of all faces until no two lines cross. Throws invalid_option if that takes too many divisions.
+  /// Divides the lines of all faces until no two lines cross. Throws invalid_option if this takes too many divisions.
   void divide();
 
-  /// Appends the sites along a line, without the first: its divisions, the other sites on its edge if it runs along
-  /// one, and its end.
+  /// Appends the sites along a line, except its start: the sites that divide it, the sites between its ends if it runs
+  /// along an edge, and its end.
   void append_sites(int from, int to, std::vector<int>& line) const;
 
-  /// Lines within a face. They do not cross. The smaller site is first.
+  /// Returns the lines of each face, which do not cross after divide(). The smaller site of a line is first.
   const std::map<int, std::set<std::array<int, 2>>>& lines() const { return lines_; }
 
  private:
@@ -44,7 +44,7 @@ class PathLines {
 
   PathSites& sites_;
   std::map<int, std::set<Line>> lines_;  // keyed by face
-  std::map<Line, int> divided_;          // site between the ends of removed lines
+  std::map<Line, int> divided_;          // the site that divided each removed line
 };
 
 }  // namespace wirewarp

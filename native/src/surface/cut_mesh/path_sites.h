@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sites: the vertices, points on edges and points in faces through which paths on a mesh pass. They are far enough
+// Sites: the vertices, points on edges and points in faces through which paths on a mesh pass. Sites are far enough
 // apart to avoid slivers.
 #pragma once
 
@@ -28,13 +28,13 @@ class PathSites {
   /// Returns the site at a point, moved to an edge, a vertex or another site within reach.
   int add(int face, const Shares& shares);
 
-  /// Returns a new site strictly inside a face, without moving it to others.
+  /// Returns a new site strictly inside a face, without moving it to other sites.
   int add_inside(int face, const Shares& shares);
 
   int size() const { return static_cast<int>(sites_.size()); }
   const Site& operator[](int site) const { return sites_[site]; }
 
-  /// Returns the sites around a face, starting at its first corner, then those inside.
+  /// Returns the sites on the border of a face, starting at its first corner, then the sites inside.
   std::vector<int> of_face(int face) const;
 
   /// Returns the barycentric coordinates of a site inside a face or on its border.
@@ -65,7 +65,7 @@ class PathSites {
   const EdgeTable& edges_;
   const double snap_;
   std::vector<Site> sites_;
-  std::vector<std::vector<int>> on_edge_;  // per edge: the sites between its ends, from the smaller one
+  std::vector<std::vector<int>> on_edge_;  // per edge: the sites between its ends, from the smaller end
   std::vector<std::vector<int>> in_face_;  // per face: the sites strictly inside
   std::vector<std::vector<int>> faces_of_vertex_;
 };

@@ -130,14 +130,15 @@ int corner_before(const Triangle& triangle, int a, int b) {
   return -1;
 }
 
-/// Two triangles in place of two others with the same outline.
+/// Two triangles that replace two other triangles with the same outline.
 struct Flip {
   std::size_t first, second;
   Triangle one, other;
   double gain = 0;  // increase of the smaller of the two heights
 };
 
-/// Finds the flip with the largest gain, so that the numbers of points do not decide. Returns whether there is a gain.
+/// Finds the flip with the largest gain, so that the result does not depend on the numbering. Returns whether there is
+/// a gain.
 bool find_best_flip(const FaceToDivide& face, const std::vector<Triangle>& triangles, Flip& best) {
   constexpr double kHigher = 1 + 1e-9;  // far above rounding, so that no edge flips back and forth
   best.gain = 0;

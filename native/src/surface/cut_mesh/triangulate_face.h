@@ -17,15 +17,17 @@ using FacePoint = Eigen::Vector2d;
 /// Returns twice the area of a triangle, positive if it is counter-clockwise.
 inline double doubled_area(const FacePoint& a, const FacePoint& b, const FacePoint& c) { return cross(b - a, c - a); }
 
-/// Three points count as collinear if twice their area is less, where the whole triangle has the value 1. Points 0.0001
-/// apart, the least that callers allow, have at least 1e-8, or are collinear except for rounding errors.
+/// Three points count as collinear if twice their area is less, where the whole triangle has the value 1. Callers keep
+/// points at least 0.0001 apart. The value of three such points is at least 1e-8, unless they are collinear except for
+/// rounding errors.
 inline constexpr double kInLine = 1e-12;
 
-/// Returns whether two segments cross inside both. False if an end of one segment is on the line of the other.
+/// Returns whether two segments cross at an inner point of both. Returns false if an end of one segment is on the line
+/// of the other segment.
 bool do_cross(const FacePoint& a, const FacePoint& b, const FacePoint& c, const FacePoint& d);
 
 struct FaceToDivide {
-  std::vector<FacePoint> points;          // points on the border, counter-clockwise, then those inside
+  std::vector<FacePoint> points;          // points on the border, counter-clockwise, then points inside
   Positions3 places;                      // positions in space, to prefer short edges
   std::vector<std::array<int, 2>> sides;  // per border point: both sides at a corner, elsewhere its side twice
   std::set<std::array<int, 2>> lines;     // edges that must exist, the smaller index first; they do not cross

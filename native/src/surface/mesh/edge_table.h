@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The undirected edges of a triangle list with the face sides at each. An edge may have any number of sides, because
-// seams may be non-manifold. Side 3 f + k of face f runs from its corner k to corner k + 1.
+// The undirected edges of a triangle list, with the sides of faces at each edge. An edge may have any number of sides,
+// because seams may be non-manifold. Side 3 f + k of face f runs from its corner k to corner k + 1.
 #pragma once
 
 #include <vector>
@@ -21,13 +21,13 @@ class EdgeTable {
   int side(int edge, int j) const { return sides_[side_begin_[edge] + j]; }
   int edge_of_side(int side) const { return edge_of_side_[side]; }
 
-  /// Returns the two ends, the smaller index first.
+  /// Returns the two ends of an edge, the smaller index first.
   const VertexPair& vertices(int edge) const { return vertices_[edge]; }
 
   /// Returns the edge between two vertices; -1 if there is none.
   int find(int a, int b) const;
 
-  /// Return the vertex at which a side starts or ends.
+  /// Returns the vertex at which a side starts (from) or ends (to).
   int from(int side) const { return faces_(side / 3, side % 3); }
   int to(int side) const { return faces_(side / 3, (side + 1) % 3); }
 
@@ -37,7 +37,7 @@ class EdgeTable {
  private:
   const Triangles& faces_;
   std::vector<VertexPair> vertices_;
-  std::vector<int> edge_begin_;  // per vertex: the first edge of which it is the smaller end
+  std::vector<int> edge_begin_;  // per vertex: the first edge whose smaller end is this vertex
   std::vector<int> side_begin_;
   std::vector<int> sides_;
   std::vector<int> edge_of_side_;

@@ -71,7 +71,8 @@ Eigen::VectorXd GeodesicDistance::from(VertexHandle source) const {
     Point vectors[3], gradient(0, 0, 0);
     for (int k = 0; k < 3; ++k) vectors[k] = mesh_.calc_edge_vector(sides[k]);
     const Point normal = vectors[0] % vectors[1];
-    // The gradient, up to a positive factor: each vertex times the opposite side, turned into the triangle.
+    // The gradient, up to a positive factor: the heat of each vertex times the opposite side, rotated to point into the
+    // triangle.
     for (int k = 0; k < 3; ++k)
       gradient += heat(mesh_.to_vertex_handle(sides[(k + 1) % 3]).idx(), 0) * (normal % vectors[k]);
     const double length = gradient.norm();

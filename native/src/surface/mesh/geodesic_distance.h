@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Distances along a surface by the heat method (K. Crane, C. Weischedel, M. Wardetzky, Geodesics in heat, ACM
-// Transactions on Graphics 32, 2013): heat flows from a vertex for a short time, its direction is that of the shortest
-// path, and the distance is the function whose gradient has this direction and length 1.
+// Transactions on Graphics 32, 2013): for a short time, heat flows from a vertex in the directions of the shortest
+// paths. The distance is the function whose gradient has these directions and length 1.
 #pragma once
 
 #include <Eigen/Core>
@@ -19,12 +19,12 @@ class GeodesicDistance {
   /// mesh: connected; kept by reference. Throws Stopped.
   GeodesicDistance(const HalfEdgeMesh& mesh, const StopToken& stop);
 
-  /// Returns the distance of each vertex from one of them, scene units.
+  /// Returns the distance of each vertex from the source, scene units.
   Eigen::VectorXd from(VertexHandle source) const;
 
  private:
   const HalfEdgeMesh& mesh_;
-  std::vector<double> cotangents_;                        // per half-edge: of the opposite angle; 0 on a boundary
+  std::vector<double> cotangents_;  // per half-edge: cotangent of the opposite angle; 0 on a boundary
   std::unique_ptr<MultifrontalCholesky> heat_, poisson_;  // M + t L, and L with a small multiple of M
 };
 

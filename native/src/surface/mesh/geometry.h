@@ -82,7 +82,7 @@ inline Positions3 points_of(const HalfEdgeMesh& mesh) {
   return points;
 }
 
-/// Returns the corners of each face, starting at its first half-edge. #faces by 3.
+/// Returns the corners of each face, starting at its first half-edge. The result is #faces by 3.
 inline Triangles triangles_of(const HalfEdgeMesh& mesh) {
   Triangles triangles(static_cast<Eigen::Index>(mesh.n_faces()), 3);
   for (const FaceHandle f : mesh.faces()) {

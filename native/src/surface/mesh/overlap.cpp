@@ -20,7 +20,7 @@ Corners corners_of(const Triangles& faces, const Positions2& uv, int face) {
   return {uv.row(faces(face, 0)), uv.row(faces(face, 1)), uv.row(faces(face, 2))};
 }
 
-/// Returns the same triangle, counter-clockwise.
+/// Returns the triangle with its corners in counter-clockwise order.
 Corners counter_clockwise(Corners t) {
   if (cross(t[1] - t[0], t[2] - t[0]) < 0) std::swap(t[1], t[2]);
   return t;
@@ -93,8 +93,7 @@ bool any_not_positive(const Triangles& faces, const Positions2& uv) {
   return false;
 }
 
-/// Returns whether any of these faces is so thin (a few times the depth of overlaps) that other faces cannot penetrate
-/// it.
+/// Returns whether any candidate is so thin (a few times the depth of overlaps) that other faces cannot penetrate it.
 bool any_too_thin(const std::vector<int>& candidates, const Triangles& faces, const Positions2& uv, double depth) {
   return std::any_of(candidates.begin(), candidates.end(), [&](int face) {
     const Corners t = corners_of(faces, uv, face);

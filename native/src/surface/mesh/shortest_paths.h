@@ -19,18 +19,18 @@ struct ShortestPaths {
 /// Restricts the region of the paths. A missing function restricts nothing.
 struct PathRules {
   std::function<bool(HalfedgeHandle)> may_follow;
-  /// The search stops at the nearest such vertex; paths beyond it are incomplete.
+  /// The search stops at the nearest vertex for which this returns true. Paths beyond this vertex are incomplete.
   std::function<bool(VertexHandle)> ends_at;
 };
 
-/// Runs multi-source Dijkstra. sources: at least one.
+/// Returns the shortest path from the nearest source to each vertex (multi-source Dijkstra). sources: at least one.
 ShortestPaths shortest_paths(const HalfEdgeMesh& mesh, const std::vector<VertexHandle>& sources,
                              const PathRules& rules = {});
 
-/// Returns the half-edges from a source to a vertex, last one first.
+/// Returns the half-edges from a source to a vertex, the last half-edge first.
 std::vector<HalfedgeHandle> path_back(const HalfEdgeMesh& mesh, const ShortestPaths& paths, VertexHandle v);
 
-/// Returns the vertex with the longest path, or the first such vertex. Vertices without a path do not count.
+/// Returns the vertex with the longest path, or the first of several. Vertices without a path do not count.
 VertexHandle farthest_vertex(const ShortestPaths& paths);
 
 std::vector<VertexHandle> boundary_vertices(const HalfEdgeMesh& mesh);

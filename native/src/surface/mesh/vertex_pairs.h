@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Edges as pairs of vertices: in a list, as rows of an array, or each once.
+// Converts edges between lists of vertex pairs, rows of an array, and sets that contain each edge once.
 #pragma once
 
 #include <algorithm>

@@ -9,7 +9,7 @@ namespace wirewarp {
 /// vertex.
 Eigen::VectorXd length_variation(const Chart& chart, const Positions2& uv);
 
-/// Returns h of each wire part of the chart. solver: g, one per part; values of helper wires may follow.
+/// Returns h of each wire part of the chart. solver: g, one per part; the values of helper wires may follow.
 std::vector<double> variations_of(const Chart& chart, const Eigen::VectorXd& solver);
 
 }  // namespace wirewarp

@@ -49,7 +49,7 @@ struct WirePatch {
     int node;  // node at the start of the half-edge
     WireHalfEdge half_edge;
   };
-  /// Counter-clockwise; one for a disk, more if separate wires or holes are inside.
+  /// Counter-clockwise loops: one for a disk, more if separate wires or holes are inside.
   std::vector<std::vector<Step>> loops;
 };
 
@@ -77,10 +77,11 @@ inline WireHalfEdge wire_half_edge(const HalfEdgeMesh& mesh, const WireNetwork& 
   return {network.wire_edge_of_edge[edge.idx()], h != mesh.halfedge_handle(edge, 0)};
 }
 
-/// Returns for each half-edge of a network the node where it arrives; -1 for a boundary with the chart on its right.
+/// Returns for each half-edge of a network the node where it arrives; -1 for a half-edge of the boundary with the chart
+/// on its right.
 std::vector<int> nodes_at_arrival(const WireNetwork& network);
 
-/// Returns all wires and boundaries of a chart with their corners and patches. Accepts any network.
+/// Returns all wires and boundaries of a chart with their corners and patches. Accepts any arrangement of wires.
 WireNetwork build_wire_network(const Chart& chart);
 
 /// The network without super-elastic wires: all edges with a fixed or elastic length.

@@ -23,8 +23,9 @@ constexpr double kSameSize = 1e-6;
 // A chord below this fraction of its chain's length does not define the chain's direction.
 constexpr double kShortChord = 0.1;
 
-/// Returns the long side of the smallest rectangle around the points. One of its sides is on a side of the hull; the
-/// hull's corners on its other sides are found by rotating calipers (G. Toussaint, 1983).
+/// Returns the long side of the smallest rectangle around the points. One side of the rectangle is on a side of the
+/// convex hull. Rotating calipers (G. Toussaint, 1983) find the corners of the hull on the other sides of the
+/// rectangle.
 Eigen::Vector2d long_side_of_smallest_box(const std::vector<Eigen::Vector2d>& points) {
   const std::vector<Eigen::Vector2d> hull = convex_hull(points);
   double best_area = std::numeric_limits<double>::infinity();
@@ -71,7 +72,7 @@ Eigen::Vector2d direction_of(const Chart& chart, const HalfEdgeChain& chain, con
   const Eigen::Vector2d side = long_side_of_smallest_box(points);
   Eigen::Vector2d mean(0, 0);
   for (const Eigen::Vector2d& p : points) mean += p / static_cast<double>(points.size());
-  return side.dot(points.front() - mean) > 0 ? Eigen::Vector2d(-side) : side;  // starts at the lower end
+  return side.dot(points.front() - mean) > 0 ? Eigen::Vector2d(-side) : side;  // the chain starts at the lower end
 }
 
 const HalfEdgeChain& longest_boundary_chain(const Chart& chart) {
@@ -86,7 +87,7 @@ const HalfEdgeChain& longest_boundary_chain(const Chart& chart) {
   return *best;
 }
 
-/// Returns the first part of the grain wire in a chart; nullptr if the wire does not cross it.
+/// Returns the first part of the grain wire in a chart; nullptr if the wire does not cross the chart.
 const HalfEdgeChain* grain_in(const Chart& chart, int grain) {
   const auto part = std::find_if(chart.wire_parts.begin(), chart.wire_parts.end(),
                                  [&](const WirePart& each) { return each.wire_index == grain; });
@@ -127,7 +128,7 @@ void stand_upright(Positions2& uv, const Eigen::Vector2d& up) {
   }
   const Eigen::RowVector2d center = (uv.colwise().minCoeff() + uv.colwise().maxCoeff()) / 2;
   for (Eigen::Index v = 0; v < uv.rows(); ++v) {
-    // Centered, because small numbers have smaller rounding errors.
+    // Rotates around the center, because small numbers have smaller rounding errors.
     uv.row(v) = ((uv.row(v) - center) * transposed_rotation).eval();
   }
   const Eigen::RowVector2d corner = uv.colwise().minCoeff();

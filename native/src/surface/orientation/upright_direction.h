@@ -5,16 +5,16 @@
 
 namespace wirewarp {
 
-/// Returns the direction in the layout uv that becomes up (+y) by options.orientation. Not normalized; zero only if all
-/// points of the chain coincide.
+/// Returns the direction in the layout uv that becomes up (+y) by options.orientation. The direction is not normalized.
+/// It is zero only if all points of the chain coincide.
 ///
 /// wire: along the first part of the wire options.grain in this chart, otherwise along the chart's first wire part;
 /// without wires, along the longest chain of the outline. A chain's direction is its chord. For a chain that is closed
-/// or nearly closed, it is the long side of the smallest box around it, with the chain's first vertex in the lower
-/// half. boundary: straightest_outline(). up: rising_direction() of options.up; if that is zero, as for wire. best: as
-/// for wire. grain: as for wire if options.grain crosses this chart, as for up otherwise.
+/// or nearly closed, the direction is the long side of the smallest box around the chain, with the chain's first vertex
+/// in the lower half. boundary: straightest_outline(). up: rising_direction() of options.up; as for wire if this
+/// direction is zero. best: as for wire. grain: as for wire if options.grain crosses this chart, as for up otherwise.
 ///
-/// options.grain_angle rotates the direction of wires: +y is that angle to the right of the chain.
+/// options.grain_angle rotates the direction of wires: +y is to the right of the chain by this angle.
 Eigen::Vector2d upright_direction(const Chart& chart, const Positions2& uv, const Options& options);
 
 /// Rotates a layout so that up becomes +y, and moves its lower-left corner to the origin.

@@ -8,8 +8,8 @@
 namespace wirewarp {
 namespace {
 
-/// Returns the weight of each node. Weight 1/ℓ turns the sum of Eq. (1) into ∫ Δκ² ds, independent of the vertices. The
-/// weights are scaled so that a node of mean length has weight 1.
+/// Returns the weight of each node. Weight 1/ℓ turns the sum of Eq. (1) into ∫ Δκ² ds, which does not depend on where
+/// the vertices are. The weights are scaled so that a node of mean length has weight 1.
 Eigen::VectorXd node_weights(const WireNetwork& network, NodeWeight node_weight) {
   const auto num_nodes = static_cast<Eigen::Index>(network.nodes.size());
   Eigen::VectorXd weights = Eigen::VectorXd::Ones(num_nodes);
@@ -49,13 +49,14 @@ Eigen::VectorXd lay_out_headings(const WireNetwork& network, const Eigen::Vector
       queue.push_back(other);
     }
   }
-  if (queue.size() < network.edges.size()) throw UnjoinedWires("Eq. (1) needs a network whose edges hang together");
+  if (queue.size() < network.edges.size()) throw UnjoinedWires("Eq. (1) needs a network whose edges are connected");
   return headings;
 }
 
-/// Returns a vector that depends on the shape of the network, not on its numbering. Its first term, l (a - mean a) per
+/// Returns a vector that depends on the shape of the network, not on its numbering. The first term, l (a - mean a) per
 /// edge with a the mean surface angle at the edge's nodes, is equal on mirror-image edges. The second term breaks the
-/// mirror symmetry: the surface angle α counts + on the edge before a node and - on the edge after it.
+/// mirror symmetry: the surface angle α of a node is added on the edge before the node and subtracted on the edge after
+/// the node.
 Eigen::VectorXd edges_by_angle(const WireNetwork& network) {
   const auto num_edges = static_cast<Eigen::Index>(network.edges.size());
   Eigen::VectorXd angle = Eigen::VectorXd::Zero(num_edges);

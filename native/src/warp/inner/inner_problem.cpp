@@ -47,8 +47,8 @@ void InnerProblem::linearize(const InnerSolution& solution, const Eigen::VectorX
               eq1_.closure_jacobian(solution.psi, lengths));
 }
 
-/// A minimum satisfies ∇F + Jᵀλ = 0 and c = 0. Its derivative with respect to the lengths is K [dψ; dλ] = -[∂(Jᵀλ)/∂l;
-/// ∂c/∂l] dl, where K is the matrix of the optimality system. c is linear in the lengths.
+/// A minimum satisfies ∇F + Jᵀλ = 0 and c = 0. The derivative of this minimum with respect to the lengths satisfies K
+/// [dψ; dλ] = -[∂(Jᵀλ)/∂l; ∂c/∂l] dl, where K is the matrix of the optimality system. c is linear in the lengths.
 Eigen::VectorXd InnerProblem::change_of_headings(const InnerSolution& solution,
                                                  const Eigen::VectorXd& change_of_lengths) const {
   const Eigen::VectorXd by_lengths = eq1_.closure_by_headings_and_lengths(solution.psi, solution.multipliers);
@@ -67,7 +67,7 @@ Eigen::VectorXd InnerProblem::total_derivative(const InnerSolution& solution, co
 /// Closes the loops by the paper's least-norm steps: the smallest weighted change of the current angles that closes the
 /// linearized loops. A step is shortened if edges would turn too far or the gap would not shrink. If the gap hardly
 /// shrinks, a wire must bend to fit between its ends, but symmetry keeps it straight. The linearized loops do not
-/// contain this bend, so the wire is bent once, in the direction of lowest curvature. Afterwards kkt_ contains the
+/// contain this bend, so the wire is bent once, in the direction of lowest curvature. Afterwards, kkt_ contains the
 /// factor of the last step, or of the start if no loop was open.
 bool InnerProblem::close_loops(const Eigen::VectorXd& lengths, Eigen::VectorXd& psi) {
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(eq1_.num_edges());
@@ -102,7 +102,7 @@ bool InnerProblem::close_loops(const Eigen::VectorXd& lengths, Eigen::VectorXd& 
   return largest(gap) < kClosed;
 }
 
-/// Closes the loops after a tangential step, with the present factor.
+/// Closes the loops after a tangential step, with the present factor. Returns whether all loops are closed.
 bool InnerProblem::restore(const Eigen::VectorXd& lengths, Eigen::VectorXd& psi) const {
   constexpr int kMaxRestorations = 40;  // each takes one solve, which is faster than a new factor
   constexpr double kWorthwhile = 0.8;   // largest share of the gap that a step may leave
@@ -118,9 +118,10 @@ bool InnerProblem::restore(const Eigen::VectorXd& lengths, Eigen::VectorXd& psi)
   return largest(gap) < kClosed;
 }
 
-/// Factors the system with a share of the closures' curvature for which the step goes downhill: the full curvature, or
-/// else `share` of it, half of that, or 0, with which the step always goes downhill. Returns whether the full curvature
-/// was used. If not, `share` is increased for the next call if it works, and halved otherwise.
+/// Factors the system with a share of the closures' curvature for which the step goes downhill. Tries 1, `share`, half
+/// of `share`, and 0, with which the step always goes downhill. Returns whether the full curvature was used. If it was
+/// not, changes `share` for the next call: increases `share` if the step with this share goes downhill, otherwise
+/// halves it.
 bool InnerProblem::factor_downhill(const Eigen::VectorXd& closure_hessian, const Eigen::SparseMatrix<double>& jacobian,
                                    double& share) {
   if (kkt_.factor(eq1_.laplacian(), closure_hessian, jacobian)) return true;
@@ -166,8 +167,8 @@ bool InnerProblem::move(const Eigen::VectorXd& lengths, const Eigen::VectorXd& d
 /// Leaves a saddle along a direction of negative curvature, to either side, if the predicted gain is above at_least.
 /// The prediction uses the full curvature of the Lagrangian, even if the factor contains only a share. Near the saddle,
 /// the inverse iteration continues until it finds such a direction, because in a symmetric network the symmetry_breaker
-/// may contain little of it. Without this and the bend in close_loops, 2 of 1,000 random networks with a good shape
-/// fail.
+/// may contain little of it. Without this function and the bend in close_loops(), 2 of 1,000 random networks with a
+/// good shape fail.
 bool InnerProblem::leave_saddle(const Eigen::VectorXd& lengths, const Eigen::VectorXd& closure_hessian, double at_least,
                                 Eigen::VectorXd& psi, double& value) const {
   constexpr int kMaxSearches = 10;  // each takes a few substitutions
@@ -187,9 +188,9 @@ bool InnerProblem::leave_saddle(const Eigen::VectorXd& lengths, const Eigen::Vec
 }
 
 /// Minimizes Eq. (1) by feasible sequential quadratic programming with the exact Hessian of the Lagrangian: all loops
-/// stay closed in every iterate. It ends if the projected gradient vanishes and the inertia proves a minimum. From a
-/// saddle, it continues along a direction of negative curvature. The first multipliers come from the factor that closed
-/// the loops.
+/// stay closed in every iterate. The iteration ends if the projected gradient vanishes and the inertia proves a
+/// minimum. From a saddle, it continues along a direction of negative curvature. The first multipliers come from the
+/// factor that closed the loops.
 bool InnerProblem::minimize(const Eigen::VectorXd& lengths, InnerSolution& solution) {
   Eigen::VectorXd& psi = solution.psi;
   Eigen::VectorXd& multipliers = solution.multipliers;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Placement of the vertices between the wires (paper II-A, the convex-combination map of its reference [38]): every
-// vertex off the wire network is the weighted mean of its neighbors, with Floater's mean-value weights of the 3D
-// surface.
+// Places the vertices between the wires (paper II-A, the convex-combination map of its reference [38]): every vertex
+// off the wire network is the weighted mean of its neighbors, with Floater's mean-value weights of the 3D surface.
 //
 //   (I - W) u_interior = B u_network    W, B  weights of the neighbors off and on the network
 //
@@ -29,8 +28,8 @@ class InteriorPlacement {
   /// Computes the rows of uv off the network from the rows on the network. uv: one row per chart vertex.
   void place(Positions2& uv) const;
 
-  /// The adjoint of place(): turns ∂E/∂uv for all vertices into the derivative with respect to the network's vertices
-  /// alone. The rows off the network become zero.
+  /// Applies the adjoint of place(): turns ∂E/∂uv for all vertices into the derivative with respect to the network's
+  /// vertices alone. The rows off the network become zero.
   void pull_back(Positions2& by_uv) const;
 
   /// Returns the number of matrix factorizations: 1, or 0 if every vertex is on the network.

@@ -10,7 +10,7 @@ namespace wirewarp {
 namespace {
 
 /// δ for linearly dependent closures, such as x or y of a slit of one edge. It determines the sign of a pivot that
-/// consists of rounding errors, about 1e-16 of its scale. solve() removes its effect by iterative refinement.
+/// consists of rounding errors, about 1e-16 of its scale. solve() removes the effect of δ by iterative refinement.
 constexpr double kRegularization = 1e-13;
 
 }  // namespace
@@ -30,8 +30,8 @@ bool KktSystem::factor(const Eigen::SparseMatrix<double>& laplacian, const Eigen
   stop_.check();
   const Eigen::VectorXd weight = laplacian.diagonal();
   const double mean_diagonal = weight.mean();
-  // The scale of J W⁻¹ Jᵀ. x and y of a loop have the same scale, because for a slit along an axis the entries of one
-  // are only rounding errors.
+  // The scale of J W⁻¹ Jᵀ. x and y of a loop have the same scale, because for a slit along an axis, the entries of x or
+  // y are only rounding errors.
   Eigen::VectorXd loop_scale = Eigen::VectorXd::Zero(num_closures_ / 2);
   const Eigen::VectorXi& position = order_.indices();
   std::vector<Eigen::Triplet<double>> entries;
@@ -65,7 +65,7 @@ bool KktSystem::factor(const Eigen::SparseMatrix<double>& laplacian, const Eigen
 
 KktSystem::Solution KktSystem::solve(const Eigen::VectorXd& r1, const Eigen::VectorXd& r2) const {
   if (factor_.info() != Eigen::Success) throw FactorizationFailed("KktSystem: a pivot is zero");
-  constexpr int kRefinements = 2;  // each reduces the error by δ over the curvature of the solved closures
+  constexpr int kRefinements = 2;  // each reduces the error by the factor δ / (curvature of the solved closures)
   Eigen::VectorXd right(num_edges_ + num_closures_);
   right << r1, r2;
   right = order_ * right;

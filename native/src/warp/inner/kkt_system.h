@@ -4,8 +4,8 @@
 //   [ L + D   Jᵀ ] [ d ]   [ r₁ ]       L  Laplacian of the angles, D diagonal, J closure Jacobian
 //   [ J      −δ  ] [ λ ] = [ r₂ ]       δ  diagonal, 1e-13 of J diag(L)⁻¹ Jᵀ: closures may be linearly dependent
 //
-// It is factored as LDLᵀ without pivoting, in the order of elimination_order.h. An extra diagonal entry at one edge
-// fixes the rotation of the whole piece.
+// The matrix is factored as LDLᵀ without pivoting, in the order of elimination_order.h. An extra diagonal entry at one
+// edge fixes the rotation of the whole piece.
 #pragma once
 
 #include <Eigen/SparseCholesky>
@@ -20,8 +20,8 @@ class KktSystem {
   /// stop: checked before each factorization.
   KktSystem(const Eq1& eq1, const WireNetwork& network, StopToken stop = {});
 
-  /// Returns false if L + D is not positive definite on the null space of J (wrong inertia). The step may go uphill
-  /// then. Increments num_factorizations.
+  /// Factors the matrix. Returns false if L + D is not positive definite on the null space of J (wrong inertia). The
+  /// step may then go uphill. Increments num_factorizations.
   bool factor(const Eigen::SparseMatrix<double>& laplacian, const Eigen::VectorXd& diagonal,
               const Eigen::SparseMatrix<double>& jacobian);
 

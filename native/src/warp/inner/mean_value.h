@@ -14,8 +14,8 @@ struct WeightedVertex {
 };
 
 /// Fills `ring` with the neighbors of an interior vertex and their mean-value weights, which sum to 1, in the order of
-/// the mesh's vertex circulator. With α_j the 3D angle at the center of the triangle after neighbor j, and l_j the edge
-/// to neighbor j,
+/// the mesh's vertex circulator. With α_j the 3D angle at the center of the triangle after neighbor j, and l_j the
+/// length of the edge to neighbor j,
 ///
 ///   w_j = (tan(α_{j-1}/2) + tan(α_j/2)) / l_j.
 ///

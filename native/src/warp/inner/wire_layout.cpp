@@ -10,7 +10,7 @@
 namespace wirewarp {
 namespace {
 
-/// Returns Kruskal's minimum spanning tree: the tree edges at each vertex.
+/// Returns, for each vertex, its edges in the minimum spanning tree (Kruskal's algorithm).
 std::vector<std::vector<int>> shortest_spanning_tree(const Chart& chart, const WireNetwork& network) {
   std::vector<int> by_length(network.edges.size());
   std::iota(by_length.begin(), by_length.end(), 0);
@@ -76,7 +76,7 @@ void WireLayout::pull_back(const Eigen::VectorXd& headings, const Eigen::VectorX
                            Eigen::VectorXd& by_headings, Eigen::VectorXd& by_lengths) const {
   by_headings.setZero(headings.size());
   by_lengths.setZero(lengths.size());
-  Positions2 beyond = by_uv;  // per vertex: the sum over its subtree
+  Positions2 beyond = by_uv;  // per vertex: the sum of by_uv over its subtree
   for (auto step = steps_.rbegin(); step != steps_.rend(); ++step) {
     const Eigen::RowVector2d force = beyond.row(step->to);
     beyond.row(step->from) += force;

@@ -15,11 +15,12 @@ class WireLayout {
   /// lengths: scene units, #wire edges each.
   void place(const Eigen::VectorXd& headings, const Eigen::VectorXd& lengths, Positions2& uv) const;
 
-  /// The derivative of place(): writes the rows of the network's vertices to d_uv.
+  /// Applies the derivative of place(): writes the rows of the network's vertices to d_uv.
   void push_forward(const Eigen::VectorXd& headings, const Eigen::VectorXd& lengths, const Eigen::VectorXd& d_headings,
                     const Eigen::VectorXd& d_lengths, Positions2& d_uv) const;
 
-  /// The adjoint of place(): turns ∂E/∂uv at the network's vertices (one row per chart vertex) into ∂E/∂φ and ∂E/∂l.
+  /// Applies the adjoint of place(): turns ∂E/∂uv at the network's vertices (one row per chart vertex) into ∂E/∂φ and
+  /// ∂E/∂l.
   void pull_back(const Eigen::VectorXd& headings, const Eigen::VectorXd& lengths, const Positions2& by_uv,
                  Eigen::VectorXd& by_headings, Eigen::VectorXd& by_lengths) const;
 

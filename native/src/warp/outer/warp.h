@@ -16,7 +16,7 @@ namespace wirewarp {
 struct WarpedShape {
   Positions2 uv;            // one row per chart vertex, scene units
   Eigen::VectorXd lengths;  // lengths of the wire edges
-  InnerSolution inner;      // uv is empty if this is not feasible, that is, if no shape with the lengths was found
+  InnerSolution inner;      // uv is empty if inner is not feasible, that is, if no shape with the lengths was found
 };
 
 /// All functions throw Stopped and FactorizationFailed.
@@ -36,15 +36,15 @@ class Warp {
   /// Returns E of Eq. (4) over the chart's 3D area.
   double shape_error(const WarpedShape& shape) const;
 
-  /// Returns the gradient of E with respect to h, one entry per wire part, at a minimum of Eq. (1). It applies the
-  /// adjoints of interior placement, layout and Eq. (1). For any number of wires, it takes one factorization of the
+  /// Returns the gradient of E with respect to h, one entry per wire part, at a minimum of Eq. (1). Applies the
+  /// adjoints of interior placement, layout and Eq. (1). For any number of wires, this takes one factorization of the
   /// inner problem and one transposed solve of the placement.
   Eigen::VectorXd gradient(const WarpedShape& shape);
 
-  /// Returns the Gauss-Newton Hessian of E with respect to h of some wire parts at the same point. It does not contain
-  /// the curvature of ψ. 1e-4 of the mean curvature is added to the diagonal, so that it is positive definite. It takes
-  /// one factorization of the inner problem and, for each part, two solves of the inner problem and two of the
-  /// placement.
+  /// Returns the Gauss-Newton Hessian of E with respect to h of some wire parts, at a minimum of Eq. (1). The Hessian
+  /// does not contain the curvature of ψ. 1e-4 of the mean curvature is added to the diagonal, so that the Hessian is
+  /// positive definite. This takes one factorization of the inner problem and, for each part, two solves of the inner
+  /// problem and two of the placement.
   Eigen::MatrixXd gauss_newton_hessian(const WarpedShape& shape, const std::vector<int>& parts);
 
   const StopToken& stop() const { return inner_problem_.stop(); }

@@ -21,7 +21,7 @@ bool touches(const HalfEdgeMesh& mesh, const PathPoint& point, VertexHandle v) {
 }
 
 /// Appends a vertex to the path. Before that, removes crossings of the vertex's edges from the end of the path. If the
-/// path passed the vertex already, removes the loop since then.
+/// path passed the vertex before, removes the loop between both passes.
 void pass_vertex(const HalfEdgeMesh& mesh, VertexHandle v, MeshPath& path) {
   const auto is_v = [&](const PathPoint& point) { return point.vertex == v; };
   path.erase(std::find_if(path.begin(), path.end(), is_v), path.end());
@@ -70,7 +70,8 @@ HalfEdgeChain embed_path(SplitChart& split, const MeshPath& path) {
   HalfEdgeChain chain;
   VertexHandle last = path.front().vertex;
   for (std::size_t i = 1; i < path.size(); ++i) {
-    // The last vertex is opposite to the next edge, so splitting that edge connects the last vertex with the new one.
+    // The last vertex is opposite to the next edge, so splitting this edge connects the last vertex with the new
+    // vertex.
     const VertexHandle next = path[i].is_vertex() ? path[i].vertex : split_edge(split, path[i].half_edge, path[i].t);
     chain.push_back(mesh.find_halfedge(last, next));
     last = next;

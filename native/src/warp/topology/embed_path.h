@@ -15,8 +15,8 @@ namespace wirewarp {
 MeshPath snap_to_vertices(const HalfEdgeMesh& mesh, const MeshPath& path, double reach);
 
 /// Snaps a path with reach 0.1, and ends it at the first wire vertex that it reaches. If the path reaches a wire edge,
-/// it ends at the nearer end of that edge. Returns nullopt if the path does not end on a wire, or if it is already an
-/// edge of a wire.
+/// it ends at the nearer end of that edge. Returns nullopt if the path does not end on a wire, or if the path is
+/// already an edge of a wire.
 std::optional<MeshPath> snap_to_wires(const HalfEdgeMesh& mesh, const WireMask& wires, const MeshPath& path);
 
 /// Splits the edges that a snapped path crosses, and returns the path as a chain of half-edges.

@@ -19,9 +19,9 @@ struct WireLoop {
 std::vector<WireLoop> find_separate_loops(const WireNetwork& network);
 
 /// Joins loops by helper wires until every region has exactly one loop. Each loop gets four helper wires: the shortest
-/// path to another loop (unless a wire already leads to one), then the shortest paths from the vertices at one half,
-/// one quarter and three quarters of the loop (paper III-B). Throws UnjoinedWires if loops form a ring with one region
-/// on both sides, or if no path joins them.
+/// path to another loop (unless a wire already leads to another loop), then the shortest paths from the vertices at one
+/// half, one quarter and three quarters of the loop (paper III-B). Throws UnjoinedWires if loops form a ring with one
+/// region on both sides, or if no path joins them.
 void join_separate_loops(SplitChart& split, WorkMeter& work);
 
 }  // namespace wirewarp

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Funnel algorithm: unfolds the strip into the plane and pulls a string through its crossings.
+// The funnel algorithm: unfolds the strip into the plane and pulls a string through the crossed edges.
 #include <algorithm>
 #include <cmath>
 
@@ -23,8 +23,8 @@ struct Gate {
 };
 
 std::vector<Gate> unfold(const HalfEdgeMesh& mesh, const WireMask& wires, const Strip& strip) {
-  // If an end of a crossed edge is on a wire, the path keeps away from it by this share of the edge. This leaves room
-  // for triangles between path and wire.
+  // If an end of a crossed edge is on a wire, the path keeps away from this end by this share of the edge. This leaves
+  // room for triangles between path and wire.
   constexpr double kKeptAway = 0.25;
   Planar from = 0;
   Planar to = edge_length(mesh, strip.crossings.front());
@@ -44,7 +44,7 @@ std::vector<Gate> unfold(const HalfEdgeMesh& mesh, const WireMask& wires, const 
   return gates;
 }
 
-/// A corner of the path, which is a taut string. It is an end of all gates from first_gate to last_gate.
+/// A corner of the path, which is a taut string. The corner is an end of all gates from first_gate to last_gate.
 struct Corner {
   Planar point;
   std::size_t first_gate = 0;

@@ -19,7 +19,7 @@ std::vector<VertexHandle> shortest_edge_path(const HalfEdgeMesh& mesh, const Wir
 /// edge away from wires.
 MeshPath straighten(const HalfEdgeMesh& mesh, const WireMask& wires, const std::vector<VertexHandle>& edge_path);
 
-/// Returns the shortest path between the same ends within the triangles that touch edge_path.
+/// Returns a locally shortest path between the ends of edge_path, within the triangles that touch edge_path.
 MeshPath straighten_nearby(const HalfEdgeMesh& mesh, const WireMask& wires, const std::vector<VertexHandle>& edge_path);
 
 /// Adds a helper wire along the straightened shortest path from any source to the nearest target, and returns it.

@@ -63,7 +63,7 @@ double direction_of(const HalfEdgeMesh& mesh, VertexHandle v, const PathPoint& p
     angle += corner_angle(mesh, h);
     h = next_counterclockwise(mesh, h);
   } while (h != first);
-  throw std::logic_error("A path leads from a vertex to a point in no triangle of it.");
+  throw std::logic_error("A path leads from a vertex to a point outside the triangles of this vertex.");
 }
 
 double turn_at_vertex(const HalfEdgeMesh& mesh, VertexHandle v, const PathPoint& before, const PathPoint& after) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Smooth lines in place of paths of edges, which can be cut into the mesh.
+// Replaces paths of edges with smooth lines that can be cut into the mesh.
 #pragma once
 
 #include "warp/topology/split_chart.h"
@@ -7,7 +7,7 @@
 
 namespace wirewarp {
 
-/// How far a smooth line may be from the path that it replaces.
+/// Where a smooth line may be, compared with the path that it replaces.
 enum class Nearness {
   touching,  // within the triangles that touch the path, so that intended bends of a cut remain
   anywhere,  // anywhere on the surface: the geodesic to which the path shrinks

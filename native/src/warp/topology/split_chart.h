@@ -18,7 +18,7 @@ class WireMask {
 
   void add(const HalfEdgeMesh& mesh, HalfedgeHandle h);
 
-  /// New edges and vertices are not marked.
+  /// Returns whether an edge or vertex is marked. New edges and vertices are not marked.
   bool has(EdgeHandle e) const { return static_cast<std::size_t>(e.idx()) < edges_.size() && edges_[e.idx()] != 0; }
   bool has(VertexHandle v) const {
     return static_cast<std::size_t>(v.idx()) < vertices_.size() && vertices_[v.idx()] != 0;
@@ -32,15 +32,15 @@ class WireMask {
 struct SplitChart {
   explicit SplitChart(const Chart& input) : chart(input), wires(input) {}
 
-  Chart chart;  // vertices of the input keep their indices; new ones have source_vertex -1
+  Chart chart;  // vertices of the input keep their indices; new vertices have source_vertex -1
   WireMask wires;
 };
 
 /// Splits an edge without a wire at from + t (to - from), and its two triangles at the new vertex.
 VertexHandle split_edge(SplitChart& split, HalfedgeHandle h, double t);
 
-/// In the regions around the seeds, splits every edge at its middle that connects two wire vertices and is not on a
-/// wire. Then a path without wires connects any two wire vertices of a region.
+/// Splits edges in the regions around the seeds: each edge that connects two wire vertices but is not on a wire, at its
+/// middle. Then a path without wires connects any two wire vertices of a region.
 void make_room(SplitChart& split, const std::vector<VertexHandle>& seeds);
 
 /// Appends a super-elastic wire. The half-edges must not be on a wire.

@@ -16,17 +16,17 @@ namespace {
 /// Share of a length or area below which differences count as rounding errors.
 constexpr double kRoundedShare = 1e-12;
 
-/// A line is rarely longer than this many times the distance in space. Shorter ones are found sooner.
+/// A line is rarely longer than this many times the distance in space. A search up to this length is faster.
 constexpr double kUsually = 1.5;
 
-/// The corners of a face in the plane of one of its half-edges: start, end, apex.
+/// Returns the corners of a face in the plane of one of its half-edges: start, end, apex.
 std::array<Planar, 3> corners_over(const HalfEdgeMesh& mesh, HalfedgeHandle h) {
   return {Planar(0), Planar(edge_length(mesh, h)), apex_over(mesh, h)};
 }
 
 Planar direction(Planar vector) { return vector / std::abs(vector); }
 
-/// Returns the angle around a vertex from its first half-edge to another one, in the plane of the vertex.
+/// Returns the angle around a vertex from its first half-edge to another half-edge, in the plane of the vertex.
 double angle_of(const HalfEdgeMesh& mesh, HalfedgeHandle h) {
   const VertexHandle v = mesh.from_vertex_handle(h);
   double angle = 0;
@@ -35,7 +35,7 @@ double angle_of(const HalfEdgeMesh& mesh, HalfedgeHandle h) {
   return angle * 2 * kPi / total_angle(mesh, v);
 }
 
-/// Looks in all directions from a point in a face, until it finds the end.
+/// Looks in all directions from a point in a face, for another point or for all vertices.
 class View {
  public:
   View(const HalfEdgeMesh& mesh, const std::vector<char>& barriers, const SurfacePoint& from, double longest)
@@ -138,12 +138,12 @@ class View {
     if (end_->vertex != vertex || std::abs(place) >= longest_) return;
     const double scale = mesh_.is_boundary(vertex) ? 1 : 2 * kPi / total_angle(mesh_, vertex);
     const double angle = std::max(std::arg(-place / (toward - place)), 0.0) * scale;
-    const double before = mesh_.is_boundary(vertex) ? 0 : angle_of(mesh_, leaving);  // outlines need no plane
+    const double before = mesh_.is_boundary(vertex) ? 0 : angle_of(mesh_, leaving);  // no plane on the outline
     found_ = StraightLine{place, std::polar(std::abs(place), before + angle), crossings_to(place)};
     longest_ = std::abs(place);
   }
 
-  /// unit, origin: the plane of the face in view.
+  /// unit, origin: direction and start of the first half-edge of the face in view.
   void see_end(FaceHandle face, Planar unit, Planar origin) {
     if (end_ == nullptr || end_->vertex.is_valid() || end_->face != face) return;
     const Planar place = origin + unit * end_->place;
@@ -216,7 +216,7 @@ std::optional<StraightLine> StraightWalk::line(const SurfacePoint& from, const S
   std::optional<StraightLine> direct = View(mesh_, barriers_, from, std::min(kUsually * apart, longest)).to(to);
   if (!direct) direct = View(mesh_, barriers_, from, longest).to(to);
   if (direct || to.vertex.is_valid()) return direct;
-  // Behind a vertex with more than 360 degrees around it is a region that no straight line reaches.
+  // If the angles around a vertex sum to more than 360 degrees, no straight line reaches a region behind the vertex.
   std::optional<StraightLine> around;
   double least = longest;
   const std::vector<View::Seen> here = View(mesh_, barriers_, from, longest).vertices();

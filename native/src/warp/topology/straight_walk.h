@@ -19,7 +19,7 @@ struct SurfacePoint {
   static SurfacePoint in_face(FaceHandle f, Planar place) { return {VertexHandle(), f, place}; }
 };
 
-/// The straight line to another point. If a vertex is in the way, it consists of two straight lines.
+/// The straight line to another point. If a vertex is in the way, the line consists of two straight lines.
 struct StraightLine {
   Planar leaving;    // vector to the end, in the plane of the start
   Planar returning;  // vector to the start, in the plane of the end
@@ -32,7 +32,7 @@ class StraightWalk {
   /// barriers: edges that are not crossed, one flag per edge. References are kept.
   StraightWalk(const HalfEdgeMesh& mesh, const std::vector<char>& barriers) : mesh_(mesh), barriers_(barriers) {}
 
-  /// Returns the point where a straight step ends; the start if it meets a barrier or the outline.
+  /// Returns the point where a straight step ends; the start if the step meets a barrier or the outline.
   SurfacePoint step(const SurfacePoint& from, Planar vector) const;
 
   /// Returns the line from a point in a face; none if it is longer than `longest` or has to cross a barrier.
@@ -50,7 +50,7 @@ inline std::vector<FaceHandle> faces_at(const HalfEdgeMesh& mesh, const SurfaceP
 
 HalfEdgeMesh::Point position(const HalfEdgeMesh& mesh, const SurfacePoint& point);
 
-/// Returns the point at a share of an edge.
+/// Returns the point on an edge at this share of its length from the start of h.
 SurfacePoint point_on_edge(const HalfEdgeMesh& mesh, HalfedgeHandle h, double share);
 
 }  // namespace wirewarp

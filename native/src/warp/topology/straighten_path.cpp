@@ -52,7 +52,7 @@ class InnerEdges {
   std::unordered_multimap<int, Copy> copies_;  // keyed by input vertex
 };
 
-/// Marks the input's wires and the outline of a chart. The chart may have an error.
+/// Returns a mask of the input's wires and the outline of a chart. The chart may have an error.
 WireMask lines_of(const Chart& chart, const std::set<VertexPair>& wire_edges) {
   WireMask lines;
   for (const EdgeHandle e : chart.mesh.edges()) {
@@ -106,7 +106,8 @@ void check_path(const std::vector<int>& path, int count) {
   for (const int v : path) {
     const std::string value = "through vertex " + std::to_string(v);
     if (v < 0 || v >= count) throw wrong_path(value, "use the vertices of the mesh, 0 to " + std::to_string(count - 1));
-    if (!passed.insert(v).second) throw wrong_path(value + " twice", "pass each vertex once: straighten it in parts");
+    if (!passed.insert(v).second)
+      throw wrong_path(value + " twice", "pass each vertex once, so straighten it in parts");
   }
 }
 
@@ -135,7 +136,7 @@ std::vector<LinePoint> straighten_path(const FlattenInput& input, const std::vec
       if (!next.half_edge.is_valid()) refuse(charts, edges, path[i - 1], path[i]);
       run.push_back(chart.mesh.to_vertex_handle(next.half_edge));
     }
-    if (!line.empty()) line.pop_back();  // one run ends where the next starts
+    if (!line.empty()) line.pop_back();  // the last point of a run is the first point of the following run
     for (const PathPoint& point : smooth_line(chart.mesh, lines, run, Nearness::touching))
       line.push_back(in_input(chart, point));
   }

@@ -11,7 +11,7 @@ namespace wirewarp {
 namespace {
 
 /// Tolerance for rounding errors: a path this close to a vertex (in edge lengths) or to an edge (in radians) counts as
-/// on it.
+/// being on the vertex or edge.
 constexpr double kOnIt = 1e-11;
 
 class Tracer {

@@ -54,7 +54,7 @@ Strip shorten(const HalfEdgeMesh& mesh, Strip strip) {
   return strip;
 }
 
-/// The half-edges around a center between two given ones, counter-clockwise, and the angle that they span.
+/// The half-edges around a center between two given half-edges, counter-clockwise, and the angle between these two.
 struct Fan {
   std::vector<HalfedgeHandle> between;
   double angle = 0;

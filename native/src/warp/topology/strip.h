@@ -15,7 +15,7 @@ struct Strip {
   std::vector<HalfedgeHandle> crossings;
 };
 
-/// Where the shortest path in a strip turns around a vertex on the strip's border.
+/// A place where the shortest path in a strip turns around a vertex on the strip's border.
 struct StripTurn {
   std::size_t crossing = 0;  // index of a crossing at the vertex
   VertexHandle vertex;
@@ -32,7 +32,7 @@ struct StripPath {
 /// Returns the strip beside a path of edges, on the side of the smaller angle at each vertex.
 Strip strip_beside(const HalfEdgeMesh& mesh, const std::vector<VertexHandle>& edge_path);
 
-/// Returns the same strip, but around the other side of an interior vertex.
+/// Returns a strip that passes an interior vertex on its other side, and is otherwise the same.
 Strip pass_on_other_side(const HalfEdgeMesh& mesh, const Strip& strip, const StripTurn& turn);
 
 /// Returns the shortest path in a strip. It crosses each edge at least a quarter of its length from an end on a wire.

@@ -30,7 +30,7 @@ inline std::vector<FaceHandle> faces_at(const HalfEdgeMesh& mesh, VertexHandle v
   return faces;
 }
 
-/// Returns the faces that have a point of a path as a corner or on an edge.
+/// Returns the faces that contain a point of a path, at a corner or on an edge.
 inline std::vector<FaceHandle> faces_at(const HalfEdgeMesh& mesh, const PathPoint& point) {
   if (point.is_vertex()) return faces_at(mesh, point.vertex);
   std::vector<FaceHandle> faces;
