@@ -27,7 +27,7 @@ def register() -> None:
     """Load the library, then register the add-on. Without the library, register only its error and a Flatten button."""
     global _unregister
     if hasattr(bpy.types, "OBJECT_OT_wirewarp_flatten"):
-        raise RuntimeError("WireWarp is enabled already, as an extension or as an add-on: remove one of the two.")
+        raise RuntimeError("WireWarp is already enabled. Remove the extension or the add-on.")
     try:
         core.load(VERSION)
     except core.LibraryError as error:

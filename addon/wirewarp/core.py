@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Imports the core library, the package wirewarp; no other module does.
 
-The legacy add-on contains it with its requirements (_core/wirewarp). For the extension, Blender installs them from
-wheels.
+The legacy add-on contains the library and its requirements (_core/wirewarp). For the extension, Blender installs both
+from wheels.
 """
 
 import importlib
@@ -35,7 +35,7 @@ class LibraryError(Exception):
 
 
 def load(addon_version: str) -> None:
-    """Find the library when the add-on registers. Raise LibraryError if no library can be used."""
+    """Import the library when the add-on registers. Raise LibraryError if it cannot be used."""
     global _library
     _library = None
     inside = find_spec(f".{_INSIDE}", __package__)
@@ -44,7 +44,7 @@ def load(addon_version: str) -> None:
         found = importlib.import_module(f".{_INSIDE}.wirewarp" if inside else "wirewarp", __package__)
         library_version = getattr(found, "__version__", "of an unknown version")
         if library_version == addon_version:
-            for part in ("pattern", "report"):  # these packages import everything that they need
+            for part in ("pattern", "report"):  # so that a missing part of the library is noticed now
                 importlib.import_module(f"{found.__name__}.{part}")
     except Exception as error:  # a damaged library, or one for another numpy, may raise anything
         traceback.print_exc()
@@ -58,7 +58,7 @@ def load(addon_version: str) -> None:
 
 
 def library() -> ModuleType:
-    """Return the package wirewarp. Modules that need it are not imported without it."""
+    """Return the package wirewarp. Modules that need the library are imported only after load() has found it."""
     assert _library
     return _library
 
@@ -71,7 +71,7 @@ if TYPE_CHECKING:
 else:
 
     def __getattr__(name: str) -> object:
-        """Return a name of the library or of its report, for `from ..core import Piece, Report`."""
+        """Return a name of the library or of its package report, so that `from ..core import Piece, Report` works."""
         if name.startswith("_"):  # Python looks these up in every module
             raise AttributeError(name)
         package = library()
@@ -79,8 +79,8 @@ else:
 
 
 def loading_problem(error: Exception, folder: Path | None) -> str:
-    """Return a sentence about an import that failed with this error. folder: the library's files; None if there are
-    none."""
+    """Return a sentence about an import that failed with this error. folder: folder of the library's files, None if it
+    was not found."""
     if isinstance(error, ModuleNotFoundError) and error.name == "numpy":
         return (
             "Blender's Python has no numpy, which WireWarp needs: install it (on Debian and Ubuntu the package "
@@ -98,7 +98,7 @@ def loading_problem(error: Exception, folder: Path | None) -> str:
     if newer := _NEWER_GLIBC.search(str(error)):
         return (
             f"The WireWarp library needs the C library glibc {newer[1]} or newer, and this system has "
-            f"{platform.libc_ver()[1]}. Use a newer Linux, or build WireWarp on this one (see its README)."
+            f"{platform.libc_ver()[1]}. Use a newer Linux, or build WireWarp on this system (see WireWarp's README)."
         )
     return f"The WireWarp library does not load ({type(error).__name__}: {error}): it may be damaged. {_AGAIN}"
 

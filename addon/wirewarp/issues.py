@@ -5,7 +5,7 @@ from .core import Issue
 
 
 class ObjectError(Exception):
-    """One object cannot be flattened or written; the others can."""
+    """Raised if one object cannot be flattened or written. Other objects are not affected."""
 
     def __init__(self, issue: Issue) -> None:
         super().__init__(issue.sentence)

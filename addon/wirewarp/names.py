@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Attribute:
-    """A mesh attribute with one number per element; 0 if none was written."""
+    """A mesh attribute with one number per element, which is 0 if none was written."""
 
     name: str
     data_type: str  # "INT" or "FLOAT"
@@ -18,7 +18,7 @@ class Attribute:
 
 @dataclass(frozen=True)
 class Mark(Attribute):
-    """An attribute of the model's mesh that the user marks: on edges, or on one side of an edge."""
+    """An attribute of the model's mesh that stores the user's marks of edges, or of one side of an edge."""
 
     is_length: bool = False  # in Blender units; Set Unit scales it so that its actual length does not change
     is_drawn: bool = False  # the overlay draws it on the model
@@ -28,13 +28,15 @@ class Mark(Attribute):
 WIRE = Mark("wirewarp_wire", "INT", "EDGE", is_drawn=True)  # random 31-bit id of the wire, 0 none
 TOLERANCE = Mark("wirewarp_tolerance", "FLOAT", "EDGE")  # 0 rigid, finite elastic, inf super-elastic
 EASE = Mark("wirewarp_ease", "FLOAT", "EDGE")  # relative change of the wire's length: 0.05 is 5%
-SIDE_EASE = Mark("wirewarp_side_ease", "FLOAT", "CORNER", is_drawn=True)  # like EASE; of the edge after the corner
+# like EASE, for the side of the edge that begins at the corner
+SIDE_EASE = Mark("wirewarp_side_ease", "FLOAT", "CORNER", is_drawn=True)
 SIDE_RATIO = Mark("wirewarp_side_ratio", "FLOAT", "EDGE", is_drawn=True)  # like EASE, for one side, see SidedMark
-EASED_SIDE = Mark("wirewarp_eased_side", "INT", "EDGE")  # the number of the face on that side, 0 none
+EASED_SIDE = Mark("wirewarp_eased_side", "INT", "EDGE")  # FACE number of the face on the side with SIDE_RATIO, 0 none
 ALLOWANCE = Mark("wirewarp_allowance", "FLOAT", "EDGE", is_length=True)  # see state.allowances
-SIDE_ALLOWANCE = Mark("wirewarp_side_allowance", "FLOAT", "CORNER", is_length=True)  # for the edge that begins there
-SIDE_WIDTH = Mark("wirewarp_side_width", "FLOAT", "EDGE", is_length=True)  # for one side, see SidedMark
-SIDE = Mark("wirewarp_side", "INT", "EDGE")  # the number of the face on that side, 0 none
+# like ALLOWANCE, for the side of the edge that begins at the corner
+SIDE_ALLOWANCE = Mark("wirewarp_side_allowance", "FLOAT", "CORNER", is_length=True)
+SIDE_WIDTH = Mark("wirewarp_side_width", "FLOAT", "EDGE", is_length=True)  # like ALLOWANCE, for one side, see SidedMark
+SIDE = Mark("wirewarp_side", "INT", "EDGE")  # FACE number of the face on the side with SIDE_WIDTH, 0 none
 FACE = Mark("wirewarp_face", "INT", "FACE")  # random 31-bit number of faces beside edges with a marked side, 0 none
 MARKS = (WIRE, TOLERANCE, EASE, SIDE_EASE, SIDE_RATIO, EASED_SIDE, ALLOWANCE, SIDE_ALLOWANCE, SIDE_WIDTH, SIDE, FACE)
 # on faces: no seam is suggested where the value is above 0; also the name of a vertex group of the object

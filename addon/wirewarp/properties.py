@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Declares settings of the scene, names of wires on the mesh, names of pieces on the object, and links of objects."""
+"""Declares settings of the scene, and stored data: names of wires on the mesh, names of pieces and seams on the object,
+and the model of flat pieces.
+"""
 
 from collections.abc import Callable
 
@@ -28,11 +30,11 @@ LEAST_EASE = -0.99  # smallest ease, so that a line keeps some length
 
 
 class EaseAmount:
-    """Change of a line's length: shared by the scene's settings and the operator."""
+    """Settings of an ease, which changes a line's length: shared by the scene's settings and the operator."""
 
     ease_unit: EnumProperty(
         name="Unit",
-        description="Whether an ease is given in percent or in millimeters",
+        description="Unit in which an ease is entered",
         items=[
             ("PERCENT", "%", "Percent of the length of each line"),
             ("LENGTH", "mm", "Millimeters added to each line"),
@@ -65,19 +67,19 @@ class PatternSettings:
 
     allowance: number(
         "Allowance",
-        "Seam allowance in millimeters around every piece, except where edges are marked with another one",
+        "Seam allowance in millimeters around every piece, except along edges marked with another allowance",
         (0.0, 10.0, 50.0, 1000.0),
         step=100,
         update=_redraw,
     )
     pairs: BoolProperty(
         name="Equal Pieces",
-        description="Draw pieces of the same shape, or its mirror image, only once, with the number to cut",
+        description="Draw pieces of the same or mirrored shape only once, with the number of copies to cut",
         update=_redraw,
     )
     on_fold: BoolProperty(
         name="On the Fold",
-        description="Draw half of each symmetric piece: it is cut on the fold of the fabric",
+        description="Draw half of each symmetric piece, to be cut on the fold of the fabric",
         update=_redraw,
     )
     darts: EnumProperty(
@@ -90,7 +92,7 @@ class PatternSettings:
                 "Cut straight across the open end, so that the dart can be folded, with notches at its legs and a "
                 "drill hole before its tip. Darts wider than 50 mm are cut out",
             ),
-            ("CUT", "Cut Out", "The dart is cut out, with seam allowance on its legs"),
+            ("CUT", "Cut Out", "Cut the dart out, with seam allowance on its legs"),
             ("SLIT", "Slit", "Cut along the legs"),
         ],
         update=_redraw,
@@ -101,13 +103,13 @@ class PatternSettings:
         items=[
             ("IN_ROWS", "In Rows", "Side by side to save paper, without rotation"),
             ("MARKER", "Marker", "Nested as closely as possible on fabric of one width. Each piece is cut once"),
-            ("AS_LAID_OUT", "As Laid Out", "In the places and directions that they have in the flat object"),
+            ("AS_LAID_OUT", "As Laid Out", "In their places and directions in the flat object"),
         ],
         update=_redraw,
     )
     cloth_width: number(
         "Fabric Width",
-        "Usable width of the fabric of a layout, in millimeters",
+        "Usable width of the fabric for the marker, in millimeters",
         (10.0, 1400.0, 5000.0, 5000.0),
         precision=0,
         step=1000,
@@ -115,18 +117,18 @@ class PatternSettings:
     )
     gap: number(
         "Gap",
-        "Space between the pieces of a marker, in millimeters",
+        "Space between the pieces of the marker, in millimeters",
         (0.0, 5.0, 100.0, 100.0),
         step=100,
         update=_redraw,
     )
     grain: EnumProperty(
         name="Grain",
-        description="Allowed rotation of the pieces in a layout",
+        description="Allowed rotation of the pieces in the marker",
         items=[
-            ("ONE_WAY", "One Way", "Not at all: fabric with a nap, or a print that has a top"),
-            ("BOTH_WAYS", "Both Ways", "By half a turn: most woven fabric"),
-            ("FREE", "Free", "By any angle: leather, foam, felt"),
+            ("ONE_WAY", "One Way", "No rotation, for fabric with a nap, or with a print that has a top"),
+            ("BOTH_WAYS", "Both Ways", "Rotation by half a turn, for most woven fabric"),
+            ("FREE", "Free", "Rotation by any angle, for leather, foam and felt"),
         ],
         update=_redraw,
     )
@@ -138,7 +140,7 @@ class PatternSettings:
                 (name.upper().replace("-", "_"), paper.label, "", number + (number >= OTHER_ROLL))
                 for number, (name, paper) in enumerate(pattern.PAPERS.items())
             ),
-            ("ROLL", "Roll of another width", "", OTHER_ROLL),
+            ("ROLL", "Roll of Another Width", "", OTHER_ROLL),
         ],
         default="A4",
         update=_redraw,
@@ -153,8 +155,8 @@ class PatternSettings:
 
 
 def take_settings(operator: bpy.types.Operator, settings: "WIREWARP_PG_settings", kind: type = FlattenSettings) -> None:
-    """Copy the settings that the caller has not set from the scene. kind: FlattenSettings or PatternSettings. Skips
-    values that are unknown in this version: see reset_unknown."""
+    """Copy the scene's settings to the operator, except those that the caller has set. Reset unknown values first: see
+    reset_unknown. kind: FlattenSettings, PatternSettings or EaseAmount."""
     reset_unknown(settings, kind)
     for name in kind.__annotations__:
         if not operator.properties.is_property_set(name):
@@ -162,7 +164,7 @@ def take_settings(operator: bpy.types.Operator, settings: "WIREWARP_PG_settings"
 
 
 def reset_unknown(settings: "WIREWARP_PG_settings", kind: type = FlattenSettings) -> None:
-    """Reset an enum to its default if it has a value of another version that is unknown in this one."""
+    """Reset each enum whose stored value is unknown to this version of the add-on to its default."""
     for name in kind.__annotations__:
         if getattr(settings, name) == "":
             settings.property_unset(name)
@@ -184,13 +186,13 @@ class WIREWARP_PG_settings(FlattenSettings, PatternSettings, TargetSettings, Eas
     auto_update: BoolProperty(
         name="Auto",
         description="Flatten again automatically when seams, wires, shape or scale change, as soon as no tool is "
-        "running. With Modifiers, also when their result changes. Models of more than 20,000 vertices wait until you "
-        "leave Edit Mode",
+        "running. With Modifiers, also flatten again when their result changes. Models of more than 20,000 vertices "
+        "wait until you leave Edit Mode",
         update=_look_for_changes,
     )
     tolerance_percent: number(
         "Tolerance ±%",
-        "How much an elastic wire may become longer or shorter, in percent of its length. Each part between "
+        "How much an elastic wire may become longer or shorter, in percent of its length. Each section between "
         "seams may change that much, evenly along its length",
         (0.01, 3.0, 20.0, 99.0),
         subtype="PERCENTAGE",
@@ -198,7 +200,7 @@ class WIREWARP_PG_settings(FlattenSettings, PatternSettings, TargetSettings, Eas
     )
     show_pages: BoolProperty(
         name="Show Pages",
-        description="Draw the pages of a PDF over the flat pieces, or beside them if the PDF arranges them differently",
+        description="Draw the pages of a PDF over the flat pieces, or below them if the PDF arranges them differently",
         update=_redraw,
     )
     show_lines: BoolProperty(
@@ -209,7 +211,7 @@ class WIREWARP_PG_settings(FlattenSettings, PatternSettings, TargetSettings, Eas
         update=_redraw,
     )
     show_names: BoolProperty(
-        name="Names", description="Write the names of wires, seams and pieces", default=True, update=_redraw
+        name="Names", description="Show the names of wires, seams and pieces", default=True, update=_redraw
     )
     shown_map: EnumProperty(
         name="Map",
@@ -239,7 +241,7 @@ class WIREWARP_PG_settings(FlattenSettings, PatternSettings, TargetSettings, Eas
             (
                 "LENGTH_VARIATION_COLOR",
                 "Change of Length",
-                "How much longer or shorter than their targets the edges in the flat pieces are, in percent",
+                "How much the lengths of edges in the flat pieces differ from their target lengths, in percent",
             ),
             (
                 "ASPECT_RATIO_COLOR",
@@ -254,7 +256,7 @@ class WIREWARP_PG_settings(FlattenSettings, PatternSettings, TargetSettings, Eas
         ],
         update=_redraw,
     )
-    show_all: BoolProperty(name="Show All", description="Show every line of the report, not only the worst")
+    show_all: BoolProperty(name="Show All", description="Show all rows of the report's tables, not only the worst rows")
 
 
 class WIREWARP_preferences(bpy.types.AddonPreferences):
@@ -262,7 +264,7 @@ class WIREWARP_preferences(bpy.types.AddonPreferences):
 
     moves_view: BoolProperty(
         name="Show New Pieces",
-        description="After the first Flatten, and when pieces had to move, move the view to show model and pieces",
+        description="Move the view to show model and pieces after the first Flatten, and whenever pieces had to move",
         default=True,
     )
 
@@ -298,8 +300,8 @@ CLASSES = (WIREWARP_preferences, WIREWARP_PG_settings, WIREWARP_PG_wire_name, WI
 
 
 def attach() -> Callable[[], None]:
-    grain = "Id of the wire that is upright in the flat pieces that it crosses, 0: none"
-    source = "The object these flat pieces were made from"
+    grain = "Id of the wire that is upright in the flat pieces that it crosses, 0 for none"
+    source = "Model from which these flat pieces were made"
     added = {
         (bpy.types.Scene, "wirewarp"): PointerProperty(type=WIREWARP_PG_settings),
         (bpy.types.Mesh, "wirewarp_names"): CollectionProperty(type=WIREWARP_PG_wire_name),

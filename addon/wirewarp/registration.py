@@ -27,7 +27,7 @@ OTHERS = tuple(module for room in ROOMS for module in room.MODULES if module not
 CLASSES = (*properties.CLASSES, *(cls for module in OTHERS + SIDEBAR for cls in module.CLASSES))
 # each has attach(), which returns the function that detaches it
 PARTS = (properties, overlay, ui.layout, ui.menus, auto_update)
-HANDLERS: dict[str, tuple[Callable, ...]] = {  # keys: names of Blender's lists
+HANDLERS: dict[str, tuple[Callable, ...]] = {  # keys: names of Blender's lists of handlers
     "depsgraph_update_post": (memory.note_updates, auto_update.note_update),
     "frame_change_post": (memory.drop_changed,),
     "undo_post": (memory.drop_gathered, reports.forget_incomparable, auto_update.note_undo),
@@ -36,12 +36,12 @@ HANDLERS: dict[str, tuple[Callable, ...]] = {  # keys: names of Blender's lists
     "load_pre": (window_run.stop, drop_jobs),
     "load_post": (drawings.forget, memory.forget),
 }
-# these clear the memory when the add-on is disabled or another file is opened
+# functions that clear the memory when the add-on is disabled or another file is opened
 FORGET = (*HANDLERS["load_pre"], *HANDLERS["load_post"])
 
 
 def register() -> Callable[[], None]:
-    """Register everything. Return a function that removes it all, even if removing some items fails. If the
+    """Register everything. Return a function that removes everything, even if removing some items fails. If the
     registration fails, items that were already registered are removed, too."""
     with ExitStack() as undo:
         for cls in CLASSES:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The add-on without a working core library: a sentence in the sidebar, and a Flatten that reports it."""
+"""Replaces the add-on if the core library does not work. The sidebar and the operator Flatten show the reason."""
 
 import textwrap
 from collections.abc import Callable
@@ -11,10 +11,11 @@ LETTER, MARGIN = 7, 60
 
 
 def register(problem: str) -> Callable[[], None]:
-    """Register these parts, and return the function that unregisters them. problem: why there is no library."""
+    """Register the panel and the operator, and return the function that unregisters them. problem: sentence that says
+    why the library does not work."""
 
     class OBJECT_OT_wirewarp_flatten(bpy.types.Operator):
-        """Say why WireWarp cannot flatten"""
+        """Show why WireWarp cannot flatten"""
 
         bl_idname = "object.wirewarp_flatten"
         bl_label = "Flatten"

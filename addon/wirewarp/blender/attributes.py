@@ -26,7 +26,7 @@ def sealed(data: dict[str, Any]) -> str:
 
 
 def unsealed(stored: object) -> dict[str, Any] | None:
-    """Returns the data in a text made by sealed(); None for other texts."""
+    """Returns the data in a text made by sealed(), or None for other values."""
     if not isinstance(stored, str) or stored[:DIGITS] != digest(stored[DIGITS:]):
         return None
     return json.loads(stored[DIGITS:])
@@ -48,13 +48,13 @@ _PLURALS = {"POINT": "vertices", "EDGE": "edges", "FACE": "faces", "CORNER": "fa
 
 
 def find_values(mesh: bpy.types.Mesh, attribute: Attribute) -> np.ndarray | None:
-    """Returns the unchecked values (k,), int32 or float32; None if no attribute has this name, type and domain.
-    Functions that return values need a mesh that is not in Edit Mode."""
+    """Returns the values (k,), int32 or float32; None if no attribute has this name, type and domain. The mesh is not
+    in Edit Mode."""
     return read_attribute(mesh, attribute.name, attribute.data_type, attribute.domain)
 
 
 def read_values(mesh: bpy.types.Mesh, attribute: Attribute) -> np.ndarray:
-    """Returns the values as find_values does; zeros if there is no such attribute."""
+    """Returns the values like find_values, or zeros if there is no such attribute."""
     found = find_values(mesh, attribute)
     if found is not None:
         return found
@@ -105,7 +105,7 @@ def check_attribute(mesh: bpy.types.Mesh, attribute: Attribute) -> None:
         raise object_error(
             "attribute_type",
             f'The attribute "{attribute.name}" of mesh "{mesh.name}" is not of type {attribute.data_type} on '
-            f"{_PLURALS[attribute.domain]}: rename or delete it under Object Data > Attributes.",
+            f"{_PLURALS[attribute.domain]}. Rename or delete it under Object Data > Attributes.",
         )
 
 
@@ -128,6 +128,6 @@ def check_free(target: bpy.types.Object, name: str, what: str) -> None:
         if name in holder:
             raise object_error(
                 "name_taken",
-                f'"{target.name}" has something called "{name}" under Object Data > {place}, and {what} needs the '
-                "name: rename it.",
+                f'"{target.name}" has something called "{name}" under Object Data > {place}. Rename it, because {what} '
+                "needs this name.",
             )

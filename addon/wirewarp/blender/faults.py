@@ -15,7 +15,8 @@ from mathutils.bvhtree import BVHTree
 from ..core import Elements, counted
 from .mesh import as_bmesh
 
-CLOSE = 1e-5  # share of the model's size; files store coordinates with five or six digits
+# distance of elements that count as one, as a share of the model's size; files store coordinates with 5 or 6 digits
+CLOSE = 1e-5
 ROUNDED = 5e-7  # share of the largest coordinate: two rounding errors of single precision for each of two vertices
 Found = list[Any]  # vertices, edges and faces of the bmesh
 
@@ -27,7 +28,7 @@ class Fault:
     many: str
     verb: str  # first word of the button, such as "Merge"
     done: str  # participle in the message, such as "merged"
-    find: Callable[[bmesh.types.BMesh, float], Found]  # float: greatest distance between elements that count as one
+    find: Callable[[bmesh.types.BMesh, float], Found]  # float: largest distance between elements that count as one
     repair: Callable[[bmesh.types.BMesh, float, Found], object]
 
     def text(self, count: int) -> str:
@@ -44,7 +45,7 @@ def find_faults(mesh: bpy.types.Mesh) -> dict[str, Elements]:
 
 
 def repair_faults(mesh: bpy.types.Mesh, kinds: Sequence[str]) -> dict[str, int]:
-    """Repairs these kinds in order; returns how many elements of each were repaired."""
+    """Repair these kinds of faults. Return the number of repaired elements of each kind."""
     repaired = {}
     with as_bmesh(mesh) as edit:
         close = _close_distance(edit)
@@ -97,7 +98,7 @@ def _merge(edit: bmesh.types.BMesh, close: float, _found: Found) -> None:
 
 
 def _faces_without_area(edit: bmesh.types.BMesh, close: float) -> Found:
-    """Return faces whose height above their longest edge is at most this."""
+    """Return faces whose height above their longest edge is at most `close`."""
     lengths = ((face, max(edge.calc_length() for edge in face.edges)) for face in edit.faces)
     return [face for face, longest in lengths if 2 * face.calc_area() <= close * longest]
 
@@ -147,7 +148,7 @@ def _rooms(edit: bmesh.types.BMesh) -> dict[tuple[int, int], tuple[int, int]]:
 
 
 def _around(edge: bmesh.types.BMEdge) -> list[tuple[int, int, int]]:
-    """Return the faces around the edge by angle, each with its sides toward the next and the previous one."""
+    """Return the faces around the edge by angle, each with its sides toward the next and the previous face."""
     axis = (edge.verts[1].co - edge.verts[0].co).normalized()
     first = axis.orthogonal().normalized()
     second, faces = axis.cross(first), []

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Checks the files that users and scripts name, and writes them completely or not at all."""
+"""Checks paths that users and scripts enter, and makes file names and error sentences for them."""
 
 import os
 import re
@@ -7,7 +7,7 @@ from pathlib import Path
 
 import bpy
 
-# Options of a path property that may be relative; Blender before 4.5 has no such option.
+# Options of a property with a path that may be relative. Blender before 4.5 has no option for relative paths.
 OPTIONS = {"SKIP_SAVE", "PATH_SUPPORTS_BLEND_RELATIVE"} if bpy.app.version >= (4, 5, 0) else {"SKIP_SAVE"}
 LONGEST_NAME = 200  # bytes; most systems allow 255
 # names reserved on Windows, with or without a suffix
@@ -30,19 +30,19 @@ def file_name(name: str, ending: str) -> str:
 
 
 def unwritten(path: str | Path, error: OSError) -> str:
-    """Return the sentence for a file that cannot be written."""
+    """Return a sentence about a file that cannot be written."""
     return f'Cannot write "{path}": {error.strerror or error}.'
 
 
 def check_file(path: Path) -> None:
-    """Raises OSError if the file cannot be written there. A model is never overwritten."""
+    """Raises OSError if no file can be written at this path. Blender files are never overwritten."""
     path = path.resolve()
     if not path.parent.is_dir():
         raise OSError(f'there is no folder "{path.parent}"')
     if path.exists() and not path.is_file():
         raise OSError("it is a folder" if path.is_dir() else "it is a device")
     if re.fullmatch(r"\.blend\d*", path.suffix.lower()):
-        raise OSError("a Blender file has this name; choose another")
+        raise OSError("a Blender file has this name, so choose another name")
 
 
 def check_ending(path: Path, ending: str) -> None:

@@ -12,7 +12,8 @@ from ..solve.chains import next_corners
 
 HAS_UV_ATTRIBUTES = bpy.app.version >= (3, 5, 0)
 HAS_ATTRIBUTES = bpy.app.version >= (4, 0, 0)
-SEAM = "uv_seam" if bpy.app.version >= (4, 5, 0) else ".uv_seam"  # the attribute is absent if no edge is a seam
+# the attribute of seams, which is absent if no edge is a seam
+SEAM = "uv_seam" if bpy.app.version >= (4, 5, 0) else ".uv_seam"
 
 
 def read(collection: bpy.types.bpy_prop_collection, name: str, dtype: type, columns: int = 1) -> np.ndarray:
@@ -33,7 +34,7 @@ _VALUES = {
 
 
 def read_attribute(mesh: bpy.types.Mesh, name: str, data_type: str, domain: str) -> np.ndarray | None:
-    """Return the values (k,), (k,3) or (k,4) of an attribute; None if the mesh has none of this type and domain. The
+    """Return the values (k,), (k,3) or (k,4) of an attribute; None if no attribute has this name, type and domain. The
     mesh is not in Edit Mode."""
     attribute = mesh.attributes.get(name)
     if attribute is None or (attribute.data_type, attribute.domain) != (data_type, domain):
@@ -59,7 +60,7 @@ def corner_vertices(mesh: bpy.types.Mesh) -> np.ndarray:
 
 
 def corner_edges(mesh: bpy.types.Mesh) -> np.ndarray:
-    """Return the edge from each corner to the next of its face, (l,) int32."""
+    """Return the edge from each corner to the next corner of its face, (l,) int32."""
     return _of_corners(mesh, ".corner_edge", "edge_index")
 
 
@@ -76,7 +77,7 @@ def face_sizes(mesh: bpy.types.Mesh) -> np.ndarray:
 
 
 def triangle_corners(mesh: bpy.types.Mesh) -> np.ndarray:
-    """Return the triangles (m,3) int32. This and the next two functions need a mesh with calculated triangles."""
+    """Return the corners of each triangle, (m,3) int32. All functions for triangles need mesh.calc_loop_triangles()."""
     return _indices(mesh.loop_triangles, "loops", 3)
 
 
@@ -111,8 +112,8 @@ def selected_edges(mesh: bpy.types.Mesh) -> np.ndarray:
 
 
 def _edge_flags(mesh: bpy.types.Mesh, attribute: str, name: str) -> np.ndarray:
-    """Read the attribute if there is one; it is absent if no edge has the flag. Otherwise read the slower property of
-    each edge."""
+    """Return a mask (e,) of the edges with this flag. attribute: name of the attribute, which is absent if no edge has
+    the flag; name: the property for Blender versions without such attributes."""
     if not HAS_ATTRIBUTES:
         return read(mesh.edges, name, bool)
     flags = read_attribute(mesh, attribute, "BOOLEAN", "EDGE")
@@ -143,12 +144,12 @@ def write_uv(layer: bpy.types.MeshUVLoopLayer, places: np.ndarray) -> None:
 
 
 def write_edges(mesh: bpy.types.Mesh, vertices: np.ndarray) -> None:
-    """Write the edges (e,2) int32. This and all functions below need a mesh in Object Mode."""
+    """Write the vertices of each edge, (e,2) int32, in Object Mode."""
     mesh.edges.foreach_set("vertices", vertices.ravel().view(np.uint32))
 
 
 def write_corners(mesh: bpy.types.Mesh, vertices: np.ndarray, edges: np.ndarray) -> None:
-    """Write, for each corner, the vertex and the edge to the next corner of the face, (l,) int32 each."""
+    """Write the vertex of each corner, and the edge to the next corner of its face, both (l,) int32, in Object Mode."""
     if HAS_ATTRIBUTES:
         mesh.attributes[".corner_vert"].data.foreach_set("value", vertices)
         found = mesh.attributes.get(".corner_edge") or mesh.attributes.new(".corner_edge", "INT", "CORNER")
@@ -159,24 +160,24 @@ def write_corners(mesh: bpy.types.Mesh, vertices: np.ndarray, edges: np.ndarray)
 
 
 def write_faces(mesh: bpy.types.Mesh, starts: np.ndarray, sizes: np.ndarray) -> None:
-    """Write the number of corners of each face, (f,) int32."""
+    """Write the first corner and the number of corners of each face, (f,) int32, in Object Mode."""
     mesh.polygons.foreach_set("loop_start", starts.view(np.uint32))
     if not HAS_ATTRIBUTES:  # later versions of Blender derive the sizes from the starts
         mesh.polygons.foreach_set("loop_total", sizes.view(np.uint32))
 
 
 def add_seams(mesh: bpy.types.Mesh, edges: np.ndarray) -> None:
-    """Make these edges (k,) seams; others do not change."""
+    """Make these edges (k,) of a mesh in Object Mode seams. Other edges do not change."""
     _set_edge_flags(mesh, SEAM, "use_seam", edges, flag=True)
 
 
 def remove_seams(mesh: bpy.types.Mesh, edges: np.ndarray) -> None:
-    """Remove the seams of edges (k,); others do not change."""
+    """Remove the seams of these edges (k,) of a mesh in Object Mode. Other edges do not change."""
     _set_edge_flags(mesh, SEAM, "use_seam", edges, flag=False)
 
 
 def add_sharp_edges(mesh: bpy.types.Mesh, edges: np.ndarray) -> None:
-    """Make these edges (k,) sharp; others do not change."""
+    """Make these edges (k,) of a mesh in Object Mode sharp. Other edges do not change."""
     _set_edge_flags(mesh, "sharp_edge", "use_edge_sharp", edges, flag=True)
 
 
@@ -187,7 +188,7 @@ def _set_edge_flags(mesh: bpy.types.Mesh, attribute: str, name: str, edges: np.n
         found = mesh.attributes.get(attribute) or mesh.attributes.new(attribute, "BOOLEAN", "EDGE")
         found.data.foreach_set("value", flags)
     else:
-        for edge in edges.tolist():  # if few edges change, faster than writing the flags of all
+        for edge in edges.tolist():  # faster than writing the flags of all edges if few edges change
             setattr(mesh.edges[edge], name, flag)
 
 
@@ -207,17 +208,17 @@ def faces_of_corners(mesh: bpy.types.Mesh) -> np.ndarray:
 
 
 def faces_at_edges(mesh: bpy.types.Mesh) -> np.ndarray:
-    """Return the number of faces (e,) of each edge."""
+    """Return the number of faces at each edge, (e,)."""
     return np.bincount(corner_edges(mesh), minlength=len(mesh.edges))
 
 
 def next_loops(mesh: bpy.types.Mesh) -> np.ndarray:
-    """Return the next corner (l,) of its face for each corner."""
+    """Return, for each corner, the next corner of its face, (l,)."""
     return next_corners(face_sizes(mesh))
 
 
 def element_counts(mesh: bpy.types.Mesh) -> dict[str, int]:
-    """Return the numbers of elements, by which a report detects that its mesh has changed."""
+    """Return the numbers of vertices, edges and faces, by which a report detects that its mesh has changed."""
     return {"vertices": len(mesh.vertices), "edges": len(mesh.edges), "faces": len(mesh.polygons)}
 
 
@@ -226,10 +227,10 @@ _copies: dict[int, bpy.types.Mesh] = {}  # copies in use, by the memory addresse
 
 @contextmanager
 def current_mesh(target: bpy.types.Object) -> Iterator[bpy.types.Mesh]:
-    """Yield the object's own present mesh for reading: in Edit Mode a copy, because the mesh has no attributes then.
+    """Yield the object's own mesh for reading. In Edit Mode it is a copy, because attributes cannot be read there.
 
-    Nested calls for one object share the copy of the outermost, so that several readers cost one copy.
-    Shape keys are updated from it, as Blender does before each undo step.
+    Nested calls for one object share the copy of the outermost call, so that several readers cost one copy. Making the
+    copy updates shape keys, as Blender does before each undo step.
     """
     mesh, address = target.data, target.as_pointer()
     if not mesh.is_editmode:
@@ -249,7 +250,7 @@ def current_mesh(target: bpy.types.Object) -> Iterator[bpy.types.Mesh]:
 
 @contextmanager
 def as_bmesh(mesh: bpy.types.Mesh) -> Iterator[bmesh.types.BMesh]:
-    """Yield a copy of a mesh that is not in Edit Mode."""
+    """Yield a bmesh with a copy of a mesh that is not in Edit Mode."""
     copied = bmesh.new()
     try:
         copied.from_mesh(mesh)
@@ -260,8 +261,8 @@ def as_bmesh(mesh: bpy.types.Mesh) -> Iterator[bmesh.types.BMesh]:
 
 @contextmanager
 def evaluated_mesh(source: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> Iterator[bpy.types.Mesh]:
-    """Yield the mesh with its modifiers applied. Do not nest this for one object, because the inner end frees the mesh
-    of both."""
+    """Yield the object's mesh with its modifiers applied. Do not nest calls for one object, because the end of the
+    inner call frees the mesh of both calls."""
     evaluated = source.evaluated_get(depsgraph)
     try:
         yield evaluated.to_mesh(preserve_all_data_layers=True, depsgraph=depsgraph)

@@ -22,14 +22,14 @@ def remove_object(target: bpy.types.Object) -> None:
 
 
 def name_with(name: str, ending: str) -> str:
-    """Return the name with the ending, shortened so that the ending fits. Users and scripts recognize the object by the
-    ending."""
+    """Return the name with the ending, by which users and scripts recognize the object. Shortens the name if
+    necessary."""
     room = LONGEST - len(ending.encode())
     return name.encode()[:room].decode(errors="ignore") + ending
 
 
 def show_where_shown(source: bpy.types.Object, target: bpy.types.Object) -> None:
-    """Add the target to every local view that shows the source. Blender adds only new objects by itself."""
+    """Add the target to every local view that shows the source, because Blender adds only new objects."""
     for window in bpy.context.window_manager.windows:
         present = window.view_layer.objects.values()
         for view in _local_views(window) if source in present and target in present else ():
@@ -49,7 +49,7 @@ def check_local(target: bpy.types.Object, written: bpy.types.Object | bpy.types.
     remedy = "make it local with Object > Relations > Make Local > Selected Objects and Data."
     if written.library is not None:
         raise object_error(
-            "linked_data", f'"{target.name}" is linked from another file and cannot be changed in this one: {remedy}'
+            "linked_data", f'"{target.name}" is linked from another file and cannot be changed in this file: {remedy}'
         )
     if written.override_library is not None:
         raise object_error(
@@ -66,20 +66,21 @@ def linear_part(source: bpy.types.Object) -> np.ndarray:
     if not np.isfinite(linear).all() or lengths.min() == 0 or abs(np.linalg.det(linear / lengths)) < 1e-6:
         raise object_error(
             "zero_scale",
-            f'"{source.name}" is scaled to zero along an axis, so its faces have no size: '
-            "set its scale (N panel > Item) to something else.",
+            f'"{source.name}" is scaled to zero along an axis, so its faces have no size. '
+            "Set a scale other than 0 in the sidebar (N) under Item.",
         )
     return linear
 
 
 def world_box(target: bpy.types.Object) -> np.ndarray:
-    """Return the lowest and the highest corner (2,3) of the object in the world."""
+    """Return the lowest and the highest corner (2,3) of the object's bounding box in the world."""
     corners = np.array([target.matrix_world @ Vector(corner) for corner in target.bound_box])
     return np.array([corners.min(axis=0), corners.max(axis=0)])
 
 
 def metric(source: bpy.types.Object) -> np.ndarray:
-    """Return how the object's matrix changes lengths, and whether it mirrors. Rotations do not change the result."""
+    """Return ten numbers (10,) about how the object's matrix scales, shears and mirrors. Rotations do not change
+    them."""
     linear = np.array(source.matrix_world, dtype=np.float64)[:3, :3]
     return np.append((linear.T @ linear).ravel(), np.linalg.det(linear))
 
@@ -98,6 +99,7 @@ _CUTTERS = {"METRIC": "mm", "IMPERIAL": "in"}
 
 
 def length_text(scene: bpy.types.Scene) -> LengthText:
+    """Return the format of lengths: in the scene's unit, but for meters, feet and adaptive units in mm or inches."""
     settings = scene.unit_settings
     if settings.system == "NONE":
         return LengthText("", 1.0)
@@ -107,21 +109,20 @@ def length_text(scene: bpy.types.Scene) -> LengthText:
 
 
 def meters_per_blender_unit(scene: bpy.types.Scene) -> float:
-    """Return the meters of one Blender unit, 1 without a unit system. The JSON report uses it."""
+    """Return the length of one Blender unit in meters, 1 without a unit system."""
     return scene.unit_settings.scale_length if scene.unit_settings.system != "NONE" else 1.0
 
 
 SMALLEST, LARGEST = 0.02, 5.0  # sizes that can be sewn, in meters: from a doll's glove to the cover of a sofa
-# Possible lengths of one Blender unit, in meters: the usual units of files, and factors for models that were scaled
-# down by 10, 100 or 1000 when they were imported.
-# MakeHuman uses decimeters.
+# Possible lengths of one Blender unit, in meters: the usual units of files (MakeHuman uses decimeters), and factors for
+# models that were scaled down by 10, 100 or 1000 when they were imported.
 UNITS = {1.0: "Meters", 0.1: "Decimeters", 0.01: "Centimeters", 0.001: "Millimeters", 0.0254: "Inches"}
 UNITS |= {10.0: "10 m", 100.0: "100 m", 1000.0: "1000 m"}
 SHOWN = 3  # number of possible units shown
 
 
 def strange_size(target: bpy.types.Object, scene: bpy.types.Scene) -> str:
-    """Return a sentence about a very large or very small model; "" for others."""
+    """Return a sentence about a very large or very small model; "" for other models."""
     largest = max(target.dimensions) * meters_per_blender_unit(scene)
     if largest == 0 or SMALLEST <= largest <= LARGEST:
         return ""
@@ -130,13 +131,13 @@ def strange_size(target: bpy.types.Object, scene: bpy.types.Scene) -> str:
 
 
 def size_text(target: bpy.types.Object, scene: bpy.types.Scene) -> str:
-    """Return a sentence about the present size."""
+    """Return a sentence about the present size of the model."""
     largest = max(target.dimensions) * meters_per_blender_unit(scene)
     return f'"{target.name}" now measures {LengthText("cm", 100.0).rough(largest)}.'
 
 
 def likely_units(target: bpy.types.Object) -> Sequence[float]:
-    """Return meters per Blender unit for which the model has a sewable size, the likeliest first."""
+    """Return up to SHOWN lengths of a Blender unit in meters with which the model can be sewn, the likeliest first."""
     largest = max(target.dimensions)
     return [unit for unit in UNITS if SMALLEST <= largest * unit <= LARGEST][:SHOWN]
 
@@ -147,5 +148,5 @@ def height_of(target: bpy.types.Object) -> float:
 
 
 def unit_text(target: bpy.types.Object, unit: float) -> str:
-    """Return text for the unit and the size that the model then has."""
+    """Return the name of the unit, and the size of the model with this unit. unit: in meters."""
     return f"{UNITS[unit]}: {LengthText('cm', 100.0).rough(max(target.dimensions) * unit)}"

@@ -21,7 +21,7 @@ WORKING_MODES = frozenset({"OBJECT", "EDIT_MESH"})
 
 
 def edited_meshes(context: bpy.types.Context) -> set[bpy.types.Mesh]:
-    """Return the meshes in Edit Mode in this view layer. context.objects_in_mode may list those of the window instead.
+    """Return the meshes in Edit Mode in this view layer. context.objects_in_mode may list meshes of the window instead.
     The set is empty unless the active object is in Edit Mode, because only then can in_object_mode leave Edit Mode."""
     if context.mode != "EDIT_MESH":
         return set()
@@ -30,7 +30,7 @@ def edited_meshes(context: bpy.types.Context) -> set[bpy.types.Mesh]:
 
 @contextmanager
 def in_object_mode(context: bpy.types.Context) -> Iterator[None]:
-    """Leaves Edit Mode, so that mesh data is current and can be written, and returns to it at the end."""
+    """Leave Edit Mode, so that mesh data is current and can be written. Return to Edit Mode at the end."""
     if context.mode != "EDIT_MESH":
         yield
         return
@@ -51,7 +51,7 @@ def _select(context: bpy.types.Context, objects: list[bpy.types.Object]) -> None
 
 
 def select_only(context: bpy.types.Context, target: bpy.types.Object) -> None:
-    """Make the object active and the only selected one."""
+    """Make the object active, and select no other object."""
     for other in context.selected_objects:
         other.select_set(False)
     context.view_layer.objects.active = target
@@ -68,14 +68,14 @@ def hold_whole_file() -> None:
     bpy.data.meshes.remove(bpy.data.meshes.new("WireWarp"))
 
 
-LEAST_SHARE = 0.3  # share of the object's size: a closer view of a single face does not show where it is
+LEAST_SHARE = 0.3  # least extent of a view, as a share of the object's size, so that surroundings of a face are visible
 
 
 def select_elements(context: bpy.types.Context, target: bpy.types.Object, elements: Elements) -> None:
     """Make `target` active and enter its Edit Mode with only these elements selected.
 
-    A vertex pair without an edge (the diagonal of a quad) selects its two vertices. The selection mode
-    is the coarsest that can show everything, and the view moves there. Raises ObjectError, with nothing changed, if the
+    If a vertex pair has no edge (the diagonal of a quad), its two vertices are selected. The selection mode is the
+    coarsest that can show everything. The view moves to the elements. Raises ObjectError, with nothing changed, if the
     object cannot be shown or edited, or has no such elements.
     """
     check_local(target, target.data)
@@ -104,7 +104,7 @@ def select_elements(context: bpy.types.Context, target: bpy.types.Object, elemen
 
 
 def select_edges_in_edit_mode(mesh: bpy.types.Mesh, pairs: Iterable[tuple[int, int]]) -> None:
-    """Select only the edges with these ends, and show them, in a mesh that stays in Edit Mode."""
+    """Select only the edges between these pairs of vertices, and show them, in a mesh that stays in Edit Mode."""
     edit = bmesh.from_edit_mesh(mesh)
     for element in (*edit.verts, *edit.edges, *edit.faces):
         element.select_set(False)
@@ -119,9 +119,9 @@ def select_edges_in_edit_mode(mesh: bpy.types.Mesh, pairs: Iterable[tuple[int, i
 
 
 def _frame(context: bpy.types.Context, target: bpy.types.Object, vertex_mask: np.ndarray) -> None:
-    """Move the 3D view in which the button was pressed, or the largest one. Do nothing without a window."""
+    """Show the vertices of this mask in the 3D view in which the button was pressed, or else in the largest 3D view."""
     area = work_area(context)
-    if area is None or bpy.app.background:  # in the background the views are not drawn and cannot be turned
+    if area is None or bpy.app.background:  # in the background, views are not drawn and cannot be turned
         return
     matrix = np.array(target.matrix_world)
     linear = matrix[:3, :3]
@@ -135,7 +135,7 @@ def _frame(context: bpy.types.Context, target: bpy.types.Object, vertex_mask: np
 
 
 def _show(context: bpy.types.Context, target: bpy.types.Object) -> None:
-    """Show the object: only visible objects can be active and edited."""
+    """Make the object visible, because only visible objects can be active and edited. Raises ObjectError."""
     if target not in context.view_layer.objects.values():
         raise object_error(
             "not_in_view_layer",
@@ -148,18 +148,18 @@ def _show(context: bpy.types.Context, target: bpy.types.Object) -> None:
         target.hide_set(hidden)
         raise object_error(
             "not_visible",
-            f'"{target.name}" is disabled in viewports, or its collection is hidden: show it in the Outliner.',
+            f'"{target.name}" is disabled in viewports, or its collection is hidden. Show it in the Outliner.',
         )
 
 
 def _find_edges(mesh: bpy.types.Mesh, pairs: ArrayLike) -> tuple[np.ndarray, list[int]]:
-    """Return a mask of the mesh's edges, and the vertices of the pairs without an edge."""
+    """Return a mask (e,) of the mesh's edges between these pairs, and the vertices of pairs without an edge."""
     edges, ends = edge_vertices(mesh), np.asarray(pairs, dtype=np.int64).reshape(-1, 2)
     return are_among(edges, ends), ends[~are_among(ends, edges)].ravel().tolist()
 
 
 def _mask(target: bpy.types.Object, elements: bpy.types.bpy_prop_collection, indices: ArrayLike) -> np.ndarray:
-    """Return a mask. Raises ObjectError if the object's mesh has no such elements."""
+    """Return a mask of these indices. Raises ObjectError if an index is beyond the object's elements."""
     wanted, mask = np.asarray(indices, dtype=np.int64), np.zeros(len(elements), dtype=bool)
     if np.any((wanted < 0) | (wanted >= len(elements))):
         raise changed_error(target.name)
@@ -170,8 +170,8 @@ def _mask(target: bpy.types.Object, elements: bpy.types.bpy_prop_collection, ind
 def deselect_all(mesh: bpy.types.Mesh) -> None:
     """Deselect all elements of a mesh in Object Mode, because new elements are selected.
 
-    The selection attributes are removed: Blender 5.0 gives the one on the edges of new meshes a wrong type, and crashes
-    when it is written or when Edit Mode begins.
+    The selection attributes are removed. On the edges of new meshes, this attribute has a wrong type in Blender 5.0,
+    which crashes when the attribute is written or when Edit Mode begins.
     """
     for name in (".select_vert", ".select_edge", ".select_poly"):
         if attribute := mesh.attributes.get(name):

@@ -10,8 +10,8 @@ import numpy as np
 from mathutils import Quaternion, Vector
 
 LEGEND_WIDTH = 180  # usual width of the legend with its margin, in pixels at interface scale 1
-TEXTS_HEIGHT = 50  # height of the names of view and object with their margin, in the same pixels
-# largest share of the view that is kept free for these texts; a wider legend hides part of the place shown
+TEXTS_HEIGHT = 50  # height of the names of view and object with their margin, in pixels at interface scale 1
+# largest share of the view that is kept free for legend and texts; a wider legend hides part of the place shown
 MOST_COVERED = 0.8
 MARGIN = 1.15  # size of the visible area, as a multiple of the extent of the points
 ONE_SIDE = 0.3  # shortest mean normal of a surface with a front; a ring around a body has a mean normal near zero
@@ -21,7 +21,8 @@ _legend_width = 0.0  # width of the legend as last drawn, with its margin, in pi
 
 
 def note_legend(width: float) -> None:
-    """Keep the width of a legend in a 3D view, so that places are shown beside it. A map makes the legend wider."""
+    """Note the width of the legend in a 3D view, in pixels of the screen, so that places are shown beside the
+    legend."""
     global _legend_width
     _legend_width = width
 
@@ -35,7 +36,7 @@ def redraw_views() -> None:
 
 
 def redraw_sidebars() -> None:
-    """Redraw the sidebars of all 3D views, without the views."""
+    """Redraw the sidebars of all 3D views, but not the views."""
     for window in bpy.context.window_manager.windows:
         for area in window.screen.areas:
             for region in area.regions if area.type == "VIEW_3D" else ():
@@ -55,19 +56,19 @@ def is_over_sidebar(event: bpy.types.Event) -> bool:
 
 @dataclass(frozen=True)
 class Projection:
-    """Projection of a view, from its projection matrix."""
+    """Projection of a view, with numbers from its projection matrix."""
 
     axes: np.ndarray  # (3,3) in columns: right, up, toward the eye
     across: float  # cotangent of half the angle of view from left to right; orthographic: one over half the width
-    upward: float  # the same from bottom to top
+    upward: float  # like across, but from bottom to top
     is_perspective: bool
     covered: float = 0.0  # share of the width that a sidebar covers on the right
     covered_above: float = 0.0  # share of the height that headers and Blender's texts cover at the top
 
 
 def fit(points: np.ndarray, view: Projection) -> tuple[np.ndarray, float]:
-    """Return the point to look at (3,), and the distance to it; for orthographic views, the zoom factor. From there all
-    points (n,3) are visible in the part of the view that nothing covers, as large and as central as possible."""
+    """Return the point to look at (3,), and the distance to it, or the zoom factor of an orthographic view. With these,
+    all points (n,3) are visible in the part of the view that nothing covers, as large and as central as possible."""
     x, y, z = (points @ view.axes).T
     middle = (z.min() + z.max()) / 2
     nearer = z - middle if view.is_perspective else np.zeros_like(z)
@@ -81,8 +82,8 @@ class _Sides:
     """The limits of the view in one direction, left and right or bottom and top, between which all points must be."""
 
     def __init__(self, places: np.ndarray, nearer: np.ndarray, covered: float) -> None:
-        """places (n,): places of the points at distance 1, in units of half the view; covered: covered share of the
-        view, at its end.
+        """places (n,): places of the points at distance 1, in units of half the view; nearer (n,): how much nearer to
+        the eye the points are than the center; covered: covered share of the view, at its right or upper end.
 
         A point is inside if -begin * depth <= place - center <= end * depth, with depth = distance - nearer.
         """
@@ -97,7 +98,7 @@ class _Sides:
 
 
 def show_objects(context: bpy.types.Context, area: bpy.types.Area, objects: Sequence[bpy.types.Object]) -> None:
-    """Move this 3D view so that all objects are visible and flat ones are not seen edge-on."""
+    """Move this 3D view so that all objects are visible, and flat objects are not seen edge-on."""
     view = _free_view(area)
     _rise(view)
     corners = [target.matrix_world @ Vector(corner) for target in objects for corner in target.bound_box]
@@ -107,8 +108,8 @@ def show_objects(context: bpy.types.Context, area: bpy.types.Area, objects: Sequ
 def show_place(
     context: bpy.types.Context, area: bpy.types.Area, points: np.ndarray, normals: np.ndarray, least: float
 ) -> None:
-    """Move this 3D view so that the points (n,3) of a surface are visible, from the front. normals (n,3): normals of
-    the surface; least: smallest visible extent, so that the surroundings are visible."""
+    """Move this 3D view so that the points (n,3) of a surface are visible from the front. normals (n,3): normals of
+    the surface; least: smallest extent of the visible area, so that the surroundings are visible, too."""
     view = _free_view(area)
     normal = Vector(normals.mean(axis=0))
     toward = view.view_rotation.to_matrix().col[2]
@@ -171,7 +172,7 @@ def covered_above(context: bpy.types.Context, area: bpy.types.Area) -> float:
 
 
 def work_area(context: bpy.types.Context) -> bpy.types.Area | None:
-    """Return the 3D view that the user has just clicked in, or the largest; None without a window."""
+    """Return the 3D view that the user has just clicked in, or else the largest 3D view; None without a window."""
     areas = [area for area in context.window.screen.areas if area.type == "VIEW_3D"] if context.window else []
     return (
         context.area if context.area in areas else max(areas, key=lambda each: each.width * each.height, default=None)
@@ -181,8 +182,8 @@ def work_area(context: bpy.types.Context) -> bpy.types.Area | None:
 def send_mouse_move(window: bpy.types.Window) -> None:
     """Makes Blender send a mouse movement to the current position, so that modal operators handle an event.
 
-    Blender sends one after a region is scrolled, because another button may be under the mouse. This function therefore
-    scrolls a region by zero.
+    Blender sends a movement after a region is scrolled, because another button may be under the mouse. This function
+    therefore scrolls a region by zero.
     """
     for area in window.screen.areas:
         for region in area.regions:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writes the data of flat pieces to a file, without Blender."""
+"""Makes the pattern of flat pieces and writes it to a file, without Blender."""
 
 from collections.abc import Generator, Iterator, Mapping, Sequence
 from contextlib import contextmanager
@@ -13,7 +13,7 @@ from ..core import FlattenError, pattern
 from ..issues import object_error
 from ..solve.steps import Steps, T, in_one_go, in_slices, reported_as
 
-Stages = Generator[tuple[str, float], None, T]  # each step of the library yields the stage and its completed share
+Stages = Generator[tuple[str, float], None, T]  # each step yields the name of the stage and its completed share
 
 
 Grain = Literal["one way", "both ways", "free"]
@@ -30,7 +30,7 @@ class Cloth:
 
 
 def library_paper(paper: str, roll_width: float) -> str | float:
-    """Return the library's paper for a paper of the settings. roll_width: width of "ROLL", in millimeters."""
+    """Return a paper of the settings in the form of the library. roll_width: width of "ROLL", in millimeters."""
     return roll_width if paper == "ROLL" else paper.lower().replace("_", "-")
 
 
@@ -62,18 +62,18 @@ class PatternParts:
 
     @property
     def refusal(self) -> str:
-        """Return why the pieces should not be cut; empty if they may be."""
+        """Return a sentence that says why the pieces should not be cut; empty if they may be cut."""
         if not self.failed:
             return ""
         return (
-            f"Failed: {', '.join(self.failed)}. The report names the faults. To export these pieces anyway, choose "
+            f"Failed: {', '.join(self.failed)}. The report names the faults. To export these pieces anyway, turn on "
             "Failed Pieces."
         )
 
     def narrow(self, allowance: float) -> list[str]:
         """Return the names of the pieces in which two allowances have no room side by side.
 
-        allowance: that of unmarked edges, in millimeters.
+        allowance: allowance of unmarked edges, in millimeters.
         """
         both, own, folds = self.allowances
         widths = {ends: width for a, b, width in both for ends in ((a, b), (b, a))}
@@ -84,26 +84,26 @@ class PatternParts:
         return [piece.name for piece in flat if not piece.has_room(allowance, sides, marked)]
 
     def cut_lines(self, **options: Any) -> pattern.Pattern:  # noqa: ANN401
-        """Return the cutting lines of the pieces in their places. Raises ObjectError like making()."""
+        """Return a pattern with only the cutting lines of the pieces, in their places. Raises ObjectError."""
         with _errors_of_library():
             return pattern.Pattern.of_cut_lines(self.pieces, **options, **self._marked)
 
     def making(self, options: pattern.PatternOptions) -> Stages[pattern.Pattern]:
-        """Make the pattern in steps. Raises ObjectError if these pieces cannot make one."""
+        """Make the pattern in steps. Raises ObjectError if no pattern can be made from these pieces."""
         own = {"title": self.title, "date": self.date, "measures": self.measures}
         with _errors_of_library():
             return (yield from pattern.Pattern.making(self.pieces, self.seam_names, **options, **own, **self._marked))
 
     @property
     def _marked(self) -> dict[str, Any]:
-        """Return the marks on the model and the units as options of the library."""
+        """Return the marked allowances and the units as options of the library."""
         both, sides, folds = self.allowances
         return {"units": self.units, "allowances": both, "side_allowances": sides, "folds": folds}
 
 
 @contextmanager
 def _errors_of_library() -> Iterator[None]:
-    """Convert the library's errors to ours."""
+    """Raise an ObjectError instead of the library's FlattenError."""
     try:
         yield
     except FlattenError as error:
@@ -111,7 +111,7 @@ def _errors_of_library() -> Iterator[None]:
 
 
 def laid_on_kept(made: pattern.Pattern, kept: KeptMarker | None, cloth: Cloth) -> pattern.Pattern | None:
-    """Return the stored layout; None if its marker has another fabric or other pieces."""
+    """Return the pattern on the stored marker; None if the marker is for another fabric or other pieces."""
     if kept is None or kept.cloth != cloth:
         return None
     try:
@@ -120,7 +120,7 @@ def laid_on_kept(made: pattern.Pattern, kept: KeptMarker | None, cloth: Cloth) -
         return None
 
 
-SEARCH = 0.9  # share of the whole run's progress that the search for a marker gets; the search takes seconds
+SEARCH = 0.9  # share of the progress bar for the search for a marker, because the search takes seconds
 
 
 @dataclass(frozen=True)
@@ -128,8 +128,8 @@ class ExportChoices:
     made: pattern.PatternOptions
     drawn: frozenset[str]  # kinds of lines, marks and texts, as in Pattern.with_only
     options: Mapping[str, Any] = field(default_factory=dict)  # options of Pattern.write
-    in_rows: bool = False  # otherwise the pieces keep their places
-    cloth: Cloth | None = None  # fabric on which the pieces are nested instead
+    in_rows: bool = False  # whether pieces are arranged in rows; otherwise they keep their places
+    cloth: Cloth | None = None  # fabric on which the pieces are nested; None without a marker
     seconds: float = 0.0  # seconds to search for a marker
     anew: bool = False  # whether to search even if a marker is stored
 
@@ -142,13 +142,13 @@ class Exported:
 
 
 def made_pattern(parts: PatternParts, choices: ExportChoices) -> pattern.Pattern:
-    """Return the pattern as it will be written. Raises ObjectError and FlattenError."""
+    """Return the pattern that export() would write. Raises ObjectError and FlattenError."""
     return in_one_go(in_slices(_making(parts, choices)))
 
 
 def export(parts: PatternParts, choices: ExportChoices, path: Path) -> Steps[Exported]:
-    """Writes the file completely or not at all. Raises ObjectError, FlattenError, OSError and RuntimeError like the
-    library. After an error, or if the steps are closed early, the file is unchanged."""
+    """Write the file in steps. After an error, or if the steps are closed early, the file is unchanged. Raises
+    ObjectError, FlattenError, OSError and RuntimeError."""
     has_search = choices.cloth is not None
     return in_slices(reported_as(_exporting(parts, choices, path), lambda step: _share(*step, has_search)))
 
@@ -172,7 +172,7 @@ def _making(parts: PatternParts, choices: ExportChoices) -> Stages[pattern.Patte
 
 
 def _share(stage: str, fraction: float, has_search: bool) -> float:
-    """Return the completed share of the whole run."""
+    """Return the completed share of the whole run, from the completed fraction of a stage."""
     stages = pattern.STAGES
     if stage == "nesting":
         return stages["writing"] * (1 - SEARCH) + fraction * SEARCH

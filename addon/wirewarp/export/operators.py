@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""File > Export: the pattern as a file to print, plot or cut."""
+"""Operators of File > Export, which write the pattern to a file to print, plot or cut."""
 
 from pathlib import Path
 from typing import Any
@@ -52,7 +52,7 @@ class OBJECT_OT_wirewarp_export(PatternExport, PatternSettings, bpy.types.Operat
 
     seconds: IntProperty(
         name="Search Time (s)",
-        description="Seconds to search for a layout that needs less fabric. Esc stops the export",
+        description="Seconds to search for a marker that needs less fabric. Esc cancels the export",
         min=0,
         max=3600,
         soft_max=120,
@@ -60,7 +60,7 @@ class OBJECT_OT_wirewarp_export(PatternExport, PatternSettings, bpy.types.Operat
     )
     new_marker: BoolProperty(
         name="Search Again",
-        description="Search for a new layout even if the last one fits these pieces and this fabric",
+        description="Search for a new marker even if the last marker fits these pieces and this fabric",
         options={"SKIP_SAVE"},
     )
 
@@ -189,7 +189,7 @@ class OBJECT_OT_wirewarp_export_svg(PatternExport, bpy.types.Operator):
         self.layout.prop(self, "failed_pieces")
 
     def choices(self) -> ExportChoices:
-        """Return choices with allowances only at marked edges, and with darts cut out."""
+        """Return choices with allowances only at marked edges. Darts are cut out."""
         return ExportChoices(
             {"allowance": 0.0, "notch_spacing": self.notch_spacing, "darts": "cut"}, ALL_KINDS, in_rows=False
         )

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Reads the pattern of a model's flat pieces, with their places. Refuses pieces that must not be cut."""
+"""Reads the data from which the pattern of a model's flat pieces is made. Refuses outdated pieces."""
 
 import datetime
 from collections.abc import Mapping, Sequence
@@ -44,7 +44,7 @@ EDITED = "The flat pieces were edited by hand, and a seam of the model is missin
 
 
 def read_pattern(scene: bpy.types.Scene, source: bpy.types.Object) -> PatternParts:
-    """Return the pattern data of a model in Object Mode. Raises ObjectError if pieces are missing or outdated."""
+    """Return the data of a model's pattern, in Object Mode. Raises ObjectError if pieces are missing or outdated."""
     report, flat = current_pieces(source)
     return _parts(scene, source, report, flat, bpy.context.evaluated_depsgraph_get())
 
@@ -52,8 +52,8 @@ def read_pattern(scene: bpy.types.Scene, source: bpy.types.Object) -> PatternPar
 def read_outlines(
     scene: bpy.types.Scene, source: bpy.types.Object, flat: bpy.types.Object, depsgraph: bpy.types.Depsgraph
 ) -> PatternParts | None:
-    """Return the data like read_pattern, even if something has changed since. Returns None if the pieces have no report
-    or cannot make a pattern; Export reports why. The model may be in Edit Mode, but not the flat pieces."""
+    """Return the data like read_pattern, even if the pieces are outdated. Return None if the pieces have no report, or
+    if no pattern can be made from them. The flat pieces must not be in Edit Mode."""
     report = pieces_report(source)
     if report is None or not has_attributes(flat.data, PIECE_INDEX, SOURCE_VERTEX):
         return None
@@ -94,7 +94,7 @@ def _parts(
 def _pieces(
     report: ObjectReport, flat: FlatPieces, wire_names: Mapping[int, str], grains: Mapping[int, np.ndarray]
 ) -> list[pattern.FlatPiece]:
-    """Return the pieces. grains: grain directions by index of the piece; a piece without one has its grain upright."""
+    """Return the pieces. grains: grain directions by index of the piece; the grain of other pieces is upright."""
     outline = outline_of(flat)
     wires = _inner_wires(flat, outline, wire_names)
     found = []
@@ -140,12 +140,12 @@ def _inner_wires(
 def _allowances(
     source: bpy.types.Object, report: ObjectReport, millimeters: float, depsgraph: bpy.types.Depsgraph
 ) -> Allowances:
-    """Return the marks of the flattened mesh. Marks on edges inside pieces have no effect."""
+    """Return the allowances marked on the flattened mesh. Marks on edges inside pieces have no effect."""
     flattened = evaluated_mesh(source, depsgraph) if report.with_modifiers else current_mesh(source)
     with flattened as mesh:
         marked = read_allowances(mesh)
     is_mirrored = bool(np.linalg.det(linear_part(source)) < 0)
-    seams: dict[tuple[int, int], bool] = {}  # whether each outline edge is sewn, by its vertices in both orders
+    seams: dict[tuple[int, int], bool] = {}  # whether each edge of an outline is sewn, by its vertices in both orders
     chains = [chain for piece in report.pieces if piece.has_layout for chain in piece.outline]
     for chain in chains:
         for a, b in zip(chain.vertices[:-1], chain.vertices[1:], strict=True):
@@ -164,7 +164,7 @@ def _allowances(
 
 
 def pieces_over_others(pieces: Sequence[pattern.PatternPiece]) -> list[str]:
-    """Return the names of pieces that the user has moved onto others."""
+    """Return the names of pieces that overlap other pieces."""
     lines = [[line.points for line in piece.of_role("cut", "inner_cut")] for piece in pieces]
     low, high = np.array([piece.bounds for piece in pieces]).transpose(1, 0, 2)
     meet = np.triu(np.all((low[:, None] < high) & (low < high[:, None]), axis=2), 1)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Copies the flat pieces for cloth simulation: with sewing edges along seams, and keys for flat and worn shapes."""
+"""Copies the flat pieces for cloth simulation, with sewing edges along seams and with a flat and a worn shape key."""
 
 from collections.abc import Iterable, Iterator
 
@@ -22,11 +22,11 @@ OURS = (*MARKS, *OF_ELEMENTS, SEAM, FLAT_LENGTH)
 
 
 def add_sewing_object(source: bpy.types.Object) -> bpy.types.Object:
-    """Add an object at the place of the flat pieces, for a model in Object Mode. Raises ObjectError like
+    """Add an object for sewing simulations at the place of the flat pieces, in Object Mode. Raises ObjectError like
     current_pieces."""
     report, flat = current_pieces(source)
     pieces = read_flat_pieces(flat.data)
-    is_flat = [piece.has_layout for piece in report.pieces]  # other pieces have nothing to sew
+    is_flat = [piece.has_layout for piece in report.pieces]  # pieces without a flat shape are not sewn
     seams = [seam.edges for seam in report.seams if any(is_flat[piece] for piece in seam.pieces)]
     sewn = sewing_edges(pieces, seams)
     worn = _worn(source, flat, pieces, report.with_modifiers)
@@ -49,8 +49,9 @@ def add_sewing_object(source: bpy.types.Object) -> bpy.types.Object:
 
 
 def sewing_edges(pieces: FlatPieces, seams: Iterable[list]) -> np.ndarray:
-    """Return pairs (k,2) of piece vertices that are the same vertex of the model. seams: vertex pairs of the model. If
-    several sides meet, each is joined to the next. Raises ObjectError if a seam is not found on the pieces."""
+    """Return pairs (k,2) of vertices of the pieces that are one vertex of the model. seams: for each seam, its edges as
+    vertex pairs of the model. If more than two sides meet, each is joined to the next side. Raises ObjectError if a
+    seam is not found on the pieces."""
     outline = outline_of(pieces)
     sides: dict[tuple[int, int], list[tuple[int, int]]] = {}
     for ends in outline.edges.tolist():
@@ -66,7 +67,7 @@ def _joining(sides: dict[tuple[int, int], list[tuple[int, int]]], edge: tuple[in
     own = sides[edge]
     for first, second in zip(own[:-1], own[1:], strict=True):
         for a, b in zip(first, second, strict=True):
-            if a != b:  # the same vertex at the tip of a dart
+            if a != b:  # both sides of a dart share the vertex at its tip
                 yield min(a, b), max(a, b)
 
 
@@ -82,7 +83,7 @@ def _worn(source: bpy.types.Object, flat: bpy.types.Object, pieces: FlatPieces, 
 
 
 def _forget_origin(mesh: bpy.types.Mesh) -> None:
-    """Remove the attributes by which a copy of the flat mesh would count as flat pieces."""
+    """Remove the data by which a copy of the flat mesh would count as flat pieces."""
     for attribute in OURS:
         if attribute.name in mesh.attributes:
             mesh.attributes.remove(mesh.attributes[attribute.name])
@@ -111,11 +112,14 @@ class OBJECT_OT_wirewarp_sewing(OnMesh, bpy.types.Operator):
     @reporting_refusals
     def execute(self, context: bpy.types.Context) -> set[str]:
         target = add_sewing_object(model_or_self(context.active_object))
-        context.view_layer.update()  # so that the view layer knows the new object
-        if target.name not in context.view_layer.objects:  # not there if the view layer excludes the collection
+        context.view_layer.update()  # so that the view layer contains the new object
+        if target.name not in context.view_layer.objects:  # the view layer excludes the collection
             context.scene.collection.objects.link(target)
         select_only(context, target)
-        text = f'"{target.name}" is ready for Physics > Cloth with Shape > Sewing; its shape key "{WORN}" closes it.'
+        text = (
+            f'"{target.name}" is ready for Physics > Cloth with Shape > Sewing. To see it on the model, use its shape '
+            f'key "{WORN}".'
+        )
         self.report({"INFO"}, text)
         return {"FINISHED"}
 

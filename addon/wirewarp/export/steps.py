@@ -40,13 +40,14 @@ INCH = 25.4
 
 
 def crossing_sentence(made: pattern.Pattern) -> str:
-    """Return a sentence; empty if no pieces overlap."""
+    """Return a sentence about overlapping pieces; empty if no pieces overlap."""
     names = pieces_over_others(made.pieces)
     return f"These pieces overlap: {listed(names)}. Move them apart before you cut." if names else ""
 
 
 def copies_sentences(made: pattern.Pattern) -> list[str]:
-    """Return sentences about pieces that are drawn once for all their copies, and about pieces drawn as halves."""
+    """Return sentences about pieces that are drawn once for all their copies, and about pieces that are drawn as
+    halves."""
     drawn: dict[str, list[str]] = {}
     for piece in made.pieces:
         if piece.copied_names:
@@ -57,8 +58,8 @@ def copies_sentences(made: pattern.Pattern) -> list[str]:
 
 
 def copies_of_piece(made: pattern.Pattern, name: str) -> str:
-    """Return the other pieces that equal this one, and whether it is symmetric; "" if neither. made: the pattern with
-    pairs and halves drawn once."""
+    """Return a text about the copies and the symmetry of the piece of this name; "" if it has neither. made: the
+    pattern in which copies are drawn once, and symmetric pieces as halves."""
     for piece in made.pieces:
         names = [piece.name, *piece.copied_names]
         if name not in names:
@@ -75,13 +76,13 @@ def size_sentences(made: pattern.Pattern, size: np.ndarray) -> list[str]:
 
 
 def largest_sentence(made: pattern.Pattern) -> str:
-    """Return a sentence about the piece with the largest box, for which a sheet must have room."""
+    """Return a sentence about the piece with the largest bounding box, for which a sheet must have room."""
     largest = max(made.pieces, key=lambda piece: float(piece.size.prod()))
     return f"Largest piece: {largest.name}, {_size_text(made, *largest.size)}."
 
 
 def _size_text(made: pattern.Pattern, width: float, height: float) -> str:
-    """Return the text for a length in millimeters, and in inches for scenes that use them."""
+    """Return the text of a size in millimeters, also in inches if the scene uses them. width, height: millimeters."""
     inches = f" ({width / INCH:.1f} × {height / INCH:.1f} in)" if made.units.name == "imperial" else ""
     return f"{width:.0f} × {height:.0f} mm{inches}"
 
@@ -97,9 +98,9 @@ class _Beforehand(NamedTuple):
 
 
 class PatternExport(OnMesh, WindowSteps, ExportHelper):
-    """Mixin of operators, which define filename_ext, choices() and size_sentences()."""
+    """Mixin of operators that define filename_ext, choices() and size_sentences()."""
 
-    # Not remembered like the other settings, because the next model has its own name.
+    # The path is not remembered like other settings, because the next model has another name.
     filepath: StringProperty(name="File Path", description="The file to write", subtype="FILE_PATH", options=OPTIONS)
     report_path: StringProperty(
         name="Report File",
@@ -109,9 +110,8 @@ class PatternExport(OnMesh, WindowSteps, ExportHelper):
     )
     notch_spacing: number(
         "Notches Every",
-        "Distance in millimeters (an inch is 25.4) between notches along seams, from the same end on both sides. "
-        "Shorter seams of at least 15 mm get one near their middle. Ends of wires always get one. Minimum 1 mm; "
-        "0: only at wires",
+        "Distance between notches along seams, in millimeters, from the same end on both sides. At least 1, or 0 for "
+        "notches only at wires. Seams shorter than this distance, but at least 15 mm long, get one notch",
         (0.0, 100.0, 500.0),
         step=1000,
     )
@@ -144,7 +144,7 @@ class PatternExport(OnMesh, WindowSteps, ExportHelper):
             self._beforehand = _Beforehand(key, self.beforehand(self._parts))
 
     def beforehand(self, parts: PatternParts) -> list[tuple[str, str]]:
-        """Return sentences with their icons: the size with the present settings, and the faults of the settings."""
+        """Return sentences with their icons: faults first, then the size of the pattern with the present settings."""
         try:
             choices = self.choices()
             made = made_pattern(parts, replace(choices, seconds=0.0))
@@ -163,7 +163,7 @@ class PatternExport(OnMesh, WindowSteps, ExportHelper):
             draw_sentence(context, self.layout, sentence, icon)
 
     def draw_lengths(self, context: bpy.types.Context, *names: str) -> None:
-        """Draw settings in millimeters."""
+        """Draw settings with lengths in millimeters. Scenes in imperial units also show the inches."""
         column, properties = self.layout.column(align=True), self.properties.bl_rna.properties
         for name in names:
             column.prop(self, name, text=f"{properties[name].name} (mm)")
@@ -191,7 +191,7 @@ class PatternExport(OnMesh, WindowSteps, ExportHelper):
                 raise object_error("failed_pieces", parts.refusal)
             source = _source(context)
             self._notes = [
-                f'Exported "{parts.title}" only; export the others separately.' if _has_others(context) else "",
+                f'Only "{parts.title}" was exported. Export other models separately.' if _has_others(context) else "",
                 settings_sentence(source, pieces_report(source), context.scene.wirewarp),
             ]
             self._source_name = source.name_full
@@ -238,7 +238,7 @@ class PatternExport(OnMesh, WindowSteps, ExportHelper):
 
 
 def _read(context: bpy.types.Context) -> PatternParts:
-    """Raises ObjectError."""
+    """Return the pattern data of the active model. Raises ObjectError."""
     active = context.active_object
     if is_earlier(active):
         raise object_error("earlier_pieces", earlier_sentence(active))
@@ -251,6 +251,6 @@ def _source(context: bpy.types.Context) -> bpy.types.Object:
 
 
 def _has_others(context: bpy.types.Context) -> bool:
-    """Return whether pieces of other models are selected, too; each has its own file."""
+    """Return whether pieces of other models are selected, too. Each model has its own file."""
     sources = {model_or_self(each) for each in context.selected_objects} - {_source(context)}
     return any(map(has_flat_object, sources))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""One run of Flatten: read the models, solve them step by step, write the pieces; automatic updates.
+"""Runs of Flatten, which read the models, solve them step by step and write the pieces, and automatic updates.
 
 May import: export, ui, state, solve, blender, properties, core, issues, names.
 """

@@ -4,8 +4,8 @@
 A handler only notes that something changed. The next mouse movement starts the operator wm.wirewarp_watch through the
 keymap, unless a running tool (moving vertices, a knife) consumes the event. A timer cannot replace this event: timers
 also run during such a tool, when leaving Edit Mode crashes Blender, and before 4.2 Python cannot detect the tool. The
-operator runs the update with an undo step, and the update ends by the same rule. Nobody has to move the mouse: while an
-update is due, a timer in state.memory makes Blender send a mouse movement to the current position.
+operator runs the update with an undo step. The update ends on such a mouse movement, too. Nobody has to move the mouse:
+while an update is due, a timer in state.memory makes Blender send a mouse movement to the current position.
 """
 
 from collections.abc import Callable
@@ -28,7 +28,7 @@ from .operators import FlattenSteps
 from .read import find_source
 
 WATCH = "wm.wirewarp_watch"
-# vertices; larger models are updated after Edit Mode, because reading and writing them there is slow
+# vertices; larger models are updated after Edit Mode, because reading and writing them in Edit Mode is slow
 EDIT_LIMIT = 20_000
 
 
@@ -38,8 +38,8 @@ def forget_change(scene: bpy.types.Scene) -> None:
 
 
 def take_changed(context: bpy.types.Context) -> list[bpy.types.Object]:
-    """Return the models that differ from their flat pieces, each state of a model only once. After an undo, return no
-    models, because an update would restore what was undone."""
+    """Return the models that differ from their flat pieces. Each state of a model is returned only once. After an undo,
+    return no models, because an update would undo the undo."""
     undone = state_of(context.scene).is_undone
     forget_change(context.scene)
     changed = [source for source in _flattened(context) if _has_changed(source)]
@@ -49,7 +49,7 @@ def take_changed(context: bpy.types.Context) -> list[bpy.types.Object]:
 
 
 def _present_state(source: bpy.types.Object) -> dict | None:
-    """Return the state; None if the name of an attribute is taken."""
+    """Return the state of the model; None if an attribute of another add-on has one of our names."""
     try:
         return present_state(source, last_report(source).with_modifiers, kept)
     except ObjectError:
@@ -57,7 +57,7 @@ def _present_state(source: bpy.types.Object) -> dict | None:
 
 
 def put_back(sources: list[bpy.types.Object], scene: bpy.types.Scene) -> None:
-    """Let take_changed return these models of the scene again, although their states are unchanged."""
+    """Make take_changed return these models of the scene again, although their states are unchanged."""
     for source in sources:
         state_of(source).tried = None
     note_change(scene)
@@ -77,6 +77,7 @@ def _flattened(context: bpy.types.Context) -> list[bpy.types.Object]:
 
 
 def waits_for_object_mode(source: bpy.types.Object) -> bool:
+    """Return whether the model is in Edit Mode and too large to be updated there."""
     return source.data.is_editmode and len(bmesh.from_edit_mesh(source.data).verts) > EDIT_LIMIT
 
 
@@ -121,23 +122,23 @@ def attach() -> Callable[[], None]:
 
 LABEL = "Update Flat Pieces"
 JOINING = "OBJECT_OT_wirewarp_update_{}"  # names of the numbered operators of updating_in
-MOST = 32  # more than the kinds of operators used in a session; further updates get their own undo steps
+MOST = 32  # number of such operators; an update after a further kind of operator gets its own undo step
 
 
 class UpdateSteps(FlattenSteps):
-    """Mixin of the operators that update. There is one operator for each kind of undo step that an update has joined,
-    see updating_in."""
+    """Mixin of the operators that update flat pieces. There is one operator for each kind of undo step that an update
+    has joined: see updating_in."""
 
     bl_label = LABEL
     bl_options = {"INTERNAL", "UNDO_GROUPED"}
     tries_uv_seams = False
 
-    # The run starts with a mouse movement that no tool has consumed, and ends with another one: see auto_update.
+    # The run starts and ends with a mouse movement that no tool has consumed: see the beginning of this file.
     ends_on = "MOUSEMOVE"
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        """Forbid a second run in the window, even from a script, because the first would not end."""
+        """Forbid a second run in the window, even from a script, because the first run would then not end."""
         return context.mode in WORKING_MODES and not window_run.is_running()
 
     def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> set[str]:
@@ -146,21 +147,22 @@ class UpdateSteps(FlattenSteps):
         return self.begin_run(context, sources) if sources else {"CANCELLED"}
 
     def lets_pass(self, _event: bpy.types.Event) -> bool:
-        """Let every event pass. If the user continues marking, this run ends without a result."""
+        """Let every event pass. If the user changes the model during the run, the run ends without a result."""
         return True
 
     def show(self, context: bpy.types.Context, outcomes: list[Outcome]) -> None:
-        """Show nothing: the user is working in this view."""
+        """Do not move the view, because the user is working in it."""
 
     def give_up(self, context: bpy.types.Context, code: str, sentence: str, level: str) -> set[str]:
-        """Make a model due again if it could not be written. A model that has changed is due already."""
+        """End the run without a result. If mode or scene have changed, make the models due again. If a model has
+        changed, it is due already."""
         if code == "elsewhere":
             sources = filter(None, map(find_source, self._models))
             put_back(list(sources), bpy.data.scenes.get(self._scene, context.scene))
         return {"CANCELLED"} if code in {"changed", "elsewhere"} else super().give_up(context, code, sentence, level)
 
     def message(self, level: str, text: str) -> None:
-        """Report without the window that an error opens: the user is still working."""
+        """Report errors as warnings, because an error would open a window while the user is working."""
         self.report({"WARNING" if level == "ERROR" else level}, text)
 
 
@@ -180,7 +182,7 @@ class WM_OT_wirewarp_watch(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        """Return whether an update is due and may run; it waits for the end of other modes and runs."""
+        """Return whether an update is due and may run. It must wait for the end of other modes and runs."""
         return is_due(context.scene) and OBJECT_OT_wirewarp_update.poll(context)
 
     def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> set[str]:
@@ -193,12 +195,12 @@ class WM_OT_wirewarp_watch(bpy.types.Operator):
 
 
 def updating_in(group: str) -> Callable:
-    """Return the operator that updates within the last undo step, if the step has this name.
+    """Return an operator that updates within the last undo step. group: the name of that step.
 
     If the update had its own undo step, the first undo would restore only the earlier pieces, which would not match the
     marks. Blender joins steps of one undo group, and reads an operator's group when it is registered. Each group has
-    its own operator, because unregistering one makes Blender forget all operations, and with them Adjust Last
-    Operation.
+    its own operator. If an operator were registered anew for another group, Blender would forget all operations, and
+    Adjust Last Operation would disappear.
     """
     if group == LABEL:
         return bpy.ops.object.wirewarp_update
@@ -214,7 +216,7 @@ def updating_in(group: str) -> Callable:
 
 
 def _joining() -> list[type[bpy.types.Operator]]:
-    """Return the existing operators of updating_in."""
+    """Return the numbered operators that updating_in has registered."""
     return list(takewhile(bool, (getattr(bpy.types, JOINING.format(number), None) for number in range(MOST))))
 
 

@@ -56,8 +56,8 @@ def check_uv_room(target: bpy.types.Object) -> None:
 
 
 def write_uv(mesh: bpy.types.Mesh, flat: FlatMesh, corner_count: int) -> float:
-    """Writes the packed pieces into the unit square. Faces without a layout get (0,0). Returns the scale in Blender
-    units per UV unit, which is also stored on the mesh."""
+    """Write the UV map of the packed pieces in the unit square. Faces without a layout get (0,0). Return the scale in
+    Blender units per UV unit, which is also stored on the mesh."""
     places, scale = _in_unit_square(flat.vertices)
     of_corners = np.zeros((corner_count, 2), dtype=np.float32)
     _pairs(of_corners)[flat.source_corner] = _pairs(places)[flat.loop_vertices]
@@ -71,7 +71,7 @@ def write_uv(mesh: bpy.types.Mesh, flat: FlatMesh, corner_count: int) -> float:
 
 
 def _in_unit_square(vertices: np.ndarray) -> tuple[np.ndarray, float]:
-    """Return vertices (p,2) as float32 in the unit square, and the side of the original square."""
+    """Return vertices (p,2) as float32, scaled to the unit square, and the side of the square before the scaling."""
     low, high = ([pick(column) for column in vertices.T] for pick in (np.min, np.max))
     scale = float(np.subtract(high, low).max()) or 1.0
     return ((vertices - low) / scale).astype(np.float32), scale
@@ -83,19 +83,21 @@ def _pairs(places: np.ndarray) -> np.ndarray:
 
 
 def write_flat_maps(mesh: bpy.types.Mesh, flat: FlatMesh, arrays: MeshArrays) -> None:
-    """Write UV maps on a flat mesh that has none: the source's own, which show a print, and a map of the pieces."""
+    """Write UV maps on a flat mesh that has none: the source's own maps, which show a print, and a map of the
+    pieces."""
     for name, places in list(arrays.uv_maps.items())[: MAX_UV_LAYERS - 1]:
         _write_new(mesh, name, _pairs(places)[flat.source_corner])
     places, _ = _in_unit_square(flat.vertices)
     _write_new(mesh, UV_LAYER, _pairs(places)[flat.loop_vertices])
-    mesh.uv_layers.active = mesh.uv_layers[0]  # the source's own maps are the first ones
+    mesh.uv_layers.active = mesh.uv_layers[0]  # the source's own maps come first
 
 
 def _write_new(mesh: bpy.types.Mesh, name: str, pairs: np.ndarray) -> None:
     write_layer(mesh.uv_layers.new(name=name, do_init=False), pairs.view(np.float32).reshape(-1, 2))
 
 
-OUR_NAMES = re.compile(rf"{COLLECTION}(\.\d+)?")  # has a suffix in a second scene, or if a linked object has the name
+# names of our collections, with a suffix in a second scene, or if a linked collection has the name
+OUR_NAMES = re.compile(rf"{COLLECTION}(\.\d+)?")
 RED = (0.8, 0.02, 0.02, 1.0)
 
 
@@ -107,8 +109,9 @@ def write_flat_object(
     record: FlatRecord,
     models: Sequence[bpy.types.Object],
 ) -> bpy.types.Object:
-    """Makes the flat object of `source`, or replaces its data. It has actual size, in its own z = 0 plane. models: all
-    models of the run; a new flat object does not overlap them. If it raises, the earlier pieces are restored."""
+    """Make the flat object of `source`, or replace its mesh, and return the object. The pieces have actual size and are
+    in the object's plane z = 0. models: all models of the run; a new flat object does not overlap them. After an error,
+    the earlier pieces are restored."""
     earlier, name = find_flat_object(source), flat_name(source.name)
     target = earlier or bpy.data.objects.new(name, bpy.data.meshes.new(name))
     if earlier and _is_shared(target):
@@ -120,13 +123,13 @@ def write_flat_object(
             target.wirewarp_source = source
     if scene not in target.users_scene:
         our_collection(scene).objects.link(target)
-    target.scale = target.delta_scale = (1, 1, 1)  # keeps place and rotation, but the scale must be 1
+    target.scale = target.delta_scale = (1, 1, 1)  # place and rotation do not change, but the scale must be 1
     return target
 
 
 @contextmanager
 def _restored_on_failure(target: bpy.types.Object, *, is_new: bool) -> Iterator[None]:
-    """Restore the mesh of the object, or remove a new object, if an error occurs while it is written."""
+    """Restore the object's mesh, or remove a new object, if an error occurs while the mesh is written."""
     earlier = None if is_new else target.data.copy()
     try:
         yield
@@ -144,13 +147,14 @@ def _restored_on_failure(target: bpy.types.Object, *, is_new: bool) -> Iterator[
 
 
 def _is_shared(flat: bpy.types.Object) -> bool:
-    """Return whether the mesh of the pieces must not change, because another object, such as the model, uses it."""
+    """Return whether the mesh of the pieces must not change: it is linked, or another object, such as the model, uses
+    it."""
     model, users = model_of(flat), (each for each in bpy.data.objects if each.data == flat.data)
     return flat.data.library is not None or any(model_of(user) != model for user in users)
 
 
 def show_flat_object(view_layer: bpy.types.ViewLayer, target: bpy.types.Object) -> list[Note]:
-    """Make the object visible in the Outliner. Return notes on why the object is still hidden, or not in actual
+    """Make the object visible in the Outliner. Return notes that say why the object is still hidden, or not in actual
     size."""
     notes = []
     if target in view_layer.objects.values():
@@ -159,7 +163,7 @@ def show_flat_object(view_layer: bpy.types.ViewLayer, target: bpy.types.Object) 
         why = "it is disabled in viewports, or its collection is hidden"
         notes.append(Note(f'"{target.name}" is hidden: {why}. Show it in the Outliner.'))
     if not is_true_size(target):
-        text = f'"{target.name}" is not shown in actual size: its parent or a constraint scales it. Its mesh is right.'
+        text = f'"{target.name}" is not shown in actual size, because its parent or a constraint scales it.'
         notes.append(Note(text, is_warning=True))
     return notes
 
@@ -167,7 +171,7 @@ def show_flat_object(view_layer: bpy.types.ViewLayer, target: bpy.types.Object) 
 def _write_mesh(
     target: bpy.types.Object, source: bpy.types.Object, flat: FlatMesh, arrays: MeshArrays, record: FlatRecord
 ) -> None:
-    """Write only the mesh: shape keys and groups of the former vertices are removed."""
+    """Replace the mesh of the flat object. Shape keys and vertex groups of the former vertices are removed."""
     mesh = target.data
     target.shape_key_clear()
     target.vertex_groups.clear()
@@ -184,7 +188,7 @@ def _write_mesh(
 
 
 def _write_faces(mesh: bpy.types.Mesh, flat: FlatMesh) -> None:
-    """Write only the faces: earlier ones are removed."""
+    """Replace the vertices, edges and faces of the mesh."""
     mesh.clear_geometry()
     coordinates = np.zeros((len(flat.vertices), 3), dtype=np.float32)
     coordinates[:, :2] = flat.vertices
@@ -227,8 +231,8 @@ def our_collection(scene: bpy.types.Scene) -> bpy.types.Collection:
 
 
 def _write_materials(mesh: bpy.types.Mesh, source: bpy.types.Object, flat: FlatMesh, arrays: MeshArrays) -> None:
-    """Assign the model's materials to its faces, and the add-on's to failed ones. If there are neither, keep the
-    user's."""
+    """Assign the model's materials to the faces, and the add-on's material to failed faces. If the model has no
+    materials, keep those of the flat object."""
     kept = [material for material in mesh.materials if not (material and material.name == FAILED_MATERIAL)]
     own = [slot.material for slot in source.material_slots]
     shown = own or kept

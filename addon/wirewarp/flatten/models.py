@@ -31,7 +31,7 @@ NO_ANGLE = "Grain Angle was not used. Choose Grain Wire under Upright, and mark 
 
 @dataclass(frozen=True)
 class Model:
-    """An object as it was read, by name, because the object may be deleted before the results exist."""
+    """The data read from an object. It has the object's name, because the object may be deleted during the run."""
 
     name: str  # Object.name_full, which includes the name of its library
     facts: Facts
@@ -40,14 +40,14 @@ class Model:
     arrays: MeshArrays | None = None
     known: KnownPieces | None = None
     seams: KnownSeams | None = None
-    solved: Cache | None = None  # wirewarp.Cache, the pieces of the last run
+    solved: Cache | None = None  # pieces of the last run
     solved_by_map: Cache | None = None  # pieces of the last attempt with UV seams
     issue: Issue | None = None  # why the model cannot be flattened
 
 
 @dataclass
 class Outcome:
-    """The result of one model, which may be only a report."""
+    """The result of flattening one model, which may be only a report."""
 
     model: Model
     report: ObjectReport
@@ -62,8 +62,8 @@ class Outcome:
 def solve_models(
     models: list[Model], choices: FlattenChoices, meters: float, *, tries_uv_seams: bool = True
 ) -> Steps[list[Outcome]]:
-    """Flattens every model. meters: meters in a Blender unit; tries_uv_seams: whether to try UV seams if the marked
-    ones fail. Canceling the attempt with UV seams keeps the pieces."""
+    """Flatten every model and return the outcomes. meters: meters in a Blender unit; tries_uv_seams: whether to try UV
+    seams if the marked seams fail. If the user cancels this attempt, the pieces are kept."""
     outcomes: list[Outcome] = []
     # Edges created by modifiers cannot be marked.
     readable = [model for model in models if tries_uv_seams and model.arrays and not model.facts.with_modifiers]
@@ -103,7 +103,7 @@ def _solve(model: Model, choices: FlattenChoices, meters: float) -> Steps[Outcom
             outcome.report.notes.append(Note(NO_ANGLE))
         outcome.report.options = asdict(used) | {"grain_wire": model.arrays.grain_wire}
     outcome.report.notes += model.notes
-    # mirroring makes the pieces show the outside
+    # with the option mirror, these pieces show the outside
     if model.arrays and not choices.mirror and faces_inward(model.arrays):
         outcome.report.notes.append(Note(INWARD, is_warning=True))
     if model.arrays:
@@ -112,8 +112,8 @@ def _solve(model: Model, choices: FlattenChoices, meters: float) -> Steps[Outcom
 
 
 def _try_uv_seams(model: Model, choices: FlattenChoices, meters: float, report: ObjectReport) -> Steps[UvSeams | None]:
-    """Return the result with the seams of the model's own UV map; None if it is not better. Tried if pieces failed, or
-    if the model has no seams and cannot be cut from every fabric."""
+    """Return the result with the seams of the model's own UV map; None if it is not better. These seams are tried if
+    pieces failed, or if the model has no seams and cannot be cut from every fabric."""
     arrays = model.arrays
     is_strained = not len(arrays.seams) and any(piece.is_strained for piece in report.pieces)
     if not (report.issues or is_strained):

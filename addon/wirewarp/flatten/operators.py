@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The operator Flatten, and its common part with the automatic update: read, solve, write."""
+"""The operator Flatten, and the steps that it shares with the automatic update: read, solve, write."""
 
 import json
 from pathlib import Path
@@ -41,11 +41,11 @@ class FlattenSteps(WindowSteps, FlattenSettings):
 
     @property
     def report_file(self) -> Path | None:
-        """Return the path of the JSON report."""
+        """Return the path of the JSON report; None if no report is to be written to a file."""
         return None
 
     def begin_run(self, context: bpy.types.Context, sources: list[bpy.types.Object]) -> set[str]:
-        """Read the models now, and solve them while modal() waits."""
+        """Read the models, and start to solve them in steps, which modal() continues."""
         with in_suitable_mode(context, sources, self):
             self._models = read_models(context, sources, self)
         self._scene, self._view_layer = _place(context)
@@ -53,7 +53,7 @@ class FlattenSteps(WindowSteps, FlattenSettings):
         return self.begin(context, window_run.FLATTEN, what, self._solving(context, self._models))
 
     def lets_pass(self, event: bpy.types.Event) -> bool:
-        """Return whether the event may pass. Other events would be lost or invalidate the result."""
+        """Return whether Blender may handle the event during the run. Other events could change the models."""
         if event.type == "LEFTMOUSE":
             return is_over_sidebar(event)  # the sidebar has the button Cancel
         return event.type in HARMLESS or event.type.startswith(HARMLESS_KINDS)
@@ -102,15 +102,15 @@ class FlattenSteps(WindowSteps, FlattenSettings):
         return self._tell(context, outcomes, "WARNING")  # an error would open a popup over Flatten and its sentence
 
     def show(self, context: bpy.types.Context, outcomes: list[Outcome]) -> None:
-        """Move the view if it does not show all results."""
+        """Move the view to the models that have pieces in new places."""
         sources = [find_source(outcome.model) for outcome in outcomes if outcome.is_elsewhere]
         area = work_area(context)
-        # In Edit Mode the view does not move, because the user works on edges in it.
+        # In Edit Mode, the view does not move, because the user is selecting edges in it.
         if sources and area and preferences(context).moves_view and context.mode == "OBJECT":
             show_objects(context, area, [each for source in sources for each in (source, find_flat_object(source))])
 
     def give_up(self, context: bpy.types.Context, code: str, sentence: str, level: str) -> set[str]:
-        """End a run that writes only the report file."""
+        """End a run that has no result. Only the report file is written."""
         redraw_views()
         self._write_report(context, [failed_report(model, Issue(code, sentence)) for model in self._models])
         self.message(level, sentence)
@@ -121,7 +121,7 @@ class FlattenSteps(WindowSteps, FlattenSettings):
         hold_whole_file()
 
     def _tell(self, context: bpy.types.Context, outcomes: list[Outcome], failed: str = "ERROR") -> set[str]:
-        """Report the results. failed: the level of the message if pieces failed."""
+        """Report the results to the user and in the report file. failed: level of the message if pieces failed."""
         redraw_views()  # Blender redraws on its own only if the run changed data
         reports = [outcome.report for outcome in outcomes]
         self._write_report(context, reports)
@@ -147,7 +147,7 @@ class FlattenSteps(WindowSteps, FlattenSettings):
 
 
 def _narrow_pieces(context: bpy.types.Context, outcome: Outcome) -> list[str]:
-    """Return the names of the pieces without room for their allowances; none while the pieces are edited."""
+    """Return the names of the pieces without room for their allowances; none if the pieces are in Edit Mode."""
     source = find_source(outcome.model)
     flat = find_flat_object(source) if source and outcome.pieces else None
     if flat is None or flat.data.is_editmode:
@@ -157,8 +157,8 @@ def _narrow_pieces(context: bpy.types.Context, outcome: Outcome) -> list[str]:
 
 
 def _place(context: bpy.types.Context) -> tuple[str, str]:
-    """Return the names of the scene and the view layer for the results. They are kept by name, because undo may replace
-    the scene."""
+    """Return the names of the scene and the view layer for the results. Names are used, because undo may replace the
+    scene."""
     return context.scene.name_full, context.view_layer.name
 
 
@@ -171,20 +171,20 @@ class OBJECT_OT_wirewarp_flatten(FlattenSteps, bpy.types.Operator):
 
     report_path: StringProperty(
         name="Report File",
-        description="Write the whole report to this JSON file, lengths in meters and in Blender units",
+        description="JSON file for the whole report, with lengths in meters and in Blender units",
         subtype="FILE_PATH",
         options=OPTIONS,
     )
     only_active: BoolProperty(
         name="Only Active",
-        description="Flatten only the active model, even if others are selected",
+        description="Flatten only the active model, even if other objects are selected",
         options={"HIDDEN", "SKIP_SAVE"},
     )
 
     @classmethod
     def description(cls, _context: bpy.types.Context, properties: bpy.types.OperatorProperties) -> str:
         if properties.only_active:  # set by the button Lay Out Again
-            return "Flatten this model again and lay out all its pieces again, including those that you moved"
+            return "Flatten this model again, and lay out all its pieces again, including pieces that you moved"
         return cls.__doc__
 
     @classmethod
@@ -208,7 +208,7 @@ class OBJECT_OT_wirewarp_flatten(FlattenSteps, bpy.types.Operator):
         return self.flatten_now(context, self._sources(context))
 
     def _sources(self, context: bpy.types.Context) -> list[bpy.types.Object]:
-        """Raises ObjectError if nothing can be done at all."""
+        """Return the models to flatten. Raises ObjectError if the run cannot start."""
         sources = active_target(context) if self.only_active else mesh_targets(context)
         check_sources(context, sources)
         try:
@@ -227,7 +227,7 @@ class OBJECT_OT_wirewarp_flatten(FlattenSteps, bpy.types.Operator):
 
 
 class OBJECT_OT_wirewarp_cancel(bpy.types.Operator):
-    """Stop, and keep only what is finished"""
+    """Stop this run, and keep only finished results"""
 
     bl_idname = "object.wirewarp_cancel"
     bl_label = "Cancel"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Chooses places of flat pieces: first beside their model, later where the user moves them."""
+"""Chooses places of flat pieces: first beside their model, later where the user has moved them."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -22,22 +22,22 @@ from ..state.flat_pieces import read_flat_pieces
 from ..state.owners import model_of
 from ..state.record import layout_of, read_record
 
-GAP = 0.1  # share of the model's largest dimension
-LARGE = 5.0  # largest size of an obstacle, as a multiple of the model's size: a room or a landscape is not an obstacle
+GAP = 0.1  # distance of the pieces from models and obstacles, as a share of the model's largest dimension
+LARGE = 5.0  # largest size of an obstacle, as a multiple of the model's size; rooms and landscapes are larger
 SOLID = {"MESH", "CURVE", "SURFACE", "META"}
 Box = np.ndarray  # (2,3), the lowest and the highest corner
-TURNED = 0.999  # cosine of 2.5 degrees: a larger change counts as another direction up
+TURNED = 0.999  # cosine of 2.5 degrees, the largest angle by which a model may be rotated without TURNED_TEXT
 TURNED_TEXT = (
-    "The model was turned after its pieces were laid out, and Keep Places left them as they were. To set them upright "
-    "again, select the model and press Lay Out Again in the Pieces panel."
+    "The model was rotated after its pieces were laid out, and Keep Places left the pieces as they were. To make them "
+    "upright again, select the model and press Lay Out Again in the Pieces panel."
 )
 
 
 def free_place(
     scene: bpy.types.Scene, source: bpy.types.Object, size: np.ndarray, models: Sequence[bpy.types.Object]
 ) -> Vector:
-    """Return the lower left corner for pieces of this size (2,) in Blender units. It is right of the source and of all
-    flat pieces, at the height of the lowest point of this run's models, and not below a model."""
+    """Return the lower left corner for pieces of this size (2,) in Blender units. It is to the right of the source and
+    of all flat pieces, at the height of the lowest point of this run's models. No model is above the pieces."""
     own, largest = world_box(source), max(source.dimensions)
     together = [world_box(each) for each in models]
     others = [each for each in scene.objects if each.type in SOLID and each.visible_get() and each not in models]
@@ -55,7 +55,7 @@ def _rises(box: Box, floor: float, gap: float) -> bool:
 
 
 def _clear_of(obstacles: Sequence[Box], place: np.ndarray, size: np.ndarray, gap: float) -> np.ndarray:
-    """Return the place (3,) if there is no obstacle above or below it, otherwise the next such place to its right."""
+    """Return the place (3,), moved to the right until no obstacle is above or below it."""
     for low, high in sorted(obstacles, key=lambda box: box[0, 0]):
         if np.all((low[:2] < place[:2] + size) & (high[:2] > place[:2])):
             place = np.array([high[0] + gap, *place[1:]])
@@ -68,13 +68,13 @@ class Earlier:
 
     flat: bpy.types.Object
     pieces: FlatPieces
-    away: np.ndarray  # (k,4) places of pieces that had no shape, see NONE_AWAY
-    up: np.ndarray  # (3,) upward direction when they were laid out, in the model's own space
+    away: np.ndarray  # (k,4) places of pieces that had no flat shape, see NONE_AWAY
+    up: np.ndarray  # (3,) upward direction when the pieces were laid out, in the model's own space
 
 
 def earlier_layout(flat: bpy.types.Object | None, options: dict) -> Earlier | None:
-    """Return the pieces in the flat object; None if these options change the layout, or if the pieces are unreadable,
-    so that all pieces are laid out again."""
+    """Return the pieces in the flat object. Return None if all pieces must be laid out again, because these options
+    change the layout, or because the earlier pieces cannot be read."""
     record = read_record(flat.data) if flat else None
     if record is None or record.layout != layout_of(options):
         return None
@@ -82,7 +82,7 @@ def earlier_layout(flat: bpy.types.Object | None, options: dict) -> Earlier | No
         return None
     try:
         pieces = read_flat_pieces(flat.data)
-    except ObjectError:  # something else has the name of an attribute
+    except ObjectError:  # an attribute of another add-on has one of our names
         return None
     if not np.isfinite(pieces.vertices).all():
         return None
@@ -90,8 +90,8 @@ def earlier_layout(flat: bpy.types.Object | None, options: dict) -> Earlier | No
 
 
 def pieces_in_place(flat: FlatMesh, earlier: Earlier | None, spacing: float) -> tuple[FlatMesh, list[int]]:
-    """Return the pieces in their earlier places, if there are any. Also return the ids of pieces that had to move
-    because they would overlap others. spacing: see find_places."""
+    """Return the pieces in their earlier places, if they have any. Also return the ids of pieces that had to move,
+    because they would overlap other pieces. spacing: see find_places."""
     if earlier is None:
         return flat, []
     places = find_places(flat, earlier.pieces, earlier.away, spacing)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Reads objects into models that work without Blender, and checks whether the objects are still the same."""
+"""Reads objects into models that can be solved without Blender, and checks whether the objects have changed."""
 
 from collections.abc import Collection, Iterator
 from contextlib import AbstractContextManager, ExitStack, contextmanager, nullcontext
@@ -40,7 +40,8 @@ def mesh_targets(context: bpy.types.Context) -> list[bpy.types.Object]:
 
 
 def active_target(context: bpy.types.Context) -> list[bpy.types.Object]:
-    """Return the active object, or its model, if it is visible."""
+    """Return a list of the active object, or of its model for flat pieces. The list is empty if the active object is
+    hidden."""
     active = context.view_layer.objects.active
     model = _model(context, active) if active and active.visible_get() else None
     return [model] if model else []
@@ -61,7 +62,7 @@ def check_sources(context: bpy.types.Context, sources: list[bpy.types.Object]) -
 
 
 def _nothing_to_flatten(context: bpy.types.Context, sources: list[bpy.types.Object]) -> str:
-    """Return the sentence about why nothing can be flattened; empty if something can."""
+    """Return a sentence that says why nothing can be flattened; empty if an object can be flattened."""
     if context.scene.library:
         return (
             f'Nothing to flatten: the scene "{context.scene.name}" is linked from another file and cannot get flat '
@@ -93,8 +94,8 @@ class RunSettings(Protocol):
 def in_suitable_mode(
     context: bpy.types.Context, sources: list[bpy.types.Object], settings: RunSettings
 ) -> Iterator[None]:
-    """Leaves Edit Mode if these models cannot be read or written there, and returns to it at the end. Blender's log
-    shows each change of the mode, so Auto avoids it: plain models are read and written in Edit Mode."""
+    """Leave Edit Mode if these models cannot be read or written in it, and return to it at the end. Other models are
+    read and written in Edit Mode, because Blender's log would show each change of the mode by Auto."""
     edited = edited_meshes(context)
     if any(_needs_object_mode(source, settings, edited) for source in sources):
         with in_object_mode(context):
@@ -104,7 +105,7 @@ def in_suitable_mode(
 
 
 def _needs_object_mode(source: bpy.types.Object, settings: RunSettings, edited: Collection[bpy.types.Mesh]) -> bool:
-    """Return whether the run reads data that are hidden in Edit Mode, or replaces a mesh that is being edited."""
+    """Return whether the run reads data that are hidden in Edit Mode, or replaces a mesh in Edit Mode."""
     if settings.use_modifiers:
         return True
     flat = find_flat_object(source)
@@ -115,8 +116,8 @@ def _needs_object_mode(source: bpy.types.Object, settings: RunSettings, edited: 
 
 
 def check_target(target: bpy.types.Object, writes_model: bool, edited: Collection[bpy.types.Mesh]) -> None:
-    """Raises ObjectError if the results cannot be written. writes_model: whether also to the base mesh. All conditions
-    are checked here before the first result is written. edited: the meshes in Edit Mode here."""
+    """Raises ObjectError if the results cannot be written. All conditions are checked here, before the first result is
+    written. writes_model: whether results are also written to the base mesh; edited: see edited_meshes."""
     linear_part(target)
     check_not_edited(target, edited)
     with current_mesh(target) as mesh:
@@ -125,8 +126,9 @@ def check_target(target: bpy.types.Object, writes_model: bool, edited: Collectio
     if is_flat:
         raise object_error(
             "flat_pieces",
-            f'"{target.name}" holds flat pieces, and their model was deleted: restore it, or select another one. To '
-            'flatten them as they are, delete the attribute "source_vertex" under Object Data > Attributes.',
+            f'"{target.name}" contains flat pieces, and their model was deleted. Restore the model, or select another '
+            'model. To flatten the pieces as they are, delete the attribute "source_vertex" under Object Data > '
+            "Attributes.",
         )
     check_local(target, target)
     if writes_model:
@@ -145,14 +147,13 @@ def _check_users(target: bpy.types.Object) -> None:
         if shares and not np.allclose(metric(other), own, rtol=1e-5, atol=1e-5 * np.abs(own).max()):
             sentence = (
                 f'"{target.name}" and "{other.name}" share the mesh "{target.data.name}" but differ in scale, or one '
-                "is mirrored. One UV map cannot be true for both. Use Object > Relations > Make Single User > "
-                "Object & Data."
+                "is mirrored. One UV map cannot fit both. Use Object > Relations > Make Single User > Object & Data."
             )
             raise ObjectError(Issue("multi_user_scale", sentence))
 
 
 def read_models(context: bpy.types.Context, sources: list[bpy.types.Object], settings: RunSettings) -> list[Model]:
-    """Return the models; an object that cannot be flattened becomes a model with an issue."""
+    """Return the models read from these objects. The model of an object that cannot be flattened has an issue."""
     context.view_layer.update()
     depsgraph, units = context.evaluated_depsgraph_get(), length_text(context.scene)
     allowance = context.scene.wirewarp.allowance / (1000 * meters_per_blender_unit(context.scene))
@@ -164,7 +165,7 @@ def read_models(context: bpy.types.Context, sources: list[bpy.types.Object], set
 
 
 def _one_copy(source: bpy.types.Object, edited: Collection[bpy.types.Mesh]) -> AbstractContextManager:
-    """Return a context in which all readers of a mesh in Edit Mode share one copy, which takes long to make."""
+    """Return a context in which all readers of a mesh in Edit Mode share one copy, because making copies is slow."""
     return current_mesh(source) if source.data in edited else nullcontext()
 
 
@@ -174,7 +175,7 @@ def find_source(model: Model) -> bpy.types.Object | None:
 
 
 def is_current(model: Model) -> bool:
-    """Return whether its object is still the mesh that was read. Works in any mode."""
+    """Return whether the model's object is still the mesh that was read. Works in any mode."""
     source = find_source(model)
     return source is not None and source.type == "MESH" and not has_changed(source, model.state, read_anew)
 
@@ -203,7 +204,7 @@ def _read(
     settings: RunSettings,
     edited: Collection[bpy.types.Mesh],
 ) -> Model:
-    """Read a model. allowance: the default allowance, in Blender units."""
+    """Return the model read from this object. allowance: the default allowance, in Blender units."""
     use_modifiers = settings.use_modifiers
     facts = Facts(
         object=source.name,
@@ -234,7 +235,8 @@ def _read(
 
 
 def _counts(source: bpy.types.Object, edited: Collection[bpy.types.Mesh]) -> dict[str, int]:
-    """Return the present numbers of elements. Reading a mesh that is edited elsewhere would crash Blender."""
+    """Return the present numbers of elements. The mesh is read in Edit Mode only if it is in `edited`, because Blender
+    would crash if it were in Edit Mode in another view layer."""
     if source.data not in edited:
         return element_counts(source.data)
     with current_mesh(source) as mesh:
@@ -242,7 +244,7 @@ def _counts(source: bpy.types.Object, edited: Collection[bpy.types.Mesh]) -> dic
 
 
 def solved_pieces(source: bpy.types.Object) -> tuple[Cache, Cache]:
-    """Return the object's Caches: one for its pieces, and one for the attempt with its UV seams."""
+    """Return the object's caches: one for its pieces, and one for the attempt with its UV seams."""
     state = state_of(source)
     if state.solved is None:
         state.solved, state.solved_by_map = Cache(), Cache()

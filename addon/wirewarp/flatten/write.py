@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writes the results, after all of them have been computed."""
+"""Writes the results of a run, after all results have been computed."""
 
 import bpy
 import numpy as np
@@ -29,11 +29,12 @@ from .places import (
 )
 from .read import RunSettings, find_source
 
-GROWN = 1.5  # a layout that is longer by this factor is shown, although its first pieces were shown before
+GROWN = 1.5  # the view moves to a layout whose length or width has grown by more than this factor
 
 
 def write_results(context: bpy.types.Context, outcomes: list[Outcome], settings: RunSettings) -> None:
-    """Writes the UV layer, flat object, maps and report of every object that has a layout."""
+    """Write the UV map, flat object, maps and report of every model with flat pieces. Keep the reports of other models
+    in memory."""
     models = [model for outcome in outcomes if (model := find_source(outcome.model))]
     for outcome in outcomes:
         source = find_source(outcome.model)
@@ -41,7 +42,7 @@ def write_results(context: bpy.types.Context, outcomes: list[Outcome], settings:
             _write_pieces(context, source, outcome, settings, models)
             continue
         if find_flat_object(source):
-            text = "Nothing changed: these are still the earlier pieces."
+            text = "Nothing was changed. The flat pieces are still those of an earlier run."
             outcome.report.notes.append(Note(text, is_warning=True))
         remember(source, outcome.report)
 
@@ -53,8 +54,8 @@ def _write_pieces(
     settings: RunSettings,
     models: list[bpy.types.Object],
 ) -> None:
-    """Write the flat object first, because it is the most likely to fail, and nothing else has changed then. models:
-    all models of this run."""
+    """Write all results of one model. The flat object is written first, because an error is most likely there, and
+    nothing else has changed yet. models: all models of this run."""
     arrays = outcome.arrays
     is_new, failed = not has_flat_object(source), [issue.piece for issue in outcome.report.issues]
     earlier = earlier_layout(find_flat_object(source), outcome.report.options) if settings.keep_places else None
@@ -86,7 +87,8 @@ def _write_pieces(
 
 
 def _place(source: bpy.types.Object, outcome: Outcome, earlier: Earlier | None) -> tuple[FlatMesh, np.ndarray]:
-    """Return the pieces in their earlier places, and the upward direction (3,) of their layout."""
+    """Return the pieces in their earlier places, and the upward direction (3,) of their layout. Add notes about pieces
+    that were moved, and about a rotated model."""
     options = outcome.report.options
     pieces, crowded = pieces_in_place(outcome.pieces, earlier, gap_between(outcome.arrays, options["spacing"]))
     was = np.ptp(np.array(earlier.flat.bound_box), axis=0)[:2] if earlier else np.zeros(2)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Marks seams, wires, eases and allowances: panel, operators and functions.
+"""Panels, operators and functions that mark seams, wires, eases and allowances.
 
 May import: ui, state, solve, blender, properties, core, issues, names.
 """

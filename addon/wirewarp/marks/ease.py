@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Marks eases, and changes existing wires and seams, on models in Object Mode.
 
-A plan writes only when it is called, so that no object is changed if any object is refused.
+A function plan_... reads the mesh and returns a function that writes, so that no object is changed if an object is
+refused.
 """
 
 import math
@@ -41,12 +42,12 @@ def wire_at(target: bpy.types.Object, edge: int) -> WireSummary:
     for wire in find_wires(target):
         if edge in wire.edges:
             return wire
-    sentence = f'Edge {edge} of "{target.name}" is not part of a wire. Choose one in the list, or mark it first.'
+    sentence = f'Edge {edge} of "{target.name}" is not part of a wire. Choose a wire in the list, or mark a wire first.'
     raise object_error("no_wire", sentence)
 
 
 def change_wire(target: bpy.types.Object, edge: int, name: str, tolerance: float, ease: float | None) -> None:
-    """Change the wire of this edge. An empty name and an ease of None leave those of the wire unchanged. Raises
+    """Change the wire of this edge. If the name is empty or the ease is None, the wire keeps its own. Raises
     ObjectError like wire_at."""
     mesh = target.data
     rows = np.array(wire_at(target, edge).edges)
@@ -61,7 +62,8 @@ def change_wire(target: bpy.types.Object, edge: int, name: str, tolerance: float
 
 
 def change_grain(target: bpy.types.Object, edge: int) -> None:
-    """Make the wire of this edge the grain wire, or no wire if it already is. Raises ObjectError like wire_at."""
+    """Make the wire of this edge the grain wire. If it is the grain wire already, the model then has no grain wire.
+    Raises ObjectError like wire_at."""
     mesh = target.data
     wire_at(target, edge)
     wire_id = int(repair_marks(target).wire_ids[edge])
@@ -69,7 +71,7 @@ def change_grain(target: bpy.types.Object, edge: int) -> None:
 
 
 def repair_marks(target: bpy.types.Object) -> EdgeMarks:
-    """Assign an id of its own to each wire. Return the resulting marks."""
+    """Assign a separate id to each wire. Return the resulting marks."""
     marks = read_marks(target.data)
     for row, wire_id in repair_names(target).items():
         marks.wire_ids[row] = wire_id
@@ -108,8 +110,8 @@ def edges_with_marks(mesh: bpy.types.Mesh) -> np.ndarray:
 
 
 def loosen_wires(mesh: bpy.types.Mesh, wires: list[LooserWire]) -> int:
-    """Set the tolerance of each proposed wire on its edges, unless they have a larger one. Return the number of edges
-    that changed."""
+    """Set the suggested tolerance of each wire on its edges. Edges with a larger tolerance keep it. Return the number
+    of changed edges."""
     marks = read_marks(mesh)
     before, tolerances = marks.tolerances.copy(), marks.tolerances
     for wire in wires:
@@ -129,16 +131,16 @@ Amount = Callable[[float], float]  # ease of a line as a fraction, from its leng
 
 @dataclass(frozen=True)
 class Change:
-    """A planned change of one line. A cleared ease is 0."""
+    """A planned change of one line."""
 
-    ratio: float
+    ratio: float  # ease as a fraction; 0 for a cleared ease
     length: float  # change of length, in Blender units
 
 
 @dataclass(frozen=True)
 class Eased:
     changes: list[Change]
-    left_out: int  # number of ignored edges
+    left_out: int  # number of selected edges that were ignored
 
 
 Planned = Callable[[], Eased]  # writes the change, and cannot fail
@@ -181,11 +183,11 @@ def _write_lines(target: bpy.types.Object, lines: list[np.ndarray], changes: lis
 
 
 def plan_sides(target: bpy.types.Object, rows: np.ndarray, amount: Amount, side: int) -> Planned:
-    """Plans to lengthen the lines of these edges on one side only; the other side keeps its ease.
+    """Plan to lengthen the lines of these edges on one side only. The other side keeps its ease.
 
-    side: 0 for the smaller piece, 1 for the larger, so that the armholes of two sleeves are eased alike; an outline has
-    only one side. Skips edges that are neither seams nor outlines, and sides with several faces.
-    Raises ObjectError if a line would have no length left.
+    side: 0 for the side of the smaller piece, 1 for the larger piece, so that the armholes of two sleeves are eased
+    alike; an outline has only one side. Edges that are neither seams nor outlines are ignored, and sides with several
+    faces, too. Raises ObjectError if a line would have no length left.
     """
     mesh = target.data
     lines = _sides_of_lines(mesh, rows[on_outlines(mesh)[rows]], _places(target))
@@ -195,13 +197,13 @@ def plan_sides(target: bpy.types.Object, rows: np.ndarray, amount: Amount, side:
 
 
 def plan_corners(target: bpy.types.Object, corners: Collection[int], amount: Amount) -> Planned:
-    """Plan to lengthen the edges that begin at these corners, on the side of their faces only. Raises ObjectError like
-    plan_sides, and if the corners include both sides of an edge."""
+    """Plan to lengthen the edges that begin at these corners, only on the side of the corners' faces. Raises
+    ObjectError like plan_sides, and if the corners include both sides of an edge."""
     mesh, chosen = target.data, set(corners)
     rows = np.unique(corner_edges(mesh)[list(chosen)])
     if len(rows) < len(chosen):
         raise object_error(
-            "both_sides", "Both sides of a seam are selected. Select one, or mark an ease of both sides on the model."
+            "both_sides", "Both sides of a seam are selected. Select one side, or press All Sides on the model."
         )
     lines = _sides_of_lines(mesh, rows[on_outlines(mesh)[rows]], _places(target))
     return _plan(
@@ -225,7 +227,8 @@ def clear_eases(target: bpy.types.Object, edges: np.ndarray) -> Eased:
 
 
 def _plan(target: bpy.types.Object, lines: list[list[int]], amount: Amount, selected: int) -> Planned:
-    """Plan the changes. lines: corners at which their edges begin; selected: number of selected edges."""
+    """Plan the changes. lines: for each line, the corners at which its edges begin; selected: number of selected
+    edges."""
     mesh = target.data
     loop_edges, lengths = corner_edges(mesh), _lengths(target) * (1 + read_values(mesh, EASE))
     found = [line for line in lines if line]
@@ -242,8 +245,8 @@ def _plan(target: bpy.types.Object, lines: list[list[int]], amount: Amount, sele
 def _sides_of_lines(mesh: bpy.types.Mesh, rows: np.ndarray, places: np.ndarray) -> list[tuple[list[int], list[int]]]:
     """Return the corners at which the edges of each line begin, on both sides.
 
-    rows: the edges on seams and outlines; places (n,3): the displayed places of the vertices, which decide how lines
-    continue straight. A side of an edge has no corner unless it has exactly one face.
+    rows: edges on seams and outlines; places (n,3): the displayed places of the vertices, which decide where lines are
+    straight. A side with no face or several faces has no corner.
     """
     edges, starts, loop_edges = edge_vertices(mesh), corner_vertices(mesh), corner_edges(mesh)
     corners_of: dict[tuple[int, int], list[int]] = {}
@@ -261,13 +264,13 @@ def _sides_of_lines(mesh: bpy.types.Mesh, rows: np.ndarray, places: np.ndarray) 
 
 
 def _is_larger(areas: np.ndarray, one: list[int], other: list[int]) -> bool:
-    """Return whether the piece on the first side of a line is larger; False for equal ones and outlines. areas: areas
-    from _piece_areas(); one, other: corners on the two sides."""
+    """Return whether the piece on the first side of a line is larger; False for equal pieces, and for outlines. areas:
+    see _piece_areas(); one, other: corners on the two sides."""
     return bool(one and other) and areas[one[0]] > (1 + SAME_AREA) * areas[other[0]]
 
 
 def _piece_areas(mesh: bpy.types.Mesh) -> np.ndarray:
-    """Return the area of the piece (l,) at each corner, in the units of the mesh."""
+    """Return the area of the piece of each corner, (l,), in the units of the mesh."""
     faces, inside = faces_of_corners(mesh), ~read_seams(mesh)
     first_at = np.full(len(mesh.edges), -1)
     first_at[corner_edges(mesh)] = faces  # one face of each edge
@@ -290,13 +293,12 @@ def _piece_areas(mesh: bpy.types.Mesh) -> np.ndarray:
 def _change(length: float, amount: Amount) -> Change:
     ratio = amount(length) if length > 0 else math.nan
     if not -1 < ratio < math.inf:
-        raise object_error(
-            "invalid_ease", "A line shortened by that much has no length left: choose an ease above -100%."
-        )
+        raise object_error("invalid_ease", "With this ease, a line has no length left. Choose an ease above -100%.")
     return Change(ratio, ratio * length)
 
 
 def _places(target: bpy.types.Object) -> np.ndarray:
+    """Return the displayed places (n,3) of the vertices, except for the location of the object."""
     return vertex_places(target.data).astype(np.float64) @ linear_part(target).T
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Operators under Ease, for lines that are sewn to shorter or longer lines."""
+"""The operator that marks and clears eases, for lines that are sewn to shorter or longer lines."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -29,13 +29,13 @@ SIDES = [
     (
         "ONE",
         "One Side",
-        "Ease the selected seams only on the side of the smaller piece, as for sleeve heads. An arrow shows it",
+        "Ease the selected seams only on the side of the smaller piece, as for sleeve heads. An arrow shows this side",
     ),
     ("OTHER", "Other Side", "Ease the selected seams only on the side of the larger piece, as for gathers"),
     ("NONE", "Clear Ease", "Remove the ease of the selected lines from all sides"),
 ]
-SIDES_APART = "On flat pieces only the selected side can be eased: choose One Side, or ease all sides on the model."
-NO_SIDES = "select edges on a seam or outline, with one face on that side"
+SIDES_APART = "On flat pieces, only the selected side can be eased. Press Ease, or press All Sides on the model."
+NO_SIDES = "select edges on a seam or outline, with one face on the eased side"
 NOTHING = {
     "ALL": "select the edges of a line first",
     "ONE": NO_SIDES,
@@ -52,7 +52,7 @@ class MESH_OT_wirewarp_ease(EaseAmount, bpy.types.Operator):
     bl_options = {"REGISTER", "UNDO"}
 
     sides: EnumProperty(
-        name="Sides", description="Which sides of a seam are eased; an outline has only one", items=SIDES, default="ALL"
+        name="Sides", description="Eased sides of a seam. An outline has only one side", items=SIDES, default="ALL"
     )
 
     @classmethod
@@ -78,7 +78,7 @@ class MESH_OT_wirewarp_ease(EaseAmount, bpy.types.Operator):
         return (lambda line: length / line) if self.ease_unit == "LENGTH" else lambda _: share
 
     def _plan(self, target: bpy.types.Object, amount: Amount) -> Planned:
-        """Plan the ease; on flat pieces, for the selected side only."""
+        """Plan the ease. On flat pieces, plan it only for the selected side."""
         found = selected_sides(target) if model_of(target) else None
         model = found.model if found else target
         check_ease_attributes(model.data)
@@ -110,7 +110,8 @@ class MESH_OT_wirewarp_ease(EaseAmount, bpy.types.Operator):
         changed = "; ".join(dict.fromkeys(texts))
         sentence = f"{counted(len(changes), 'line')} eased: {changed}"
         if left_out:
-            self.report({"WARNING"}, f"{sentence}. {counted(left_out, 'selected edge')} left out.")
+            left = counted(left_out, "selected edge was", "selected edges were")
+            self.report({"WARNING"}, f"{sentence}. {left} left out.")
         else:
             self.report({"INFO"}, sentence)
         return {"FINISHED"}

@@ -45,8 +45,8 @@ class Marked(NamedTuple):
 def plan_wires(target: bpy.types.Object, tolerance: float) -> Callable[[], Marked]:
     """Plan to make the selected edges wires, one per chain, even along seams and outlines.
 
-    A chain that contains all edges of one wire and none of another is that wire. It keeps its id and name and changes
-    only its tolerance. Raises ObjectError for an edge without a face and for attributes of others with our names.
+    If a chain contains all edges of one wire and no edges of other wires, this wire keeps its id and name and gets the
+    new tolerance. Raises ObjectError if an edge has no face, or if attributes of another add-on have our names.
     """
     mesh = target.data
     check_attributes(mesh)
@@ -68,7 +68,7 @@ def _mark(target: bpy.types.Object, rows: np.ndarray, tolerance: float) -> Marke
     mesh, marks, lost_eases = target.data, repair_marks(target), 0
     edges_of_wire = np.unique(marks.wire_ids, return_counts=True)
     counts = dict(zip(*(each.tolist() for each in edges_of_wire), strict=True))
-    # Use the places as displayed, so that unapplied scale does not change which lines are straight.
+    # The displayed places are used, so that unapplied scale does not change which lines are straight.
     positions = vertex_places(mesh) @ np.array(target.matrix_world)[:3, :3].T
     chains = split_into_chains(edge_vertices(mesh)[rows], positions)
     for chain in chains:
@@ -87,7 +87,8 @@ def _mark(target: bpy.types.Object, rows: np.ndarray, tolerance: float) -> Marke
 
 
 def plan_clear(target: bpy.types.Object) -> Callable[[], int]:
-    """Plan to remove the selected edges from wires; the plan returns how many. Raises ObjectError like plan_wires."""
+    """Plan to remove the selected edges from wires. The plan returns the number of these edges. Raises ObjectError if
+    attributes of another add-on have our names."""
     check_attributes(target.data)
 
     def clear() -> int:
@@ -103,8 +104,8 @@ def plan_clear(target: bpy.types.Object) -> Callable[[], int]:
 
 
 def seams_from_uv(targets: Sequence[bpy.types.Object]) -> tuple[int, list[str]]:
-    """Mark the island borders of each object's map as seams; keep existing seams. Return the number of new seams, and
-    the names of the maps. Raises ObjectError, with nothing marked, if an object has no UV map."""
+    """Mark the island borders of each object's map as seams, and keep existing seams. Return the number of new seams,
+    and the names of the maps. Raises ObjectError, with nothing marked, if an object has no UV map."""
     maps = [_find_map(target) for target in targets]
     count = sum(make_seams(each.data, _borders(each.data, layer)) for each, layer in zip(targets, maps, strict=True))
     return count, list(dict.fromkeys(layer.name for layer in maps))
@@ -117,21 +118,22 @@ def has_new_seams(mesh: bpy.types.Mesh) -> bool:
 
 
 def _find_map(target: bpy.types.Object) -> bpy.types.MeshUVLoopLayer:
-    """Return the user's own map, or the map of the flat pieces if there is none."""
+    """Return the user's own map, or the map of the flat pieces if the user has none. Raises ObjectError if there is no
+    map."""
     found = own_uv_map(target.data) or target.data.uv_layers.active
     if found is None:
-        raise object_error("no_uv_map", f'"{target.name}" has no UV map: unwrap it first (UV > Unwrap).')
+        raise object_error("no_uv_map", f'"{target.name}" has no UV map. Use UV > Unwrap first.')
     return found
 
 
 def _borders(mesh: bpy.types.Mesh, layer: bpy.types.MeshUVLoopLayer) -> np.ndarray:
-    """Return which edges are borders of islands, (e,) bool."""
+    """Return a mask (e,) of the edges that are borders of islands in the map."""
     return island_borders(corner_edges(mesh), corner_vertices(mesh), next_loops(mesh), read_uv(layer), len(mesh.edges))
 
 
 WITH_MODIFIERS = (
-    'The pieces of "{}" were made with Modifiers, and their sides are not on the model. Mark both sides there. '
-    "For one side, flatten without Modifiers, mark it on the pieces, and flatten with Modifiers again."
+    'The pieces of "{}" were made with Modifiers, so the model may lack their edges. Mark both sides on the model. '
+    "To mark one side, flatten without Modifiers, mark the side on the pieces, and flatten with Modifiers again."
 )
 
 
@@ -146,15 +148,15 @@ class SelectedSides:
 
     @property
     def corners(self) -> np.ndarray:
-        """Return corners (k,) of these faces at which these edges begin, in the order of the mesh."""
+        """Return the corners (k,) of the faces at which the edges begin, in the order of the mesh."""
         mesh = self.model.data
         count, loop_edges = len(mesh.polygons), corner_edges(mesh).astype(np.int64)
         return np.flatnonzero(np.isin(loop_edges * count + faces_of_corners(mesh), self.edges * count + self.faces))
 
 
 def selected_sides(flat: bpy.types.Object) -> SelectedSides:
-    """Return the sides of the selected outline edges of flat pieces in Object Mode. Raises ObjectError for outdated
-    pieces."""
+    """Return the sides of the selected outline edges of flat pieces, which are in Object Mode. Raises ObjectError if
+    the pieces are outdated."""
     source = model_of(flat)
     if is_earlier(flat):
         raise object_error("earlier_pieces", earlier_sentence(flat))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Operators that mark and clear seams, wires and allowances of selected edges, and one that sets the unit."""
+"""Operators that mark and clear seams, wires and allowances of selected edges, and that set the scene's unit."""
 
 import math
 from collections.abc import Callable
@@ -27,10 +27,10 @@ KINDS = [
     ("SUPER_ELASTIC", "Free", "A free wire gets the length that distorts the pieces least"),
 ]
 ALLOWANCES = [
-    ("WIDTH", "Allowance", "Give the selected edges a seam allowance of their own, on all sides"),
-    ("HEM", "Hem", "Give the selected edges of the outline a hem: allowance that is turned up"),
-    ("FOLD", "Fold", "No allowance at the selected edges: they are cut on the fold, or stay raw"),
-    ("DEFAULT", "Default", "Give the selected edges the default allowance again"),
+    ("WIDTH", "Allowance", "Set another seam allowance for the selected edges, on all sides"),
+    ("HEM", "Hem", "Set a hem for the selected edges of the outline, which is an allowance that is turned up"),
+    ("FOLD", "Fold", "Set no allowance for the selected edges, because they are cut on the fold or stay raw"),
+    ("DEFAULT", "Default", "Use the default allowance for the selected edges again"),
 ]
 DESCRIPTIONS = {identifier: description for identifier, _, description in KINDS}
 
@@ -54,9 +54,9 @@ class WireKind:
     )
 
     def chosen_tolerance(self) -> float:
-        """Return the tolerance to store on the edges. Raises ObjectError if an elastic wire has none."""
+        """Return the tolerance to store on the edges. Raises ObjectError if an elastic wire has no tolerance."""
         if self.kind == "ELASTIC" and not self.tolerance > 0:  # also refuses NaN, which a script may pass
-            sentence = "An elastic wire needs a tolerance above 0: set one, or make the wire rigid."
+            sentence = "An elastic wire needs a tolerance above 0. Set a tolerance, or make the wire rigid."
             raise object_error("no_tolerance", sentence)
         return {"RIGID": 0.0, "ELASTIC": self.tolerance, "SUPER_ELASTIC": math.inf}[self.kind]
 
@@ -94,7 +94,7 @@ class MESH_OT_wirewarp_mark(OnModel, WireKind, bpy.types.Operator):
         sentence = f"{counted(wires, 'wire')} marked"
         if lost_eases:
             lost = counted(lost_eases, "wire")
-            self.report({"WARNING"}, f"{sentence}. {lost} had several eases: mark the ease again.")
+            self.report({"WARNING"}, f"{sentence}. {lost} had several eases, which were removed. Mark the ease again.")
         else:
             self.report({"INFO"}, sentence)
         return {"FINISHED"}
@@ -122,7 +122,7 @@ class MESH_OT_wirewarp_clear(OnModel, bpy.types.Operator):
 
 
 class MESH_OT_wirewarp_allowance(bpy.types.Operator):
-    """Set the seam allowance of the selected edges on seams and outlines. On flat pieces, set only that of one side"""
+    """Set the seam allowance of the selected edges on seams and outlines. On flat pieces, set it for one side only"""
 
     bl_idname = "mesh.wirewarp_allowance"
     bl_label = "Mark Allowance"
@@ -158,7 +158,7 @@ class MESH_OT_wirewarp_allowance(bpy.types.Operator):
         return {"FINISHED"}
 
     def _allowance(self) -> str:
-        """Return the words for the marked allowance."""
+        """Return words for the marked allowance, such as "hem of 30 mm"."""
         return {
             "WIDTH": f"allowance of {self.width:g} mm",
             "HEM": f"hem of {self.hem:g} mm",
@@ -174,8 +174,8 @@ class MESH_OT_wirewarp_allowance(bpy.types.Operator):
 
 
 def _plan_allowance(target: bpy.types.Object, width: float) -> Callable[[], tuple[int, int]]:
-    """Plan allowances, on all sides for a model and on one side for flat pieces. The plan returns the numbers of marked
-    and ignored edges."""
+    """Plan allowances, on all sides for a model, and on one side for flat pieces. The plan returns the numbers of
+    marked and ignored edges."""
     sides = selected_sides(target) if model_of(target) else None
     mesh = sides.model.data if sides else target.data
     check_attribute(mesh, ALLOWANCE)
@@ -194,7 +194,7 @@ def _plan_allowance(target: bpy.types.Object, width: float) -> Callable[[], tupl
 
 
 class MESH_OT_wirewarp_seams_from_uv_islands(OnModel, bpy.types.Operator):
-    """Mark seams along the island borders of the active UV map, or of your own map while WireWarp's is active"""
+    """Mark seams along the island borders of the active UV map, or of your own map if WireWarp's map is active"""
 
     bl_idname = "mesh.wirewarp_seams_from_uv_islands"
     bl_label = "Seams from UV Islands"
@@ -233,7 +233,7 @@ def _deselect(mesh: bpy.types.Mesh) -> None:
 
 
 class OBJECT_OT_wirewarp_mark_model(bpy.types.Operator):
-    """Enter Edit Mode to select edges and mark them as seams and wires. Deselect all first if all are selected"""
+    """Enter Edit Mode to select edges and mark them as seams and wires. If all edges are selected, deselect them"""
 
     bl_idname = "object.wirewarp_mark_model"
     bl_label = "Mark This Model"
@@ -259,7 +259,7 @@ class OBJECT_OT_wirewarp_mark_model(bpy.types.Operator):
 
 
 class MESH_OT_wirewarp_mark_seam(OnModel, bpy.types.Operator):
-    """Mark the selected edges as seams, or clear them; asks first if every edge is selected"""
+    """Mark the selected edges as seams, or clear their seams. Ask first if every edge is selected"""
 
     bl_idname = "mesh.wirewarp_mark_seam"
     bl_label = "Mark Seam"
@@ -272,8 +272,8 @@ class MESH_OT_wirewarp_mark_seam(OnModel, bpy.types.Operator):
     @classmethod
     def description(cls, _context: bpy.types.Context, properties: bpy.types.OperatorProperties) -> str:
         if properties.clear:
-            return "Make the selected edges ordinary edges again"
-        return "The fabric is cut along the selected edges"
+            return "Clear the seams of the selected edges"
+        return "Mark the selected edges as seams, along which the fabric is cut"
 
     def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> set[str]:
         if not self.clear and any(has_every_edge(each.data) for each in context.objects_in_mode_unique_data):
@@ -338,8 +338,8 @@ class SCENE_OT_wirewarp_set_height(OnMesh, bpy.types.Operator):
 
 
 def _set_unit(context: bpy.types.Context, meters: float) -> None:
-    """Set the length of a Blender unit, and keep the marked lengths and Max Length. Raises ObjectError before any
-    change."""
+    """Set the length of a Blender unit in meters. Marked lengths and Max Length stay the same in millimeters. Raises
+    ObjectError before any change."""
     scene, settings = context.scene, context.scene.unit_settings
     before = meters_per_blender_unit(scene)
     with in_object_mode(context):
@@ -352,8 +352,7 @@ def _set_unit(context: bpy.types.Context, meters: float) -> None:
 
 
 def _keep_lengths(scene: bpy.types.Scene, factor: float) -> None:
-    """Keep the marked lengths in millimeters: scale their values, which are in Blender units, by this factor. Raises
-    ObjectError before any change."""
+    """Multiply the marked lengths, which are in Blender units, by this factor. Raises ObjectError before any change."""
     models = [each for each in scene.objects if each.type == "MESH" and each.data.library is None]
     for model in models:
         check_not_edited(model)

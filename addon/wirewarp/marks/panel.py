@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Draws the panel of marks. It is above Flatten, because the verdict below Flatten grows and shrinks.
+"""Draws the panel Mark. It is above Flatten, because the verdict below Flatten grows and shrinks.
 
-It has the same height in all modes and on flat pieces, because buttons below it enter Edit Mode.
+The panel has the same height in all modes and on flat pieces. Otherwise, buttons below it that enter Edit Mode would
+move.
 """
 
 from collections.abc import Sequence
@@ -73,7 +74,7 @@ def draw_allowances(layout: bpy.types.UILayout) -> None:
 
 
 def draw_eases(layout: bpy.types.UILayout, context: bpy.types.Context, buttons: Sequence[tuple[str, str]]) -> None:
-    """Draw the ease. buttons: the side and the text of each button, two in a row."""
+    """Draw the amount of the ease, and its buttons. buttons: the side and the text of each button, two in a row."""
     column = layout.column(align=True)
     draw_ease(column, context.scene.wirewarp)
     grid = column.grid_flow(row_major=True, columns=2, even_columns=True, align=True)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Draws the marks of one side on flat pieces.
+"""Draws the buttons that mark one side of edges, on flat pieces.
 
-The panel is below the lists, because their arrows enter Edit Mode, in which the panel grows.
+The panel is below the lists, because the arrow buttons of the lists enter Edit Mode, in which the panel grows.
 """
 
 import bpy
@@ -27,7 +27,7 @@ class VIEW3D_PT_wirewarp_mark_sides(OnMesh, SidebarPanel, bpy.types.Panel):
             draw_sentence(context, layout, f"These are flat pieces. {DELETED.format(model.name)}", "ERROR")
             return
         sentence = (
-            f'Select "{model.name}" to mark seams and wires. In Edit Mode of these flat pieces you can mark the '
+            f'Select "{model.name}" to mark seams and wires. In Edit Mode of these flat pieces, you can mark the '
             "allowance and the ease of one side."
         )
         draw_sentence(context, layout, sentence, "INFO")

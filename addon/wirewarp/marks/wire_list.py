@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Draws the list of wires with name, kind and length, and operators for the chosen wire."""
+"""The panel with the list of wires, their kinds and lengths, and the operators for the chosen wire."""
 
 import math
 from collections.abc import Sequence
@@ -32,12 +32,12 @@ from .mark_operators import WireKind
 
 
 class WireOperator(OnModel):
-    """Base of operators for one wire of the active model, in Object Mode."""
+    """Mixin of operators for one wire of the active model. Their act() is called in Object Mode."""
 
     bl_options = {"REGISTER", "UNDO"}
     modes = WORKING_MODES
 
-    edge: IntProperty(name="Edge", description="Any edge of the wire, by its index", min=0, options={"HIDDEN"})
+    edge: IntProperty(name="Edge", description="Index of any edge of the wire", min=0, options={"HIDDEN"})
 
     @reporting_refusals
     def execute(self, context: bpy.types.Context) -> set[str]:
@@ -55,11 +55,11 @@ class MESH_OT_wirewarp_change_wire(WireKind, WireOperator, bpy.types.Operator):
     bl_label = "Change Wire"
     on_model = "change the wire"
 
-    name: StringProperty(name="Name", description="Name of the wire. An empty name keeps the present one")
+    name: StringProperty(name="Name", description="Name of the wire. If it is empty, the wire keeps its present name")
     ease: number(
         "Ease",
         "How much longer than on the model to cut the wire, as a fraction. Below 0: shorter. "
-        "Without it, the wire keeps its ease",
+        "If it is not set, the wire keeps its ease",
         (LEAST_EASE, 0.0, 1.0),
         soft_min=-0.5,
         precision=4,
@@ -104,7 +104,7 @@ class MESH_OT_wirewarp_change_wire(WireKind, WireOperator, bpy.types.Operator):
 
 
 class MESH_OT_wirewarp_grain_wire(WireOperator, bpy.types.Operator):
-    """Make this wire the grain wire, which is upright in the pieces that it crosses. Press again to undo"""
+    """Make this wire the grain wire, which is upright in the pieces that it crosses. Press again for no grain wire"""
 
     bl_idname = "mesh.wirewarp_grain_wire"
     bl_label = "Grain Wire"
@@ -126,7 +126,7 @@ class MESH_OT_wirewarp_select_wire(OnMesh, bpy.types.Operator):
 
     edge: IntProperty(
         name="Edge",
-        description="Any edge of the wire, by its index; -1: the wires of all selected edges",
+        description="Index of any edge of the wire, or -1 for the wires of all selected edges",
         min=-1,
         default=-1,
         options={"HIDDEN"},
@@ -134,7 +134,7 @@ class MESH_OT_wirewarp_select_wire(OnMesh, bpy.types.Operator):
 
     @classmethod
     def description(cls, _context: bpy.types.Context, properties: bpy.types.OperatorProperties) -> str:
-        return cls.__doc__ if properties.edge >= 0 else "Grow the selection to whole wires"
+        return cls.__doc__ if properties.edge >= 0 else "Extend the selection to whole wires"
 
     @reporting_refusals
     def execute(self, context: bpy.types.Context) -> set[str]:
@@ -153,8 +153,8 @@ class MESH_OT_wirewarp_select_wire(OnMesh, bpy.types.Operator):
 
 
 def _selected_wires(targets: Sequence[bpy.types.Object]) -> list[list[tuple[int, int]]]:
-    """Return, for each object, the edges of the wires that have a selected edge. Raises ObjectError if there are
-    none."""
+    """Return, for each object, the edges of the wires that have a selected edge, as vertex pairs. Raises ObjectError if
+    no wire has a selected edge."""
     found = []
     for target in targets:
         with current_mesh(target) as mesh:
@@ -176,14 +176,14 @@ SHOWN_UNLISTED = 3
 
 
 def shown_wires(target: bpy.types.Object) -> list[tuple[str, WireSummary]]:
-    """Return listed_wires, but without reading a large mesh in Edit Mode at every redraw, because that is slow."""
+    """Return the result of listed_wires, kept until the mesh changes, because reading a large mesh is slow."""
     names = [(entry.wire_id, entry.name) for entry in target.data.wirewarp_names]
     made_of = stamp(target.data), target.data.is_editmode, names
     return kept_drawing(target, "wires", made_of, lambda: listed_wires(target))
 
 
 class WIREWARP_UL_wires(bpy.types.UIList):
-    """The list of wires, with the entries of the mesh's list of names."""
+    """List of wires, with one row for each entry of the mesh's list of names"""
 
     def draw_item(
         self,
@@ -203,7 +203,7 @@ class WIREWARP_UL_wires(bpy.types.UIList):
         icon = "EMPTY_SINGLE_ARROW" if mesh.wirewarp_grain == entry.wire_id else "NONE"
         columns = line.split(factor=0.5) if is_wide(context) else line
         columns.prop(entry, "name", text="", emboss=False, icon=icon)
-        if not is_wide(context):  # a row has no room for a length, so that of the chosen wire is below the list
+        if not is_wide(context):  # the row has no room for lengths; the length of the chosen wire is below the list
             return
         figures = columns.row()
         figures.alignment = "RIGHT"
@@ -231,7 +231,7 @@ def _wire_of(target: bpy.types.Object, entry: bpy.types.PropertyGroup) -> WireSu
 
 
 def _figures(context: bpy.types.Context, wire: WireSummary) -> str:
-    """Return kind and length."""
+    """Return the kind and the length of the wire as text."""
     length = wire.length(np.array(context.active_object.matrix_world, dtype=np.float64)[:3, :3])
     return f"{wire_text(wire.tolerance, wire.ease)}  {length_text(context.scene)(length)}"
 
@@ -242,7 +242,7 @@ class VIEW3D_PT_wirewarp_wires(OnMesh, SidebarPanel, bpy.types.Panel):
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        return super().poll(context) and not model_of(context.active_object)  # the report has the names of these wires
+        return super().poll(context) and not model_of(context.active_object)  # the report lists the wires of pieces
 
     def draw(self, context: bpy.types.Context) -> None:
         target = context.active_object
@@ -281,8 +281,8 @@ def _draw_buttons(layout: bpy.types.UILayout, mesh: bpy.types.Mesh, wire: WireSu
 def _draw_unlisted(
     context: bpy.types.Context, layout: bpy.types.UILayout, wires: list[tuple[str, WireSummary]]
 ) -> None:
-    """Draw wires without an entry, for example after copying, cutting or joining meshes. A click on a wire adds its
-    entry."""
+    """Draw the wires without an entry in the list, for example after meshes were copied, cut or joined. The dialog of a
+    wire's button adds the entry."""
     column = layout.column(align=True)
     for name, wire in wires[:SHOWN_UNLISTED]:
         button = column.operator("mesh.wirewarp_change_wire", text=f"{name}  {_figures(context, wire)}")

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Draws seams, wires, failures, names, a legend and maps on models, on flat pieces and in the UV editor.
 
-shown (which objects) -> objects, failures (arrays and names, kept in state.drawings) -> view3d (the handlers).
+view3d contains the drawing functions. shown finds the objects to draw. objects and failures make their arrays and
+names, which state.drawings keeps.
 May import: export, ui, state, solve, blender, core, issues, names.
 """
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Sends arrays to the GPU when they change, and draws them with the current matrix."""
+"""Sends arrays to the GPU when they change, and draws them with the current matrix of the GPU."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -21,7 +21,7 @@ LINES, TRIANGLES, COLORED = "POLYLINE_UNIFORM_COLOR", "UNIFORM_COLOR", "SMOOTH_C
 
 
 class Layer(Enum):
-    """Layers from the lowest to the highest: wider lines are below."""
+    """Layers of lines, from the lowest to the highest. Wider lines are below narrower lines."""
 
     RIMS = auto()
     LINES = auto()
@@ -31,7 +31,8 @@ class Layer(Enum):
 def draw_lines(
     owner: bpy.types.Object, space: str, lines: Lines | None, failed: Failures | None, unit: float, layer: Layer
 ) -> None:
-    """Draw one layer of the lines. unit: pixels of the screen per pixel at interface scale 1."""
+    """Draw one layer of the lines. space: prefix of the names of kept batches; unit: pixels of the screen per pixel at
+    interface scale 1."""
     is_rim = layer == Layer.RIMS
     shader = gpu.shader.from_builtin(LINES)
     shader.uniform_float("viewportSize", gpu.state.viewport_get()[2:])
@@ -41,7 +42,7 @@ def draw_lines(
         if (kind in CORES) != (layer == Layer.CORES):
             continue
         shader.uniform_float("color", (*style.rim, RIM_ALPHA) if is_rim else (*style.color, 1.0))
-        # Dashes come first. If two lines have the same depth, only spots of the later one are visible.
+        # Dashes are drawn first. If two lines have the same depth, only spots of the later line are visible.
         for what, arrays, width in ((f"{kind} dashes", dashes, style.width), (kind, places, style.line_width)):
             if kind in arrays:
                 batch = _batch(owner, f"{space} {what}", arrays[kind], LINES, "LINES", pos=arrays[kind])
@@ -50,7 +51,7 @@ def draw_lines(
 
 
 def draw_failed(owner: bpy.types.Object, what: str, triangles: np.ndarray) -> None:
-    """Draw the triangles (3m,3) of failed faces."""
+    """Draw the triangles of failed faces. triangles (3m,3): their corners; what: name of the kept batch."""
     shader = gpu.shader.from_builtin(TRIANGLES)
     shader.uniform_float("color", (*STYLES["failed"].color, FAILED_ALPHA))
     _batch(owner, what, triangles, TRIANGLES, "TRIS", pos=triangles).draw(shader)
@@ -74,7 +75,7 @@ def _batch(
 
 @contextmanager
 def blending() -> Iterator[None]:
-    """Draws with transparency, and restores the state afterwards."""
+    """Draw with transparency, and restore the GPU's state at the end."""
     before = gpu.state.blend_get()
     gpu.state.blend_set("ALPHA")
     try:

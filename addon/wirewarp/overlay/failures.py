@@ -31,28 +31,29 @@ from .objects import current_report, is_modified
 
 @dataclass(frozen=True)
 class Failures:
-    lines: dict[str, np.ndarray]  # (2k,3) float32 for each kind of line: failed elements and their fixes
-    triangles: np.ndarray  # (3m,3) float32
+    lines: dict[str, np.ndarray]  # (2k,3) float32, ends of lines by kind: failed elements and suggested seams
+    triangles: np.ndarray  # (3m,3) float32, corners of the failed faces
 
     @property
     def kinds(self) -> set[str]:
-        """Return the kinds of line for the legend. A closed piece has no outline, so its faces are tinted."""
+        """Return the kinds of line for the legend. Tinted faces count as "failed", because a closed piece has no failed
+        edges."""
         return {*self.lines, "failed"} if len(self.triangles) else set(self.lines)
 
 
 @dataclass(frozen=True)
 class _Elements:
-    """Failed elements and fixes, on the object's own mesh."""
+    """Failed elements and suggested seams, on the object's own mesh."""
 
     edges: dict[str, np.ndarray]  # (e,) bool for each kind of line
-    faces: np.ndarray  # (f,) polygons
+    faces: np.ndarray  # (f,) failed faces
 
 
 def failures(target: bpy.types.Object, *, in_map: bool = False) -> Failures | None:
-    """Return the failures on a model or its flat pieces, or in the map of the pieces.
+    """Return the failures on a model or its flat pieces; None if there are none.
 
-    In Edit Mode, only the proposed seams are returned, because the selection shows the failed elements.
-    in_map: the object must be in Object Mode.
+    In Edit Mode, only the suggested seams are returned, because the selection shows the failed elements. in_map: return
+    places in the map of the pieces, for an object in Object Mode.
     """
     report = None if _hides_changes(target) else current_report(target)
     if report is None or report.with_modifiers or not report.issues:
@@ -74,19 +75,19 @@ def failures(target: bpy.types.Object, *, in_map: bool = False) -> Failures | No
 
 
 def _hides_changes(target: bpy.types.Object) -> bool:
-    """Return whether changes of the model cannot be noticed, so that lines may belong to another mesh."""
+    """Return whether changes of the model cannot be noticed: in Edit Mode, Blender shows the active shape key."""
     mesh = model_or_self(target).data
     return mesh.is_editmode and mesh.shape_keys is not None
 
 
 def _elements(target: bpy.types.Object, mesh: bpy.types.Mesh, report: ObjectReport) -> _Elements | None:
-    """Return the elements on the present mesh of the target; None if they belong to another mesh."""
+    """Return the failed elements on the present mesh of the target; None if flat pieces do not know their sources."""
     source = np.arange(len(mesh.vertices))
     if model_of(target):
         if not has_attributes(mesh, SOURCE_VERTEX, SOURCE_FACE):
             return None
         source = find_values(mesh, SOURCE_VERTEX)
-    # A model that has no cut yet has not failed.
+    # A model that only needs its first seams has not failed.
     is_uncut = {line.kind for line in report.tables.verdict.lines} <= {Kind.CLOSED, Kind.NEEDS_SEAM}
     issues = [] if is_uncut or target.data.is_editmode else report.issues
     faces = _failed_faces(mesh, issues)
@@ -105,8 +106,8 @@ def _failed_faces(mesh: bpy.types.Mesh, issues: list[Issue]) -> np.ndarray:
 
 
 def _failed_edges(mesh: bpy.types.Mesh, pairs: np.ndarray, issues: list[Issue], faces: np.ndarray) -> np.ndarray:
-    """Return a mask of the listed edges, the edges at listed vertices, and the edges around listed faces. Edges between
-    listed faces are left out, so that wires and proposed seams stay visible on the tinted faces."""
+    """Return a mask (e,) of the issues' edges, of the edges at their vertices, and of the edges around their faces.
+    Edges between two such faces are not in the mask, so that wires and suggested seams are visible on tinted faces."""
     failed = are_among(pairs, [edge for issue in issues for edge in issue.edges])
     failed |= np.isin(pairs, [vertex for issue in issues for vertex in issue.vertices]).any(axis=1)
     face_of_corner = faces_of_corners(mesh)
@@ -118,7 +119,7 @@ NO_LINES = np.zeros((0, 3), dtype=np.float32)
 
 
 def with_cut(failed: Failures | None, ends: np.ndarray) -> Failures | None:
-    """Return the failures together with the lines of the suggested cut, whose ends (2k,3) are given."""
+    """Return the failures and the lines of the suggested cut together. ends (2k,3): ends of these lines."""
     if not len(ends):
         return failed
     failed = failed or Failures({}, NO_LINES)
@@ -127,7 +128,7 @@ def with_cut(failed: Failures | None, ends: np.ndarray) -> Failures | None:
 
 
 def suggested_lines(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> np.ndarray:
-    """Return the ends (2k,3) of the chosen cut on a model or flat pieces; no ends without a choice."""
+    """Return the ends (2k,3) of the lines of the chosen cut on a model or flat pieces; empty without suggestions."""
     segments = _segments(target)
     if segments is None:
         return NO_LINES
@@ -142,9 +143,9 @@ def suggested_lines(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) ->
 
 
 def uv_suggested_lines(model: bpy.types.Object) -> np.ndarray:
-    """Return the ends (2k,3) of the chosen cut in the map of the pieces, for an object in Object Mode."""
+    """Return the ends (2k,3) of the lines of the chosen cut in the map of the pieces, for an object in Object Mode."""
     segments = _segments(model)
-    if segments is None or is_modified(model):  # a piece without a map
+    if segments is None or is_modified(model):  # the map is not for the mesh with modifiers
         return NO_LINES
     mesh = model.data
     return places_on(segments, faces_of_corners(mesh), corner_vertices(mesh), uv_places(mesh))

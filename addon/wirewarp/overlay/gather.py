@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Reads the data that the overlay shows for an object into arrays, from the displayed mesh or from its map."""
+"""Reads the data that the overlay shows for an object into arrays, from the displayed mesh or from the UV map."""
 
 from contextlib import AbstractContextManager
 from dataclasses import dataclass
@@ -38,10 +38,10 @@ from .lines import LineEdges, SideEases
 class Triangles:
     """All triangles of a mesh."""
 
-    positions: np.ndarray  # (n,3) float32
-    vertices: np.ndarray  # (m,3) int32
-    corners: np.ndarray  # (m,3) int32
-    polygons: np.ndarray  # (m,) int32
+    positions: np.ndarray  # (n,3) float32, places of the vertices
+    vertices: np.ndarray  # (m,3) int32, vertices of each triangle
+    corners: np.ndarray  # (m,3) int32, corners of the mesh at the corners of each triangle
+    polygons: np.ndarray  # (m,) int32, face that contains each triangle
 
 
 @dataclass(frozen=True)
@@ -52,13 +52,15 @@ class ColoredTriangles:
 
 
 def colored(triangles: Triangles, corner_colors: np.ndarray, highest: float | None) -> ColoredTriangles:
-    """Return the triangles with these linear colors (l,4) of their corners."""
+    """Return the triangles with the colors of their corners. corner_colors (l,4): linear RGBA; highest: see
+    ColoredTriangles."""
     colors = screen_colors(corner_colors)[triangles.corners.ravel()]
     return ColoredTriangles(triangles.positions[triangles.vertices.ravel()], np.ascontiguousarray(colors), highest)
 
 
 def on_model(flat_colors: np.ndarray, source_corner: np.ndarray, count: int) -> np.ndarray:
-    """Return the colors (count,4) at the model's corners, from those at the flat pieces' corners."""
+    """Return the colors (count,4) at the model's corners. flat_colors (k,4): colors at the corners of the flat pieces;
+    source_corner (k,): the corner of the model for each."""
     colors = np.tile(NO_LAYOUT, (count, 1))
     # corners that the user has created have no place on the model
     inside = (source_corner >= 0) & (source_corner < count)
@@ -67,14 +69,15 @@ def on_model(flat_colors: np.ndarray, source_corner: np.ndarray, count: int) -> 
 
 
 def screen_colors(linear: np.ndarray) -> np.ndarray:
-    """Return linear RGBA as float32 sRGB."""
+    """Return linear RGBA colors (k,4) as float32 sRGB."""
     rgb = np.clip(linear[:, :3], 0, 1)
     shown = np.where(rgb <= 0.0031308, 12.92 * rgb, 1.055 * rgb ** np.float32(1 / 2.4) - 0.055)
     return np.column_stack([shown, linear[:, 3]]).astype(np.float32)
 
 
 def gather_lines(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> LineEdges:
-    """Return the marked lines. Raises ObjectError if another add-on or a user made an attribute of the same name."""
+    """Return the edges of seams, outlines and wires. Raises ObjectError if attributes of another add-on or the user
+    have our names."""
     is_edited = target.data.is_editmode  # Edit Mode shows the selection, and hides hidden elements
     with shown_mesh(target, depsgraph) as mesh:
         marks, seams = read_marks(mesh), read_seams(mesh)
@@ -104,7 +107,8 @@ def gather_lines(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> Li
 
 
 def shown_mesh(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> AbstractContextManager[bpy.types.Mesh]:
-    """Return the mesh with modifiers and shape keys, or as edited, even if it is edited through another object."""
+    """Return a context that yields the displayed mesh: with modifiers and shape keys, or in Edit Mode as edited, even
+    if it is edited through another object."""
     is_modified = not target.data.is_editmode and (target.modifiers or target.data.shape_keys)
     return evaluated_mesh(target, depsgraph) if is_modified else current_mesh(target)
 
@@ -133,7 +137,7 @@ def gather_side_eases(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) 
 
 
 def gather_triangles(mesh: bpy.types.Mesh) -> Triangles:
-    """Return the triangles of a mesh that is not in Edit Mode, or of the copy of one that is."""
+    """Return the triangles of a mesh that is not in Edit Mode. In Edit Mode, see current_mesh."""
     mesh.calc_loop_triangles()
     return Triangles(
         positions=vertex_places(mesh),
@@ -144,12 +148,13 @@ def gather_triangles(mesh: bpy.types.Mesh) -> Triangles:
 
 
 def shows_our_map(mesh: bpy.types.Mesh) -> bool:
-    """Return whether the UV editor shows the layer that Flatten writes."""
+    """Return whether the UV editor shows the map that Flatten writes."""
     return mesh.uv_layers.active is not None and mesh.uv_layers.active.name == UV_LAYER
 
 
 def gather_uv_lines(target: bpy.types.Object) -> LineEdges:
-    """Return the marked edges on the map, once at each of their faces. Raises ObjectError for foreign attributes."""
+    """Return the edges of seams, outlines and wires in the map, once for each of their faces. Raises ObjectError like
+    gather_lines."""
     with current_mesh(target) as mesh:
         marks, seams, outlines = read_marks(mesh), read_seams(mesh), faces_at_edges(mesh) == 1
         edge_of_loop, following, places = corner_edges(mesh), next_loops(mesh), uv_places(mesh)

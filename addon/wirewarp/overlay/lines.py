@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Prepares marked lines for drawing: styles, dashes, places of names, and arrows to the side with an ease."""
+"""Prepares marked lines for drawing: styles, dashes, places of names, and arrows for the grain and for eases."""
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -9,8 +9,8 @@ import numpy as np
 from ..core import ease_text, pattern, wire_text
 from ..solve.chains import EdgeMarks, chains_of_marks
 
-ALONG = (0.25, 0.5, 0.75)  # places for the name of a line, as shares of its edges
-HEAD = 0.25  # share of half an arrow's length
+ALONG = (0.25, 0.5, 0.75)  # further places for the name of a line, as shares of its number of edges
+HEAD = 0.25  # length of an arrow's head, as a share of half the length of a grain arrow, or of an ease arrow's length
 _TURNS = [np.array([[np.cos(a), -np.sin(a)], [np.sin(a), np.cos(a)]]) for a in np.radians(range(0, 90, 15))]
 # usual width or height of an object in pixels: at this size, dashes have exactly the length of their style
 VIEW_SIZE = 800
@@ -30,7 +30,8 @@ class LineStyle:
 
     @property
     def rim(self) -> tuple[float, float, float]:
-        """Return the color of a slightly wider line below it: light around dark colors and dark around light ones."""
+        """Return the color of the slightly wider line below: white around dark colors, and black around light
+        colors."""
         red, green, blue = self.color
         return (1.0, 1.0, 1.0) if 0.2126 * red + 0.7152 * green + 0.0722 * blue < 0.4 else (0.0, 0.0, 0.0)
 
@@ -64,24 +65,25 @@ CORES = {"selected"}  # drawn over a wider line, which stays visible on both sid
 
 @dataclass(frozen=True)
 class WireRun:
-    """A wire with all the places where it is drawn. On flat pieces, an edge on a seam has a row on each side."""
+    """A wire with all its drawn edges. On flat pieces, an edge on a seam is drawn once on each side."""
 
     wire_id: int
     tolerance: float
     ease: float
-    rows: np.ndarray  # (k,) of the marked edges
-    ends: np.ndarray  # (k,2,3) of these rows, in the direction of the wire
-    offsets: np.ndarray  # (k,) length of wire before each row
+    rows: np.ndarray  # (k,) rows of the drawn edges in LineEdges
+    ends: np.ndarray  # (k,2,3) ends of these edges, in the direction of the wire
+    offsets: np.ndarray  # (k,) length of the wire before each of these edges
 
 
 def wire_runs(vertices: np.ndarray, ends: np.ndarray, marks: EdgeMarks) -> list[WireRun]:
-    """Return the runs of vertices (k,2) and ends (k,2,3) of marked edges, without removed wires."""
+    """Return the wires. vertices (k,2): the model's vertices of each drawn edge; ends (k,2,3): places of its ends;
+    marks: of the same edges."""
     marked = marks.rows
     if not len(marked):
         return []
     pairs = np.sort(vertices[marked], axis=1)
     edges, first, edge_of_row = np.unique(pairs, axis=0, return_index=True, return_inverse=True)
-    in_order = np.argsort(first)  # the order of the mesh, as in the list of wires
+    in_order = np.argsort(first)  # in the order of the mesh, like the list of wires
     edges, first, edge_of_row = edges[in_order], marked[first[in_order]], np.argsort(in_order)[edge_of_row.ravel()]
     turned = np.where((vertices[:, 0] > vertices[:, 1])[:, None, None], ends[:, ::-1], ends)
     numbers, edges = np.unique(edges, return_inverse=True)
@@ -103,7 +105,8 @@ def wire_runs(vertices: np.ndarray, ends: np.ndarray, marks: EdgeMarks) -> list[
 
 
 def cut_into_dashes(ends: np.ndarray, offsets: np.ndarray, dash: float, gap: float) -> np.ndarray:
-    """Return the ends (2m,3) of the dashes on lines (k,2,3), which begin at distances (k,) from the first dash."""
+    """Return the ends (2m,3) of the dashes. ends (k,2,3): ends of edges; offsets (k,): distance along the wire from its
+    begin to each edge; dash, gap: lengths."""
     period = dash + gap
     lengths = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
     first = np.floor(offsets / period).astype(np.int64)
@@ -123,13 +126,13 @@ class LineEdges:
     """All edges that are seams or parts of outlines or wires."""
 
     ends: np.ndarray  # (k,2,3) float32, in the object's own space
-    normals: np.ndarray  # (k,3) float32, of the surface
-    vertices: np.ndarray  # (k,2) int32, of the model
-    pieces: np.ndarray  # (k,) int32, index on the flat pieces; 0 on the model
-    seams: np.ndarray  # (k,) bool
-    seam_ids: np.ndarray  # (k,) int32, of the seams of the edges in the last run; 0 none
+    normals: np.ndarray  # (k,3) float32, normals of the surface
+    vertices: np.ndarray  # (k,2) int32, vertices of the model
+    pieces: np.ndarray  # (k,) int32, index of the flat piece, or its id in the map; 0 on the model
+    seams: np.ndarray  # (k,) bool, whether the edge is a seam
+    seam_ids: np.ndarray  # (k,) int32, id of the edge's seam in the last run; 0 none
     outlines: np.ndarray  # (k,) bool, whether the edge has only one face
-    allowances: np.ndarray  # (k,) bool, whether a side on a model has an allowance of its own
+    allowances: np.ndarray  # (k,) bool, whether an edge of a model has an allowance of its own
     marks: EdgeMarks  # (k,)
     selected: np.ndarray  # (k,) bool, whether the edge is selected in Edit Mode
 
@@ -140,16 +143,16 @@ class Name:
 
     texts: tuple[str, ...]  # alternatives: the first text that fits is written
     places: np.ndarray  # (c,3) possible places, the best first
-    normals: np.ndarray  # (c,3)
-    reach: float  # distance from the best place to the farther end of the named line
+    normals: np.ndarray  # (c,3) normals of the surface at these places
+    reach: float  # distance from the best place to the farthest point of the named line or piece
     piece: int = 0  # piece on which the name needs room
     room: float = np.inf  # the square root of that piece's area; infinite on models
-    around: np.ndarray | None = None  # (c,3) outermost points of the piece; the name is beside it if it does not fit
+    around: np.ndarray | None = None  # (c,3) outermost points of the piece; a name that does not fit is beside them
     is_selected: bool = False  # a name of selected edges is always written
 
 
 def lines_by_kind(lines: LineEdges) -> dict[str, np.ndarray]:
-    """Return the ends (2k,3) of the edges of each kind, two rows per edge."""
+    """Return the ends (2k,3) of the edges of each kind of line, two rows per edge."""
     return {kind: lines.ends[mask].reshape(-1, 3) for kind, mask in _members(lines).items() if mask.any()}
 
 
@@ -158,7 +161,7 @@ def dashes_by_kind(lines: LineEdges, runs: Sequence[WireRun]) -> dict[str, np.nd
     if not len(lines.ends):
         return {}
     pixel = np.ptp(lines.ends.reshape(-1, 3), axis=0).max() / VIEW_SIZE
-    if not 0 < pixel < np.inf:  # all points coincide, or are not finite
+    if not 0 < pixel < np.inf:  # all points coincide, or some are not finite
         return {}
     dashes = {}
     for kind, mask in _members(lines).items():
@@ -172,7 +175,7 @@ def dashes_by_kind(lines: LineEdges, runs: Sequence[WireRun]) -> dict[str, np.nd
 
 
 def _members(lines: LineEdges) -> dict[str, np.ndarray]:
-    """Return a mask of the edges of each kind."""
+    """Return a mask (k,) of the edges of each kind of line."""
     wires, tolerances = lines.marks.are_wires, lines.marks.tolerances
     return {
         "allowance": lines.allowances,
@@ -189,7 +192,7 @@ Rooms = Mapping[int, float]  # square root of the area of each piece; empty on m
 
 
 def wire_line_names(lines: LineEdges, runs: Sequence[WireRun], names: Sequence[str], rooms: Rooms) -> list[Name]:
-    """Return the names in the middle of each wire in each piece, with tolerances. names: one for each run."""
+    """Return a name in the middle of each wire in each piece, with tolerance and ease. names: one for each run."""
     named = []
     for run, name in zip(runs, names, strict=True):
         has_text = 0 < run.tolerance < np.inf or run.ease != 0
@@ -202,8 +205,8 @@ def wire_line_names(lines: LineEdges, runs: Sequence[WireRun], names: Sequence[s
 def seam_line_names(
     lines: LineEdges, numbers: np.ndarray, texts: Callable[[int, int], tuple[str, ...]], rooms: Rooms
 ) -> list[Name]:
-    """Return the names of each seam, one in each of its pieces. numbers (k,): seam of each edge, 0 if it has no name.
-    texts: returns the texts of the seam with this number in a piece, see Name."""
+    """Return the names of each seam, one in each of its pieces. numbers (k,): number of each edge's seam, 0 for none;
+    texts: function that returns the texts of a seam in a piece, from the number and the piece, see Name."""
     rows: dict[tuple[int, int], list[int]] = {}
     for row in np.flatnonzero(numbers).tolist():
         rows.setdefault((int(numbers[row]), int(lines.pieces[row])), []).append(row)
@@ -211,7 +214,8 @@ def seam_line_names(
 
 
 def piece_rooms(lines: LineEdges) -> Rooms:
-    """Return the room of each piece in a plane, from the smallest box around it, upright or turned."""
+    """Return the room of each piece in a plane: the root of the area of the smallest box around it, in steps of 15
+    degrees."""
     rooms = {}
     for piece in np.unique(lines.pieces).tolist():
         points = lines.ends[lines.pieces == piece].reshape(-1, 3)[:, :2]
@@ -221,8 +225,8 @@ def piece_rooms(lines: LineEdges) -> Rooms:
 
 
 def arrow(lines: LineEdges, piece: int, middle: np.ndarray, direction: np.ndarray, length: float) -> np.ndarray | None:
-    """Return the ends (6,3) of an arrow of at most this length, beside the name at the middle (2,) of a flat piece.
-    direction: a unit vector (2,). Returns None if there is no room."""
+    """Return the ends (6,3) of the strokes of an arrow of at most this length, beside the name at the middle (2,) of a
+    flat piece. direction: a unit vector (2,). Return None if there is no room."""
     a, b = (
         lines.ends[(lines.pieces == piece) & (lines.seams | lines.outlines)][:, :, :2].astype(np.float64).swapaxes(0, 1)
     )
@@ -239,18 +243,19 @@ def arrow(lines: LineEdges, piece: int, middle: np.ndarray, direction: np.ndarra
 
 
 def _reach(point: np.ndarray, way: np.ndarray, a: np.ndarray, b: np.ndarray) -> float:
-    """Return the distance from a point (2,) along the unit vector `way` to the first segment from a (k,2) to b."""
+    """Return the distance from a point (2,) along the unit vector `way` to the first of the segments from a (k,2) to b
+    (k,2)."""
     distances = pattern.geometry.crossings(point, way, a, b)
     return float(distances[distances > 0].min(initial=np.inf))
 
 
 def _name_on_line(texts: tuple[str, ...], lines: LineEdges, rows: np.ndarray, rooms: Rooms) -> Name:
-    """Return places for a name on the line: the edge nearest to the mean of all edges, then edges farther along."""
+    """Return a name with places on the line of these rows: the edge nearest to the line's middle, then other edges."""
     middles = lines.ends[rows].mean(axis=1)
     place = middles[np.argmin(np.linalg.norm(middles - middles.mean(axis=0), axis=1))]
     by_distance = np.argsort(np.linalg.norm(middles - place, axis=1), kind="stable")
     first = (np.array([0, *ALONG]) * len(rows)).astype(int)
-    # the edge after each in this order is usually on the other side of the middle
+    # in this order, the edge after each of these edges is usually on the other side of the middle
     best = by_distance[np.unique(np.concatenate([first, first[1:] + 1]).clip(max=len(rows) - 1))]
     reach = float(np.linalg.norm(lines.ends[rows] - place, axis=2).max())
     piece = int(lines.pieces[rows[0]])
@@ -272,19 +277,19 @@ BEYOND = 2.2  # distance from the edge to the middle of the text, in lengths of 
 
 @dataclass(frozen=True)
 class SideEases:
-    """Eased edges, each in the direction in which the face on the eased side runs."""
+    """Edges with an ease on one side, each in the direction in which it runs around the face on the eased side."""
 
     vertices: np.ndarray  # (k,2) int32
-    ends: np.ndarray  # (k,2,3)
-    inward: np.ndarray  # (k,3) unit vectors in that face, away from the edge
-    normals: np.ndarray  # (k,3) of that face
-    ratios: np.ndarray  # (k,) float32
-    pieces: np.ndarray  # (k,) int32, on flat pieces; 0 on the model
+    ends: np.ndarray  # (k,2,3) places of the vertices
+    inward: np.ndarray  # (k,3) unit vectors in the face on the eased side, away from the edge
+    normals: np.ndarray  # (k,3) normals of this face
+    ratios: np.ndarray  # (k,) float32, eases as fractions
+    pieces: np.ndarray  # (k,) int32, index of the flat piece; 0 on the model
     size: float  # size of the object
 
 
 def ease_arrows(eases: SideEases) -> tuple[np.ndarray, list[Name]]:
-    """Return the ends (2k,3) of the strokes of an arrow in the middle of each line, and a name with the ease."""
+    """Return the ends (2k,3) of the strokes of one arrow in the middle of each eased line, and names with the eases."""
     strokes, names = [np.empty((0, 3), dtype=np.float32)], []
     for rows in _lines(eases):
         lengths = np.linalg.norm(eases.ends[rows, 1] - eases.ends[rows, 0], axis=1)
@@ -301,7 +306,7 @@ def ease_arrows(eases: SideEases) -> tuple[np.ndarray, list[Name]]:
 
 
 def _lines(eases: SideEases) -> Iterator[list[int]]:
-    """Yield runs of rows with the same ratio, in order along the outline of the side."""
+    """Yield connected lines of rows with the same ratio, in order along the outline of the piece."""
     begins = {(int(start), float(ratio)): row for row, (start, ratio) in enumerate(_keys(eases, 0))}
     after = [begins.get((int(end), float(ratio)), -1) for end, ratio in _keys(eases, 1)]
     waiting = dict.fromkeys([*sorted(set(range(len(after))) - set(after)), *range(len(after))])

@@ -42,8 +42,8 @@ from .lines import (
     wire_runs,
 )
 
-# Unit vectors (2,32). Vertices that these directions miss are at most 1 - cos(pi / 32) = 0.5% of the piece's radius
-# farther out than the vertices found. No vector is along an axis, so both ends of a straight side are found.
+# Unit vectors (2,32), for finding the outermost vertices of a piece. Other vertices are farther out by at most
+# 1 - cos(pi / 32) = 0.5% of the piece's radius. No vector is along an axis, so both ends of an upright side are found.
 DIRECTIONS = np.array([[np.cos(angle), np.sin(angle)] for angle in np.pi * (np.arange(32) + 0.5) / 16]).T
 ARROW = 0.4  # length of a grain arrow as a share of the size of its piece
 
@@ -56,7 +56,7 @@ class Lines:
 
 
 def marked_lines(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> Lines:
-    """Return the seams and wires of a model or of flat pieces. Raises ObjectError as gather_lines does."""
+    """Return the seams, wires, eases and names of a model or of flat pieces. Raises ObjectError like gather_lines."""
     edges = gather_lines(target, depsgraph)
     is_flat = model_of(target) is not None
     lines = lines_of(target, edges, is_flat)
@@ -71,19 +71,19 @@ def marked_lines(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> Li
 
 
 def uv_lines(target: bpy.types.Object) -> Lines:
-    """Return the seams and wires of a model in the map of its pieces. Raises ObjectError as gather_uv_lines does."""
+    """Return the seams and wires of a model in the map of its pieces. Raises ObjectError like gather_lines."""
     return lines_of(target, gather_uv_lines(target), in_plane=True)
 
 
 def lines_of(target: bpy.types.Object, edges: LineEdges, in_plane: bool) -> Lines:
-    """Return the marked edges of this object in every view. in_plane: they are flat pieces."""
+    """Return the lines and names of these edges of the object. in_plane: whether the edges are in a plane."""
     rooms = piece_rooms(edges) if in_plane else {}
     runs, report = wire_runs(edges.vertices, edges.ends, edges.marks), current_report(target)
     names = wire_line_names(edges, runs, _wire_names(target, [run.wire_id for run in runs], report), rooms)
     if report and report.pieces:
         texts = partial(_seam_texts, report, model_of(target) is not None)
         names += seam_line_names(edges, _seams_of_report(edges, report), texts, rooms)
-    else:  # if the model has changed or was refused, the name of the seam does not list the joined pieces
+    else:  # if the model has changed or could not be flattened, the names do not list the joined pieces
         given = seam_names(model_or_self(target))
         numbers = np.where(edges.seams & np.isin(edges.seam_ids, list(given)), edges.seam_ids, 0)
         names += seam_line_names(edges, numbers, lambda seam_id, _: (given[seam_id],), rooms)
@@ -92,14 +92,14 @@ def lines_of(target: bpy.types.Object, edges: LineEdges, in_plane: bool) -> Line
 
 
 def _wire_names(target: bpy.types.Object, wire_ids: list[int], report: ObjectReport | None) -> list[str]:
-    """Return the names; on flat pieces, the names in the report, because copies of wires have different ids there."""
+    """Return the names. On flat pieces, the report has the names, because copies of wires have other ids there."""
     names = chain_names(model_or_self(target).data, wire_ids)
     given = {wire.wire_id: wire.name for wire in report.wires} if report and model_of(target) else {}
     return [given.get(wire_id, name) for wire_id, name in zip(wire_ids, names, strict=True)]
 
 
 def current_report(target: bpy.types.Object) -> ObjectReport | None:
-    """Return the last report, if its indices still refer to the elements of the displayed object."""
+    """Return the last report if its indices still refer to the elements of the displayed object, otherwise None."""
     source = model_or_self(target)
     if source != target:
         return pieces_report(source)
@@ -115,14 +115,15 @@ def is_modified(source: bpy.types.Object) -> bool:
 
 
 def _seams_of_report(edges: LineEdges, report: ObjectReport) -> np.ndarray:
-    """Return the numbers (k,) of the seams, counted from 1; 0 for edges without a seam."""
+    """Return the number of the seam of each edge (k,), counted from 1 in the report; 0 for edges without a seam."""
     numbers = {(min(edge), max(edge)): seam.index + 1 for seam in report.seams for edge in seam.edges}
     pairs = np.sort(edges.vertices, axis=1).tolist()
     return np.array([numbers.get((a, b), 0) for a, b in pairs], dtype=np.int32)
 
 
 def _seam_texts(report: ObjectReport, on_flat: bool, number: int, piece: int) -> tuple[str, ...]:
-    """Return the seam's name with the joined pieces (on a flat piece, only the other one), and the name alone."""
+    """Return the seam's name with the joined pieces (on a flat piece, only with the other piece), and the name alone.
+    number: as in _seams_of_report."""
     seam = report.seams[number - 1]
     joined = joined_pieces(report, [each for each in seam.pieces if not on_flat or each != piece])
     return (f"{seam.name}: {joined}", seam.name) if joined and len(set(seam.pieces)) > 1 else (seam.name,)
@@ -133,9 +134,9 @@ class _Middle:
     """The middle of a flat piece, for its name."""
 
     piece_id: int
-    place: np.ndarray  # (3,) the face nearest to its middle
-    reach: float  # distance to its farthest face
-    around: np.ndarray  # (c,3) its outermost vertices
+    place: np.ndarray  # (3,) center of the face nearest to the middle
+    reach: float  # distance from this center to the center of the farthest face
+    around: np.ndarray  # (c,3) outermost vertices of the piece
 
 
 def _middles(mesh: bpy.types.Mesh) -> dict[int, _Middle]:
@@ -158,7 +159,7 @@ def _middles(mesh: bpy.types.Mesh) -> dict[int, _Middle]:
 
 
 def _piece_names(flat: bpy.types.Object, middles: Mapping[int, _Middle], rooms: Mapping[int, float]) -> list[Name]:
-    """Return names in the middle of each piece, or beside it."""
+    """Return the name of each piece, which is in its middle, or beside the piece."""
     text_of, up = piece_names(model_of(flat)), np.array([[0.0, 0.0, 1.0]])
     return [
         Name(
@@ -175,7 +176,8 @@ def _piece_names(flat: bpy.types.Object, middles: Mapping[int, _Middle], rooms: 
 
 
 def _grain_arrows(flat: bpy.types.Object, edges: LineEdges, middles: Mapping[int, _Middle]) -> dict[str, np.ndarray]:
-    """Return the ends (2k,3) of the grain arrows by kind of line. The kind is a lighter one if no grain was chosen."""
+    """Return the ends (2k,3) of the grain arrows by kind of line: "grain" where the grain wire is upright, otherwise
+    "default grain", which is lighter."""
     report, rooms = pieces_report(model_of(flat)), piece_rooms(edges)
     directions = grains(flat.data, vertex_places(flat.data)[:, :2])
     arrows: dict[str, list[np.ndarray]] = {}
@@ -192,7 +194,8 @@ def _grain_arrows(flat: bpy.types.Object, edges: LineEdges, middles: Mapping[int
 def colored_surface(
     target: bpy.types.Object, depsgraph: bpy.types.Depsgraph, color_map: ColorMap
 ) -> ColoredTriangles | None:
-    """Return the map on flat pieces, or on a model that has them; None if there is no map for this shape."""
+    """Return the colors of the map on flat pieces, or on a model with flat pieces; None if there is no map for the
+    object's present shape."""
     flat = target if model_of(target) else find_flat_object(target)
     if flat is None or flat.data.is_editmode:
         return None
@@ -210,7 +213,7 @@ def colored_surface(
 
 
 def _highest_value(flat: bpy.types.Mesh, color_map: ColorMap) -> float | None:
-    """Return the largest value of the map; None if a user or a script has removed it."""
+    """Return the largest value of the map; None if a user or a script has removed the record of values."""
     record = read_record(flat)
     if record is None or color_map.attribute not in record.ranges:
         return None

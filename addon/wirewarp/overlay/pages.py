@@ -12,14 +12,14 @@ from ..issues import ObjectError
 from .lines import Name
 
 BELOW = 50.0  # millimeters between the pieces and the pages below them
-INSET = np.array([0.06, 0.05])  # place of a page's name, in its corner
+INSET = np.array([0.06, 0.05])  # place of a page's name, from the page's lower left corner, as shares of its size
 
 
 @dataclass(frozen=True)
 class CutLines:
     """The cutting lines of the pieces in their places, in millimeters."""
 
-    made: pattern.Pattern | None  # None if the pieces cannot make a pattern; Export reports why
+    made: pattern.Pattern | None  # None if no pattern can be made from the pieces; Export reports why
     has_allowance: bool
 
 
@@ -29,13 +29,13 @@ class PagePreview:
 
     sentence: str  # number of pages, or why there are none
     is_good: bool
-    places: dict[str, np.ndarray] = field(default_factory=dict)  # (2k,3) float32 by kind of line
+    places: dict[str, np.ndarray] = field(default_factory=dict)  # (2k,3) float32, ends of lines by kind
     names: list[Name] = field(default_factory=list)
 
 
 def cut_lines(parts: PatternParts | None, allowance: float, **options: object) -> CutLines:
-    """Return the cutting lines. parts: see read_outlines; options: see PatternOptions. allowance: the allowance at
-    edges without a marked one, in millimeters."""
+    """Return the cutting lines. parts: see read_outlines; allowance: allowance of unmarked edges, in millimeters;
+    options: see PatternOptions."""
     if parts is None:
         return CutLines(None, False)
     try:
@@ -45,7 +45,7 @@ def cut_lines(parts: PatternParts | None, allowance: float, **options: object) -
 
 
 def cut_places(cut: CutLines, millimeters: float) -> np.ndarray:
-    """Return the ends (2k,3) float32 of the lines in Blender units; empty if nothing is added to the pieces.
+    """Return the ends (2k,3) of the cutting lines in Blender units, float32; empty if no piece has an allowance.
     millimeters: number of millimeters in a Blender unit."""
     return _in_space(_outlines(cut.made) if cut.made and cut.has_allowance else [], np.zeros(2), millimeters)
 
@@ -55,22 +55,22 @@ class PageChoices:
     paper: str | float  # paper for the library: a name, or the width of a roll in millimeters
     arrangement: str  # "IN_ROWS", "AS_LAID_OUT" or "MARKER"
     cloth: Cloth  # the fabric of a marker
-    marker: str  # the stored marker, see export.read
+    marker: str  # text of the stored marker, see export.read
 
 
 def page_preview(cut: CutLines, drawn: CutLines, choices: PageChoices, millimeters: float) -> PagePreview:
-    """Return the pages over the pieces, or below them if the pieces are elsewhere in the file.
+    """Return the pages of a PDF, over the pieces, or below the pieces if the PDF arranges them differently.
 
-    The library lays the pages out as for a PDF. drawn: the cutting lines in the file; millimeters: number of
-    millimeters in a Blender unit.
+    cut: the cutting lines of all pieces in their places; drawn: the cutting lines that the PDF contains, with copies
+    drawn once and symmetric pieces as halves; millimeters: number of millimeters in a Blender unit.
     """
     made = drawn.made
     if made is None or cut.made is None:
-        return PagePreview("These pieces cannot be exported: press Export Pattern to see why.", False)
+        return PagePreview("These pieces cannot be exported. Press Export Pattern to see the reason.", False)
     if choices.arrangement == "MARKER":
         made = laid_on_kept(made, kept_marker(choices.marker), choices.cloth)
         if made is None:
-            return PagePreview("No layout of these pieces on this fabric yet. Export Pattern finds one.", True)
+            return PagePreview("No marker of these pieces on this fabric yet. Export Pattern makes the marker.", True)
     keeps = choices.arrangement == "AS_LAID_OUT"
     try:
         paper = None if made.marker else choices.paper
@@ -110,7 +110,8 @@ def _outlines(made: pattern.Pattern) -> list[np.ndarray]:
 
 
 def _in_space(outlines: list[np.ndarray], offset: np.ndarray, millimeters: float) -> np.ndarray:
-    """Return the ends (2k,3), float32, of the edges of closed lines (k,2)."""
+    """Return the ends (2k,3) of the edges of closed lines in Blender units, float32. outlines: points (k,2) of each
+    line in millimeters; offset (2,): added to the points."""
     ends = [np.stack([line, np.roll(line, -1, axis=0)], axis=1).reshape(-1, 2) for line in outlines]
     places = (np.concatenate([np.empty((0, 2)), *ends]) + offset) / millimeters
     return np.column_stack([places, np.zeros(len(places))]).astype(np.float32)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writes names and the legend over a view."""
+"""Draws names and the legend over a view."""
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
@@ -18,7 +18,7 @@ from .gather import screen_colors
 from .lines import RIM, RIM_ALPHA, STYLES, LineStyle
 from .shown import Drawing, UvDrawing
 
-SCALE_WIDTH, SCALE_HEIGHT, SAMPLE = 200, 12, 28  # pixels at interface scale 1
+SCALE_WIDTH, SCALE_HEIGHT, SAMPLE = 200, 12, 28  # sizes of color scale and line samples, pixels at interface scale 1
 ROW, PADDING = 18, 10
 SCALE_STEPS, TICKS = 64, 5
 BACKGROUND = (0.33, 0.33, 0.33, 0.9)  # light enough for black lines, dark enough for white letters
@@ -55,13 +55,13 @@ def lay_out(
     unit: float,
     text_width: Callable[[str], float],
 ) -> Legend:
-    """Lay out the legend with its lower right corner at `corner`. unit: pixels for a pixel at interface scale 1. From
-    top to bottom: a sample of each line, the notes, the scale of colors."""
+    """Return the legend with its lower right corner at `corner`. From top to bottom, it has a sample of each line, the
+    notes and the color scale. unit: pixels of the screen per pixel at interface scale 1."""
     right, bottom = corner
     labels = [style.label for style in styles]
     widths = [(SAMPLE + 8) * unit + text_width(label) for label in labels] + [text_width(note) for note in notes]
     if color_map:
-        beside = text_width(f"≥ {color_map.number(color_map.high)}")  # half the width of the outermost numbers
+        beside = text_width(f"≥ {color_map.number(color_map.high)}")  # half of each number at the ends of the scale
         widths += [SCALE_WIDTH * unit + beside, text_width(_title(color_map, highest))]
     if not widths:
         return Legend()
@@ -83,7 +83,7 @@ def lay_out(
 
 
 def _title(color_map: ColorMap, highest: float | None) -> str:
-    """Return the title with the largest value, because this may be beyond the scale."""
+    """Return the title of the color scale with the largest value, which may be beyond the scale."""
     return color_map.label if highest is None else f"{color_map.label}: up to {color_map.number(highest, digits=3)}"
 
 
@@ -113,7 +113,8 @@ def _add_scale(
         legend.boxes.append(Box(begin, bar, end, bar + SCALE_HEIGHT * unit, tuple(color)))
     for share in np.linspace(0, 1, TICKS):
         number = color_map.number(color_map.low + share * (color_map.high - color_map.low))
-        beyond = "≥ " if share == 1 else "≤ " if share == 0 and color_map.low < 0 else ""  # a value beyond the scale
+        # values beyond the scale have the color of its end
+        beyond = "≥ " if share == 1 else "≤ " if share == 0 and color_map.low < 0 else ""
         text = beyond + number
         legend.texts.append(Text(text, left + share * width - text_width(text) / 2, base + 3 * unit))
     return bar + (SCALE_HEIGHT + 4) * unit + ROW * unit
@@ -121,7 +122,7 @@ def _add_scale(
 
 FONT, FONT_SIZE, MARGIN = 0, 12, 16
 MAX_NAMES = 150
-NAME_TO_LINE = 1.3  # largest length of a name, as a multiple of its line
+NAME_TO_LINE = 1.3  # largest length of a name, as a multiple of the length of its line
 SAME = 1.0  # pixels: points this close to the lowest point count as lowest
 COVERED = 0.25  # maximum share of a piece that all its labels may hide
 LONG_COVERED = 0.03  # maximum share of a piece that one label may hide with a text longer than its shortest
@@ -141,10 +142,10 @@ class PlacedName(NamedTuple):
 
     texts: tuple[str, ...]  # alternatives: the first text that fits is written
     points: np.ndarray  # (c,2) possible places, the best first
-    reach: float  # as in lines.Name, in pixels
+    reach: float  # like reach of lines.Name, in pixels
     owner: tuple[str, int]  # object and piece on which the name needs room
     room: float  # square root of the area of the piece
-    around: np.ndarray | None  # (c,2) outermost points of the piece; the name is beside it if it does not fit inside
+    around: np.ndarray | None  # (c,2) outermost points of the piece; a name that does not fit is beside them
     is_selected: bool  # a name of selected edges is always written
 
 
@@ -157,7 +158,7 @@ def write_over(
     highest: float | None = None,
     lines: np.ndarray = NO_LINES,
 ) -> None:
-    """Draw names and legend of the objects in a view. lines: see free_corner."""
+    """Draw names and the legend of the objects in a view. highest: see lay_out; lines: see free_corner."""
     unit = context.preferences.system.ui_scale
     if context.scene.wirewarp.show_names:
         write_names(names, unit, _free_span(context))
@@ -167,7 +168,7 @@ def write_over(
 
 
 def write_names(names: Iterable[PlacedName], unit: float, span: Span = EVERYWHERE) -> None:
-    """Write the names that fit. unit: see draw_lines; span: see arrange."""
+    """Draw the names that fit. unit: see draw_lines; span: see arrange."""
     blf.size(FONT, FONT_SIZE * unit)
 
     def size_of(text: str) -> Size:
@@ -179,8 +180,9 @@ def write_names(names: Iterable[PlacedName], unit: float, span: Span = EVERYWHER
 
 
 def arrange(names: Iterable[PlacedName], size_of: Callable[[str], Size], span: Span = EVERYWHERE) -> list[Text]:
-    """Place the names that fit. A name must not be much longer than its line, touch another name or hide its piece.
-    span: the columns of pixels that no sidebar covers. A name whose point is in the span stays in the span."""
+    """Return the texts of the names that fit, with their places. A name must not be much longer than its line, touch
+    another name or hide its piece. size_of: returns the size of a text. span: the columns of pixels that no sidebar
+    covers. A name whose point is in the span stays in the span."""
     wanted = list(names)
     boxes = [_box(name.around).ravel() for name in wanted if name.around is not None]
     placed: list[Text] = []
@@ -207,7 +209,8 @@ def _box(points: np.ndarray) -> np.ndarray:
 
 
 def _that_fit(name: PlacedName, covered: float, size_of: Callable[[str], Size]) -> Iterator[str]:
-    """Return the texts that fit on their line and piece. covered: area of the piece that labels hide, in pixels."""
+    """Yield the texts of the name that fit on its line and piece. covered: area of the piece that labels hide, in
+    square pixels."""
     for text in name.texts:
         size = size_of(text)
         is_last = text == name.texts[-1]
@@ -220,7 +223,7 @@ def _that_fit(name: PlacedName, covered: float, size_of: Callable[[str], Size]) 
 
 
 def _area(size: Size) -> float:
-    """Return the area of a label."""
+    """Return the area of a label with a text of this size, including its margin."""
     return (size[0] + 2 * LABEL_MARGIN * size[1]) * (1 + 2 * LABEL_MARGIN) * size[1]
 
 
@@ -233,7 +236,7 @@ def write_legend(
     highest: float | None,
     lines: np.ndarray,
 ) -> None:
-    """Draw the legend of these kinds of line in a corner where it covers no line."""
+    """Draw the legend in a corner where it covers no line. kinds: kinds of line to explain."""
     blf.size(FONT, FONT_SIZE * unit)
     styles = [style for kind, style in reversed(STYLES.items()) if kind in kinds]
 
@@ -251,9 +254,9 @@ def write_legend(
 
 
 def free_corner(corners: Sequence[Corner], box: Box, lines: np.ndarray) -> Corner:
-    """Return the first corner at which no line crosses the box; the first one if there is none.
+    """Return the first of the corners at which no line crosses the box, or the first corner if lines cross it at all.
 
-    corners: places of its lower right corner; lines (k,2,2): ends in pixels.
+    corners: places for the lower right corner of the box; lines (k,2,2): ends in pixels.
     """
     begins, ways = lines[:, 0], lines[:, 1] - lines[:, 0]
     for right, bottom in corners:
@@ -267,7 +270,7 @@ def free_corner(corners: Sequence[Corner], box: Box, lines: np.ndarray) -> Corne
 
 
 def _corners(context: bpy.types.Context, unit: float, size: Size) -> list[Corner]:
-    """Return places of the legend's lower right corner beside Blender's own texts and gizmos, the usual one first."""
+    """Return places of the legend's lower right corner beside Blender's own texts and gizmos, the usual place first."""
     (left, right), (width, height), margin = _free_span(context), size, MARGIN * unit
     left, right = left + margin + width, right - margin
     if context.area.type != "VIEW_3D":
@@ -277,7 +280,7 @@ def _corners(context: bpy.types.Context, unit: float, size: Size) -> list[Corner
 
 
 def _free_span(context: bpy.types.Context) -> Span:
-    """Return the span between the toolbar and the sidebar, if these cover the view."""
+    """Return the columns of pixels that toolbar and sidebar do not cover."""
     covered = {"TOOLS": 0, "UI": 0}
     if context.preferences.system.use_region_overlap:
         covered |= {region.type: region.width for region in context.area.regions if region.width > 1}
@@ -285,7 +288,7 @@ def _free_span(context: bpy.types.Context) -> Span:
 
 
 def _label(text: Text, size: tuple[float, float]) -> Box:
-    """Draw a dark background, on which a name is readable over anything."""
+    """Return a dark background, on which a name is readable over anything."""
     (width, height), aside = size, LABEL_MARGIN * size[1]
     return Box(text.left - aside, text.base - aside, text.left + width + aside, text.base + height + aside, LABEL)
 
@@ -310,15 +313,16 @@ def _write(texts: list[Text], color: tuple[float, float, float]) -> None:
 
 
 class Taken:
-    """Boxes that texts occupy."""
+    """The boxes of the texts that have a place."""
 
     def __init__(self, pieces: np.ndarray, span: Span = EVERYWHERE) -> None:
-        """pieces (p,4): boxes around flat pieces (left, bottom, right, top) that names of others must not cover."""
+        """pieces (p,4): boxes around flat pieces (left, bottom, right, top), which names beside other pieces must not
+        cover."""
         self._pieces, self._texts, self._span = pieces, np.empty((0, 4)), span
 
     def place(self, points: np.ndarray, size: Size) -> Corner | None:
-        """Return the lower left corner of a text and reserve its place; None if there is no room. points (c,2): the
-        text goes above or below one of these, the best first."""
+        """Return the lower left corner of a text and reserve its place; None if there is no room. points (c,2): points
+        above or below which the text may be, the best first."""
         width, height = size
         left, bottom = (
             self._within(points[:, 0], size).repeat(2),
@@ -335,10 +339,11 @@ class Taken:
         return np.where((middles >= low) & (middles <= high), pushed, middles - width / 2)
 
     def place_beside(self, around: np.ndarray, size: Size) -> Corner | None:
-        """Return a place below, above, to the right or left of a piece, but not on another piece.
+        """Return the lower left corner of a text below, above, to the right or to the left of a piece, but not on
+        another piece. Reserve its place. Return None if there is no room.
 
-        around (c,2): its outermost points. The text is beside its lowest point. It is not beside the middle of the box
-        around the piece, because a slanted piece may be far from there.
+        around (c,2): outermost points of the piece. The text is beside the lowest, highest, rightmost or leftmost
+        point. It is not beside the middle of the box around the piece, because a slanted piece may be far from there.
         """
         (width, height), room = size, TEXT_MARGIN * size[1]
         low, high = _box(around)
@@ -352,7 +357,8 @@ class Taken:
         return self._take(np.array(corners), size, np.concatenate([self._texts, self._pieces]))
 
     def _take(self, corners: np.ndarray, size: Size, others: np.ndarray) -> Corner | None:
-        """Return the first of the lower left corners (c,2) at which the text does not touch the others (k,4)."""
+        """Return the first of the lower left corners (c,2) at which the text does not touch the boxes (k,4) in
+        `others`, and reserve the place; None if there is no room."""
         room = TEXT_MARGIN * size[1] * (1 - 1e-9)  # so that a text right beside a piece does not touch it
         boxes = np.column_stack([corners - room, corners + size + room])
         overlap = (boxes[:, None, :2] < others[:, 2:]) & (others[:, :2] < boxes[:, None, 2:])

@@ -49,17 +49,17 @@ def shown_map(context: bpy.types.Context) -> ColorMap | None:
     return next((each for each in COLOR_MAPS if each.attribute.upper() == wanted), None)
 
 
-# why a map is missing, the first reasons first
+# reasons why a map is missing, in the order in which the legend lists them
 REASONS = NOT_FLATTENED, NO_FABRIC, CHANGED, EDITED = (
     "Not flattened: no map",
     "No fabric was chosen: no map",
-    "Changed since: flatten again",
+    "Model changed: flatten again",
     "In Edit Mode: no map",
 )
 
 
 def missing_maps(shown: Sequence[Drawing], color_map: ColorMap) -> list[str]:
-    """Return sentences about why the chosen map is missing on some objects."""
+    """Return the reasons why the chosen map is missing on some objects."""
     missing = [each.target for each in shown if each.surface is None]
     found = {_why_missing(target, color_map) for target in missing}
     if len(missing) < len(shown):  # maps of other objects are in view
@@ -84,14 +84,15 @@ def _is_edited(target: bpy.types.Object) -> bool:
 
 
 def map_notes(shown: Sequence[Drawing], color_map: ColorMap) -> list[str]:
-    """Return why the map is missing on some objects and, for a map of stretch, how far 99% of the area stretches."""
+    """Return notes for the legend: why the map is missing on some objects and, for a map of stretch, how far 99% of the
+    area stretches."""
     reports = [last_report(model_or_self(each.target)) for each in shown if each.surface is not None]
     figure = _figure([report for report in reports if report], color_map)
     return [*missing_maps(shown, color_map), *([f"99% of the area: up to {figure}"] if figure else [])]
 
 
 def _figure(reports: Sequence[ObjectReport], color_map: ColorMap) -> str:
-    """Return the largest stretch of the pieces, with a fabric in each direction; empty for other maps."""
+    """Return the text of the largest stretch or shear of the pieces; empty for maps that do not show stretch."""
     pieces = [piece for report in reports for piece in report.pieces if piece.ok]
     threads = [piece.threads for piece in pieces if piece.threads]
     if color_map in STRETCH_MAPS and pieces:
@@ -106,7 +107,7 @@ def _figure(reports: Sequence[ObjectReport], color_map: ColorMap) -> str:
 
 
 def highest_value(shown: Sequence[Drawing], color_map: ColorMap) -> float | None:
-    """Return the largest value of the map on any object; None if the legend does not show it."""
+    """Return the largest value of the map on any object; None if the legend does not show the value."""
     if color_map in ONE_FIGURE:
         return None
     found = [each.surface.highest for each in shown if each.surface]
@@ -114,7 +115,7 @@ def highest_value(shown: Sequence[Drawing], color_map: ColorMap) -> float | None
 
 
 def drawings(context: bpy.types.Context) -> Iterator[Drawing]:
-    """Return the drawings of all models and flat pieces in the view."""
+    """Yield the drawings of all models and flat pieces in the view."""
     settings, color_map = context.scene.wirewarp, shown_map(context)
     if not context.space_data.overlay.show_overlays or not (settings.show_lines or settings.show_pages or color_map):
         return
@@ -138,7 +139,7 @@ def _drawing(context: bpy.types.Context, target: bpy.types.Object, color_map: Co
     wires = [(entry.wire_id, entry.name) for entry in source.data.wirewarp_names]
     names = wires, piece_names(source), seam_names(source)
     report = Same(last_report(source))
-    scale = metric(source).tobytes()  # report and suggestions are valid only for this scale
+    scale = metric(source).tobytes()  # because report and suggestions are valid for one scale only
     made_of = stamp(target), stamp(target.data), target.data.is_editmode, report, source.name_full, names, scale
     depsgraph = context.view_layer.depsgraph
     if context.scene.wirewarp.show_lines:
@@ -170,7 +171,8 @@ def _drawing(context: bpy.types.Context, target: bpy.types.Object, color_map: Co
 
 
 def _or_none(build: Callable[..., Lines], *given: object) -> Lines:
-    """Return the lines; none if an attribute of others has one of our names. The list of wires reports that fault."""
+    """Return build(*given), or no lines if an attribute of another add-on has one of our names. The list of wires
+    reports this fault."""
     try:
         return build(*given)
     except ObjectError:
@@ -178,7 +180,7 @@ def _or_none(build: Callable[..., Lines], *given: object) -> Lines:
 
 
 def _outlines(context: bpy.types.Context, source: bpy.types.Object, flat: bpy.types.Object) -> PatternParts | None:
-    """Return the outlines with allowances, which are read when the model changes."""
+    """Return the outlines of the pieces with allowances. They are kept until model or pieces change."""
     scene, depsgraph = context.scene, context.view_layer.depsgraph
     made_of = stamp(flat), stamp(flat.data), Same(pieces_report(source)), source.name_full
     of_model = stamp(source), stamp(source.data), source.data.is_editmode
@@ -194,7 +196,7 @@ def _cut_lines(
     pairs: bool = False,
     on_fold: bool = False,
 ) -> CutLines:
-    """Return the cutting lines, which are made again only if outlines or allowances differ. pairs and on_fold: see
+    """Return the cutting lines of the pieces. They are kept until outlines or settings change. pairs and on_fold: see
     PatternOptions."""
     settings, parts = context.scene.wirewarp, _outlines(context, source, flat)
     options = {
@@ -208,7 +210,7 @@ def _cut_lines(
 
 
 def narrow_pieces(context: bpy.types.Context, source: bpy.types.Object, flat: bpy.types.Object) -> list[str]:
-    """Return the names of pieces without room for their allowances. The flat object must not be in Edit Mode."""
+    """Return the names of the pieces without room for their allowances. The flat object must not be in Edit Mode."""
     parts, allowance = _outlines(context, source, flat), context.scene.wirewarp.allowance
     if parts is None:
         return []
@@ -219,8 +221,8 @@ NO_PAIRS, NO_FOLDS = "No two pieces have the same shape.", "No piece is symmetri
 
 
 def shown_copies(context: bpy.types.Context, source: bpy.types.Object, flat: bpy.types.Object) -> list[str]:
-    """Return sentences about pieces that are drawn once for all their copies. The flat object must not be in Edit
-    Mode."""
+    """Return sentences about pieces that are drawn once for all their copies, or as halves. The flat object must not be
+    in Edit Mode."""
     settings = context.scene.wirewarp
     made = _cut_lines(context, source, flat, settings.pairs, settings.on_fold).made
     if made is None:
@@ -232,8 +234,9 @@ def shown_copies(context: bpy.types.Context, source: bpy.types.Object, flat: bpy
 def piece_copies(context: bpy.types.Context, source: bpy.types.Object, flat: bpy.types.Object, name: str) -> str:
     """Return a sentence about the copies and the symmetry of a piece. The flat object must not be in Edit Mode.
 
-    The pattern is made once for each run, and again if a name changes, or the allowance of unmarked edges while others
-    have a marked one. Places of pieces and an allowance of all edges do not change which pieces are equal.
+    The pattern is kept until the report or a name changes, or until the allowance of unmarked edges changes while other
+    edges have a marked allowance. Places of pieces, and one allowance for all edges, do not change which pieces are
+    equal.
     """
     parts, allowance = _outlines(context, source, flat), context.scene.wirewarp.allowance
     if parts is None:
@@ -247,7 +250,7 @@ def piece_copies(context: bpy.types.Context, source: bpy.types.Object, flat: bpy
 
 
 def shown_pages(context: bpy.types.Context, source: bpy.types.Object, flat: bpy.types.Object) -> PagePreview:
-    """Return the pages of the flat object, which must not be in Edit Mode."""
+    """Return the preview of the pages of the flat object, which must not be in Edit Mode."""
     settings, millimeters = context.scene.wirewarp, 1000 * meters_per_blender_unit(context.scene)
     cut = _cut_lines(context, source, flat)
     drawn = _cut_lines(context, source, flat, settings.pairs, settings.on_fold)
@@ -282,7 +285,8 @@ class UvDrawing:
 
 
 def uv_drawings(context: bpy.types.Context) -> Iterator[UvDrawing]:
-    """Return the models in Edit Mode; in Object Mode, models that are selected or have selected pieces."""
+    """Yield the drawings for the UV editor: of models in Edit Mode, or in Object Mode of models that are selected or
+    have selected pieces."""
     space = context.space_data
     if space.mode != "UV" or not space.overlay.show_overlays or not context.scene.wirewarp.show_lines:
         return

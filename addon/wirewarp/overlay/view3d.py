@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Draws in a 3D view and in a UV editor: surfaces and lines, with names and legend over them."""
+"""Draws surfaces and lines in 3D views and UV editors, and names and the legend over them."""
 
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
@@ -20,17 +20,17 @@ from .shown import Drawing, UvDrawing, drawings, highest_value, map_notes, shown
 # Layers are drawn closer to the eye by these shares of the distance, so that a surface does not hide its lines.
 SURFACE_NEARER = 0.0005
 NEARER = {Layer.RIMS: 0.002, Layer.LINES: 0.0025, Layer.CORES: 0.003}
-# Two steps of a 24-bit depth buffer. A difference in depth is visible if it exceeds this share of the distance times
-# the ratio of the distance to that of the near plane.
+# Two steps of a 24-bit depth buffer. A difference in depth is visible if, as a share of the distance, it exceeds this
+# number times the ratio of the distance to the distance of the near plane.
 DEPTH_STEP = 2 / 2**24
-HIDDEN_BY = 0.005  # share of the distance from the eye: a surface closer to a place does not hide it
-# most faces that are tested in Edit Mode; names show through larger models, because each change reads all faces
+HIDDEN_BY = 0.005  # a surface that is closer to a place than this share of the distance from the eye does not hide it
+# maximum number of faces that are tested in Edit Mode; names show through larger models, because each change reads all
 EDITED_LIMIT = 20_000
-MOST_APART = 8.0  # largest value of _apart: with more, lines on the back of a cushion would be visible
+MOST_APART = 8.0  # largest result of _apart; if it were larger, lines on the back of a cushion would be visible
 
 
 def draw_space() -> None:
-    """Draw in the space of the view: the handler for POST_VIEW."""
+    """Handler for POST_VIEW, which draws surfaces and lines in the space of the view."""
     context = bpy.context
     shown = list(drawings(context))
     if not shown:
@@ -49,7 +49,7 @@ def draw_space() -> None:
 
 @contextmanager
 def _hidden_by_what_is_in_front() -> Iterator[None]:
-    """Hide what is drawn behind closer surfaces, and restore the state afterwards."""
+    """Let closer surfaces hide the drawings, and restore the GPU's state at the end."""
     before = gpu.state.depth_test_get()
     gpu.state.depth_test_set("LESS_EQUAL")
     try:
@@ -59,8 +59,8 @@ def _hidden_by_what_is_in_front() -> Iterator[None]:
 
 
 def _apart(context: bpy.types.Context) -> float:
-    """Return the factor by which layers are drawn farther apart than usual, so that a distant view distinguishes them.
-    Models in centimeters or millimeters need this."""
+    """Return the factor by which layers are drawn farther apart than usual. Otherwise, views of models in centimeters
+    or millimeters, which are far from the eye, would not distinguish the layers."""
     if not context.region_data.is_perspective:
         return 1.0
     step = DEPTH_STEP * context.region_data.view_distance / context.space_data.clip_start
@@ -87,7 +87,7 @@ def _draw_surfaces(drawing: Drawing) -> None:
 
 
 def draw_screen() -> None:
-    """Write names and legend over the view: the handler for POST_PIXEL."""
+    """Handler for POST_PIXEL, which draws names and the legend over the view."""
     context = bpy.context
     shown = list(drawings(context))
     if shown:
@@ -111,7 +111,7 @@ def _lines_in_view(context: bpy.types.Context, shown: Sequence[Drawing]) -> np.n
 
 
 def _names_in_view(context: bpy.types.Context, drawing: Drawing) -> Iterator[PlacedName]:
-    """Return texts with their places in the region, on the visible side of the surface."""
+    """Yield the names whose points are visible, with their places in the region."""
     if not drawing.lines or not drawing.lines.names:
         return
     chosen = _chosen_piece(drawing.target)
@@ -145,10 +145,11 @@ def _names_in_view(context: bpy.types.Context, drawing: Drawing) -> Iterator[Pla
 
 
 def _room(context: bpy.types.Context, target: bpy.types.Object) -> float:
-    """Return the side in pixels of a square with room for the object's texts; infinite if it is partly outside.
+    """Return the side in pixels of a square with room for the object's texts; infinite if the object is partly outside
+    the region.
 
-    It is the square root of the area of the box around the object. A strap, or a flat object seen edge-on, has almost
-    no area, but room for texts beside it, so the square is at least half as wide as the box is long.
+    The square has the area of the box around the object, but its side is at least half of the box's longer side. A
+    strap, or a flat object seen edge-on, has almost no area, but there is room for texts beside it.
     """
     corners = np.array([target.matrix_world @ Vector(corner) for corner in target.bound_box])
     pixels, is_inside = _in_region(context, corners)
@@ -166,8 +167,8 @@ def _may_hide_itself(context: bpy.types.Context, target: bpy.types.Object) -> bo
 def _are_behind(
     context: bpy.types.Context, target: bpy.types.Object, places: np.ndarray, toward_eye: np.ndarray
 ) -> np.ndarray:
-    """Return a mask (n,) of the places (n,3) of the surface that other parts of the model hide. toward_eye: directions
-    from the places to the eye."""
+    """Return a mask (n,) of the places (n,3) on the surface that other parts of the model hide. toward_eye: direction
+    to the eye in orthographic views."""
     is_met, inverse = _rays(context, target), target.matrix_world.inverted_safe()
     if context.region_data.is_perspective:
         eyes = np.tile(context.region_data.view_matrix.inverted_safe().translation, (len(places), 1))
@@ -181,7 +182,7 @@ def _are_behind(
             length > 0 and is_met(begin, (end - begin) / length, (1 - HIDDEN_BY) * length)
             for begin, end, length in zip(begins.tolist(), ends, lengths.tolist(), strict=True)
         ], dtype=bool)  # fmt: skip
-    except RuntimeError:  # after undo Blender draws once before it has evaluated the object
+    except RuntimeError:  # after undo, Blender draws once before it has evaluated the object
         return np.zeros(len(places), dtype=bool)
 
 
@@ -189,7 +190,7 @@ def _rays(
     context: bpy.types.Context, target: bpy.types.Object
 ) -> Callable[[Sequence[float], Sequence[float], float], bool]:
     """Return a function that tests whether a ray from a point in a direction meets the surface within a distance."""
-    if target.mode == "EDIT":  # the evaluated surface is still the one from before Edit Mode
+    if target.mode == "EDIT":  # the evaluated surface is still the surface before Edit Mode
         tree = kept(target.data, "faces to hide names", _edited_faces)
         return lambda begin, along, most: tree.ray_cast(Vector(begin), Vector(along), most)[0] is not None
     surface = target.evaluated_get(context.view_layer.depsgraph)
@@ -197,7 +198,8 @@ def _rays(
 
 
 def _edited_faces(mesh: bpy.types.Mesh) -> BVHTree:
-    """Return the faces of a mesh in Edit Mode; none if there are too many, or if some are hidden."""
+    """Return a tree of the faces of a mesh in Edit Mode. It is empty if there are too many faces, or if some are
+    hidden."""
     edit = bmesh.from_edit_mesh(mesh)
     if len(edit.faces) > EDITED_LIMIT or any(face.hide for face in edit.faces):
         return BVHTree.FromPolygons([], [])
@@ -205,13 +207,14 @@ def _edited_faces(mesh: bpy.types.Mesh) -> BVHTree:
 
 
 def _chosen_piece(target: bpy.types.Object) -> int | None:
-    """Return the flat piece that is chosen in the list. All names on it are written, even if it is small."""
+    """Return the index of the flat piece that is chosen in the list, whose names are all drawn; None for models."""
     model = model_of(target)
     return model.wirewarp_active_piece if model else None
 
 
 def _in_region(context: bpy.types.Context, places: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the pixels (n,2) of places (n,3) in the world, and a mask of those in the region and its clip range."""
+    """Return the pixels (n,2) of places (n,3) in the world, and a mask of the places in the region and its clip
+    range."""
     points, size, in_range = _projected(context, places)
     return points, in_range & np.all((points >= 0) & (points <= size), axis=1)
 
@@ -223,11 +226,11 @@ def _projected(context: bpy.types.Context, places: np.ndarray) -> tuple[np.ndarr
     in_front = projected[:, 3] > 0
     depth = np.where(in_front, projected[:, 3], 1.0)
     points = (1 + projected[:, :2] / depth[:, None]) / 2 * size
-    return points, size, in_front & (np.abs(projected[:, 2]) <= depth)  # Blender clips farther points
+    return points, size, in_front & (np.abs(projected[:, 2]) <= depth)  # Blender clips nearer and farther points
 
 
 def draw_map() -> None:
-    """Draw in the coordinates of the map: the handler for POST_VIEW."""
+    """Handler for POST_VIEW in UV editors, which draws lines in the coordinates of the map."""
     context = bpy.context
     shown = list(uv_drawings(context))
     if not shown:
@@ -243,7 +246,7 @@ def draw_map() -> None:
 
 
 def draw_map_names() -> None:
-    """Write names and legend over the map: the handler for POST_PIXEL."""
+    """Handler for POST_PIXEL in UV editors, which draws names and the legend over the map."""
     context = bpy.context
     shown = list(uv_drawings(context))
     if shown:
@@ -251,7 +254,7 @@ def draw_map_names() -> None:
 
 
 def _names_in_region(context: bpy.types.Context, drawing: UvDrawing) -> Iterator[PlacedName]:
-    """Return texts with their places, except those outside the region."""
+    """Yield the names in the region of the UV editor, with their places in pixels."""
     region, to_region = context.region, context.region.view2d.view_to_region
     origin = np.array(to_region(0, 0, clip=False))
     pixels = (np.array(to_region(1000, 1000, clip=False)) - origin) / 1000  # view_to_region rounds

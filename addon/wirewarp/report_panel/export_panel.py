@@ -29,7 +29,7 @@ class VIEW3D_PT_wirewarp_export(SidebarPanel, bpy.types.Panel):
         if not draw_progress(row, EXPORT, "object.wirewarp_export"):
             row.operator("object.wirewarp_export", icon="EXPORT")
             row.prop(settings, "show_pages", text="", icon="DOCUMENTS")
-        # Drawn below the button, so that settings do not move it.
+        # The sentences are drawn below the button, so that they do not move it.
         flat = find_flat_object(shown_source(context))
         if (settings.pairs or settings.on_fold) and flat is not None and not flat.data.is_editmode:
             for sentence in shown_copies(context, shown_source(context), flat):
@@ -39,7 +39,7 @@ class VIEW3D_PT_wirewarp_export(SidebarPanel, bpy.types.Panel):
 
 
 def draw_pages(context: bpy.types.Context, layout: bpy.types.UILayout, source: bpy.types.Object) -> None:
-    """Draw the settings of the page preview, and its sentence."""
+    """Draw the settings of the page preview, and the sentence about its pages."""
     settings, column = context.scene.wirewarp, layout.column(align=True)
     column.prop(settings, "arrangement", text="")
     if settings.arrangement == "MARKER":

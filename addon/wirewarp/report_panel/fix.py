@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Operators that apply suggestions of the report and flatten again, and Check and Repair."""
+"""Operators that apply suggestions and flatten again, and the operator Check and Repair."""
 
 import bpy
 from bpy.props import BoolProperty, EnumProperty
@@ -25,7 +25,7 @@ from ..ui.settings import draw_settings
 from .operators import PROPOSALS, check_flattened, take_proposals
 
 KINDS = [(fault.kind, fault.many.capitalize(), f"All {fault.many} of the model") for fault in FAULTS]
-# not selected by default: interior walls may be intended, and some look like faces of the shell
+# kind that is not selected by default, because interior walls may be intended, and some look like faces of the shell
 NOT_UNASKED = "INTERIOR"
 WIDTH = 340  # width of the dialog, in pixels at interface scale 1
 
@@ -33,7 +33,7 @@ WIDTH = 340  # width of the dialog, in pixels at interface scale 1
 def _chosen_by_default(fault: Fault) -> object:
     return BoolProperty(
         name=f"{fault.verb} {fault.many}".capitalize(),
-        description=f"Whether to repair the {fault.many} of the model",
+        description=f"Repair the {fault.many} of the model",
         default=fault.kind != NOT_UNASKED,
     )
 
@@ -83,7 +83,7 @@ class OBJECT_OT_wirewarp_check(BetweenRuns, Repairs, bpy.types.Operator):
             repaired = repair_faults(source.data, kinds)
         done = [f"{fault.text(repaired[fault.kind])} {fault.done}" for fault in FAULTS if fault.kind in repaired]
         if done:
-            self.report({"INFO"}, f"{'; '.join(done)}. Flatten again.")
+            self.report({"INFO"}, f"{', '.join(done)}. Flatten again.")
         else:
             self.report({"INFO"}, f'Nothing was repaired in the mesh of "{source.name}"')
         # While faults remain, the kinds can be chosen again in Adjust Last Operation.
@@ -132,10 +132,10 @@ NOTHING = {  # sentences for fixes that changed nothing, by kind of fix
     "SEAMS": "Already marked. Flatten again.",
     "SUGGESTION": "Already marked. Flatten again.",
     "UV_SEAMS": "Already marked. Flatten again.",
-    "TOLERANCES": "These wires are already that loose, or were removed. Flatten again.",
+    "TOLERANCES": "These wires already have the suggested tolerances, or were removed. Flatten again.",
     "DISSOLVE": 'Nothing to dissolve: "{}" has no zero-area faces.',
     "MERGE": 'Nothing to merge: no vertices of "{}" overlap.',
-    "NORMALS": 'No face of "{}" can be flipped so that more normals agree. Mark a seam where they flip.',
+    "NORMALS": 'No face of "{}" can be flipped so that more normals agree. Mark a seam between opposite normals.',
 }
 CLEAN_UP = ("DISSOLVE", "MERGE", "NORMALS")  # kinds in blender.faults
 
@@ -152,7 +152,7 @@ class OBJECT_OT_wirewarp_mend(BetweenRuns, FlattenSteps, bpy.types.Operator):
         description="What to do before flattening again",
         items=[
             *PROPOSALS,
-            ("SUGGESTION", "Suggestion", "Mark the suggested cut that is chosen, or clear the seams that are chosen"),
+            ("SUGGESTION", "Suggestion", "Mark the chosen suggestion as seams, or clear the suggested seams"),
             ("DISSOLVE", "Dissolve", "Dissolve faces without area on the model"),
             ("MERGE", "Merge", "Merge overlapping vertices of the model"),
             ("NORMALS", "Normals", "Flip faces of the model so that all point to the same side"),
@@ -162,8 +162,8 @@ class OBJECT_OT_wirewarp_mend(BetweenRuns, FlattenSteps, bpy.types.Operator):
             (
                 "SUBDIVIDE",
                 "Subdivide",
-                "Add a Subdivision Surface modifier, or one more level, which makes the model a little smaller, "
-                "use modifiers",
+                "Add a Subdivision Surface modifier or one more level of it, which makes the model a little smaller, "
+                "turn on Modifiers",
             ),
             ("MODIFIERS", "Modifiers", "Use the mesh with its modifiers and shape keys from now on"),
         ],
@@ -185,17 +185,17 @@ class OBJECT_OT_wirewarp_mend(BetweenRuns, FlattenSteps, bpy.types.Operator):
 
     @reporting_refusals
     def execute(self, context: bpy.types.Context) -> set[str]:
-        """Fix and flatten in one step, in a script and for Adjust Last Operation."""
+        """Fix and flatten without a modal run, for scripts and Adjust Last Operation."""
         self.flatten_now(context, [self._fixed(context)])
         return {"FINISHED"}
 
     def modal(self, context: bpy.types.Context, event: bpy.types.Event) -> set[str]:
-        """Keep the fix even if the run fails; the user can undo it."""
+        """Follow the run, and end with FINISHED even if it fails, so that the fix stays and the user can undo it."""
         result = super().modal(context, event)
         return {"FINISHED"} if result == {"CANCELLED"} else result
 
     def _fixed(self, context: bpy.types.Context) -> bpy.types.Object:
-        """Return the model as fixed. Raises ObjectError, with nothing changed."""
+        """Fix the active model and return it. Raises ObjectError, with nothing changed, if it cannot be fixed."""
         check_sources(context, active_target(context))
         source, settings = model_or_self(context.active_object), context.scene.wirewarp
         if self.what == "MODIFIERS":
@@ -211,7 +211,7 @@ class OBJECT_OT_wirewarp_mend(BetweenRuns, FlattenSteps, bpy.types.Operator):
             if abs(change) >= WORTH_WORDS:
                 longer = "longer" if change > 0 else "shorter"
                 self.report({"WARNING"}, f"Subdivision makes the outlines {percent_text(abs(change))} {longer}.")
-        elif self.what == "FABRIC":  # removes the former maximum stretch, so that the fabric uses its own
+        elif self.what == "FABRIC":  # the maximum stretch is reset, so that the new fabric uses its own
             settings.cloth = self.cloth
             self.gives_across = self.gives_along = settings.gives_across = settings.gives_along = 0.0
         else:
@@ -223,7 +223,8 @@ class OBJECT_OT_wirewarp_mend(BetweenRuns, FlattenSteps, bpy.types.Operator):
         return source
 
     def _change(self, source: bpy.types.Object) -> int:
-        """Apply the fix and return the number of changed elements. Raises ObjectError, with nothing changed."""
+        """Apply the fix, and return the number of changed elements. Raises ObjectError, with nothing changed, if the
+        fix cannot be applied."""
         if self.what in {"SEAMS", "TOLERANCES"}:
             return take_proposals(source, check_flattened(source, last_report(source)), self.what)
         check_local(source, source.data)
@@ -238,7 +239,7 @@ class OBJECT_OT_wirewarp_mend(BetweenRuns, FlattenSteps, bpy.types.Operator):
             return 1
         found = current_suggestions(source, read_anew)
         if found is None:
-            sentence = f'Nothing is suggested for "{source.name}" as it is now. Press {SUGGEST_AGAIN}.'
+            sentence = f'There are no suggestions for the present shape of "{source.name}". Press {SUGGEST_AGAIN}.'
             raise object_error("no_suggestion", sentence)
         cut = found.cuts[found.chosen]
         if cut.cleared:

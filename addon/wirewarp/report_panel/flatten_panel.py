@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Draws Flatten, its result and the next steps together."""
+"""Draws the panel Flatten, with the verdict of the last run and the next steps."""
 
 import math
 
@@ -41,15 +41,16 @@ from .next_step import (
 ICON = "MATCLOTH"
 FAR_ENOUGH = "Fabrics with a tick stretch far enough for the present pieces"
 TO_TRY = "Flatten to see whether a fabric stretches far enough"
-# fabrics sold for clothes; woven fabrics are left out, because they stretch only 3%
+# stretch fabrics that are sold for clothes
 EVERYDAY = {"fleece", "jersey", "swim"}
 
 
 def fabrics_to_choose(report: ObjectReport, present: str = "") -> tuple[list[str], list[str]]:
-    """Return the presets that stretch far enough for the present pieces, and the others; both by increasing stretch.
+    """Return the presets that stretch far enough for the present pieces, and the other presets, both by increasing
+    stretch.
 
     This is an estimate, because another fabric changes the shapes of the pieces. present: the fabric of these pieces,
-    which is not among the others.
+    which is not among the other presets.
     """
     across = max((piece.threads.across if piece.threads else piece.needed for piece in report.pieces), default=0.0)
     along = max((piece.threads.along if piece.threads else piece.needed for piece in report.pieces), default=0.0)
@@ -76,7 +77,7 @@ class VIEW3D_MT_wirewarp_fabrics(bpy.types.Menu):
                 button.what, button.cloth = "FABRIC", name.upper()
 
 
-DUE = "Auto updates the pieces when you finish."
+DUE = "Auto updates the pieces when the tool ends."
 FIRST = "Press Flatten once. Then Auto updates the pieces."
 LEFT = "Auto was canceled for this change. Press Flatten, or change the model again."
 FABRIC_HELPS = {Kind.NEEDS_STRETCH, Kind.BEYOND_FABRIC}
@@ -120,13 +121,14 @@ class VIEW3D_PT_wirewarp_flatten(SidebarPanel, bpy.types.Panel):
             text = "Show Model and Pieces" if find_flat_object(source) else "Show Model"
             layout.operator("view3d.wirewarp_frame", text=text, icon="VIEWZOOM")
         if settings.method == "WIREWARPING" and _has_loose_wires(active):
-            draw_sentence(context, layout, "This method keeps elastic and free wires rigid too.", "INFO")
+            draw_sentence(context, layout, "The chosen method keeps elastic and free wires rigid, too.", "INFO")
 
 
 def _draw_size(context: bpy.types.Context, layout: bpy.types.UILayout, source: bpy.types.Object) -> None:
-    """Warn about a model of implausible size, whose unit was usually lost in a file.
+    """Draw a question about an implausible size, with buttons for possible units. Files often lack the unit.
 
-    After the answer, the rows stay until the next run, because otherwise the buttons below would move under the mouse.
+    After the user has chosen a unit, the rows stay until the next run, so that buttons below do not move under the
+    mouse.
     """
     question, state, report = strange_size(source, context.scene), state_of(source), Same(last_report(source))
     if question:
@@ -169,7 +171,8 @@ def _draw_state(
         draw_sentence(context, layout, DUE, "INFO", as_high_as=lines[0].text)
         lines, layout = lines[1:], layout.column()
         layout.enabled = False
-    # Judged by the last run, even if it kept the earlier pieces, because flattening again would change nothing.
+    # The settings are compared with those of the last run, even if it failed and kept earlier pieces, because the same
+    # settings would fail again.
     changed = settings_sentence(source, report, context.scene.wirewarp) if has_flat_object(source) else ""
     if changed:
         draw_sentence(context, layout, changed, "INFO")
@@ -181,21 +184,21 @@ def _draw_state(
     kinds = {line.kind for line in verdict.lines}
     if report.issues and (verdict.kind is not Kind.CLOSED or Kind.NEEDS_SEAM in kinds):
         draw_sentence(context, layout, failure_text(report, step), "INFO")
-    # a step that only shows something is drawn after steps that change the model
+    # a step that only shows a place is drawn below steps that change the model
     is_looked_at = step is not None and step.operator == SHOW
     if step and not is_looked_at:
         below = layout.column()
         # Only one button marks seams. It keeps its place, so that the buttons of the search do not move.
         below.enabled = not (marks_seams(step) and are_shown(context))
         _draw_step(context, below, step)
-    # if a fabric is chosen, the panel does not offer another one
+    # if the user has chosen a fabric, this button does not offer another fabric
     if Kind.NEEDS_STRETCH in kinds and context.scene.wirewarp.cloth == "NONE":
         _draw_fabric(layout, report)
     if kinds & FABRIC_HELPS:
         layout.menu(VIEW3D_MT_wirewarp_fabrics.__name__, icon=ICON)
     if wants_seams(report):
         draw_suggest(layout, context.scene.wirewarp, "FLATTEN", -1, ["seams"], has_seams=False)
-        if report.flat_object is None:  # without pieces, the panel Export, which contains the allowance, is not shown
+        if report.flat_object is None:  # the panel Export, which has the allowance, is not shown without pieces
             layout.prop(context.scene.wirewarp, "allowance", text="Allowance (mm)")
     piece = piece_to_cut(report, step)
     if piece is not None:
@@ -210,7 +213,7 @@ def _draw_state(
 
 
 def narrow_names(context: bpy.types.Context, source: bpy.types.Object, report: ObjectReport) -> list[str]:
-    """Return the names of the pieces of the report without room for their allowances; none while they are edited."""
+    """Return the names of the report's pieces without room for their allowances; none while these are in Edit Mode."""
     flat = find_flat_object(source) if report.flat_object is not None and has_flat_object(source) else None
     return [] if flat is None or flat.data.is_editmode else narrow_pieces(context, source, flat)
 
@@ -219,16 +222,16 @@ def _will_update(context: bpy.types.Context, source: bpy.types.Object) -> bool:
     """Return whether Auto will update the pieces of the changed model without another change."""
     if not context.scene.wirewarp.auto_update or source.library or not has_flat_object(source):
         return False
-    if is_left(source):  # taken by the present run, or by one that was canceled
+    if is_left(source):  # the present run updates the model, or an earlier update was canceled
         return is_running(FLATTEN)
     is_coming = is_due(context.scene) and not state_of(context.scene).is_undone
     return is_coming and not waits_for_object_mode(source)
 
 
 def _draw_fabric(layout: bpy.types.UILayout, report: ObjectReport) -> None:
-    """Draw the button for the everyday fabric that just stretches far enough, if there is one.
+    """Draw a button for the everyday fabric with the least stretch that suffices, if there is one.
 
-    Leather, foam and other special materials are in the menu below it.
+    Leather, foam and other special materials are in the menu below the button.
     """
     can, _ = fabrics_to_choose(report)
     name = next((name for name in can if name in EVERYDAY), "")
@@ -241,7 +244,7 @@ def _draw_fabric(layout: bpy.types.UILayout, report: ObjectReport) -> None:
 
 
 def _may_use_uv_seams(source: bpy.types.Object) -> bool:
-    """Return whether nothing is marked yet although the model's own UV map has islands; False in Edit Mode."""
+    """Return whether the model has no seams, but its own UV map has several islands; False in Edit Mode."""
     mesh = source.data
     if mesh.is_editmode or source.library or mesh.library:
         return False
@@ -260,7 +263,7 @@ def _draw_step(context: bpy.types.Context, layout: bpy.types.UILayout, step: Nex
 
 
 def offered_piece(context: bpy.types.Context, source: bpy.types.Object, report: ObjectReport) -> int | None:
-    """Return the piece for which the panel shows Suggest Darts and Suggest Seams."""
+    """Return the piece for which the panel shows Suggest Darts and Suggest Seams; None without these buttons."""
     if untrue_sentence(context.active_object, source, report):
         return None
     left_out = _left_out(context, source, report)
@@ -268,7 +271,8 @@ def offered_piece(context: bpy.types.Context, source: bpy.types.Object, report: 
 
 
 def _left_out(context: bpy.types.Context, source: bpy.types.Object, report: ObjectReport) -> list[str]:
-    """Return the note about modifiers: about the present ones if they are known, otherwise about those of the run."""
+    """Return "modifiers" and "shape keys" if pieces lack these: as present on the model if that is known, otherwise as
+    in the last run."""
     if report.with_modifiers or not shows_modified(source):
         return report.left_out
     if not source.modifiers and not source.data.shape_keys:

@@ -18,7 +18,7 @@ from ..state.reports import last_report
 from ..state.settings import FlattenSettings
 
 FOLDER = Path(str(files(__package__.rpartition(".")[0]))) / "samples"  # in the add-on's folder
-SAMPLES = [  # files of that folder, the simplest first
+SAMPLES = [  # samples in this folder, the simplest first
     ("CUSHION", "Cushion", "Six pieces, for any fabric"),
     ("FITTED_TOP", "Fitted Top", "Four pieces of jersey, with lines that keep their length"),
     ("JEANS", "Jeans", "Seven pieces of woven cotton"),
@@ -38,7 +38,7 @@ WIDTH = 480  # width of the guide, in pixels at interface scale 1
 
 
 class OBJECT_OT_wirewarp_open_sample(bpy.types.Operator):
-    """Add a sample model with its seams and wires to this file. A file without patterns also gets its settings"""
+    """Add a sample model with its seams and wires. If the file has no patterns yet, also use the sample's settings"""
 
     bl_idname = "object.wirewarp_open_sample"
     bl_label = "Open Sample"
@@ -79,7 +79,7 @@ class OBJECT_OT_wirewarp_open_sample(bpy.types.Operator):
 
 
 def _free_place(scene: bpy.types.Scene, model: bpy.types.Object) -> float:
-    """Return the x at which the sample is beside the scene's meshes, with a gap of half its width."""
+    """Return the x coordinate at which the sample is beside the scene's meshes, with a gap of half its width."""
     meshes = [each for each in scene.objects if each.type == "MESH"]
     right = max(world_box(each)[1, 0] for each in meshes)
     edges = [corner[0] * model.scale.x for corner in model.bound_box]
@@ -99,7 +99,7 @@ def _take(settings: bpy.types.bpy_struct, others: bpy.types.bpy_struct, names: I
 
 
 class WM_OT_wirewarp_guide(bpy.types.Operator):
-    """Show the way from a model to a pattern in six steps"""
+    """Show the six steps from a model to a pattern"""
 
     bl_idname = "wm.wirewarp_guide"
     bl_label = "Guide"
@@ -123,8 +123,8 @@ def draw_first_steps(layout: bpy.types.UILayout) -> None:
 
 MEND = "object.wirewarp_mend"
 SHOW = "mesh.wirewarp_select_result"
-# Button text and icon by the kind of fix, the most urgent first: faces that overlap, have no area or
-# are inside out also cause faults that seams seem to cure.
+# Text and icon of the button for each kind of fix, the most urgent first. Overlapping vertices, faces without area and
+# flipped faces come before seams, because they cause faults that seams would only hide.
 REMEDIES = {
     "MERGE": ("Merge and Flatten", "AUTOMERGE_ON"),
     "DISSOLVE": ("Dissolve and Flatten", "X"),
@@ -132,7 +132,7 @@ REMEDIES = {
     "SEAMS": ("Mark and Flatten", "EDGESEL"),
     "TOLERANCES": ("Loosen and Flatten", "FIXED_SIZE"),
 }
-APPLY_FIRST = "This fix needs edges that modifiers make. Mark edges of the model itself, or:"
+APPLY_FIRST = "This fix needs edges that modifiers make. Apply the modifiers, or mark edges of the model itself."
 CHECK = "object.wirewarp_check"
 # for faults that Check and Repair finds and fixes
 FAULTY_CODES = {"non_manifold_edge", "repeated_face", "repeated_vertex_in_face"}
@@ -148,9 +148,10 @@ class NextStep(NamedTuple):
 
 
 def next_step(report: ObjectReport, left_out: list[str]) -> NextStep | None:
-    """Return the next step; None if the pieces can be cut, or if the buttons of suggestions below are the next step.
+    """Return the next step. Return None if the pieces can be cut from the fabric, or if Suggest Darts and Suggest Seams
+    are the next step.
 
-    left_out: see as_seen(), for the model as it is now.
+    left_out: "modifiers" and "shape keys" of the present model if the run ignored them.
     """
     remedies = [remedy_of(issue) for issue in report.issues]
     if report.with_modifiers and any(remedies):
@@ -176,13 +177,13 @@ def next_step(report: ObjectReport, left_out: list[str]) -> NextStep | None:
 def uv_step(found: UvSeams | None) -> NextStep:
     """Return the step that marks the seams of the UV map.
 
-    found: the result of trying them; None before the first run.
+    found: the result of flattening with these seams; None before the first run.
     """
     sentence = ""
     if found:
-        beyond = ", more than this fabric has" if found.is_beyond_fabric else ""
+        beyond = ", too much for this fabric" if found.is_beyond_fabric else ""
         stretch = percent_text(found.stretch)
-        became = f"stretch {stretch}{beyond}"
+        became = f"with a stretch of {stretch}{beyond}"
         if found.failed:
             became = f"{found.failed} of them fail"
         elif found.beyond_any:
@@ -201,7 +202,8 @@ def wants_seams(report: ObjectReport) -> bool:
 
 
 def piece_to_cut(report: ObjectReport, step: NextStep | None) -> int | None:
-    """Return the piece for which the next step suggests darts or seams; the worst piece if there is no next step."""
+    """Return the piece for which darts or seams are offered: the piece that the next step shows, or the worst piece if
+    there is no next step. Return None if no piece needs cuts."""
     if step:
         return report.hints[step.settings["index"]].piece if step.settings.get("what") == "HINT" else None
     strained = [piece for piece in report.pieces if piece.is_strained]
@@ -209,19 +211,20 @@ def piece_to_cut(report: ObjectReport, step: NextStep | None) -> int | None:
 
 
 def _step_to_show(what: str, text: str, places: list[int]) -> NextStep | None:
-    """Return the step that shows the first of these report lines."""
+    """Return the step that shows the first of these places; None if there are no places. places: indices of the
+    report's issues or hints."""
     return NextStep("", text, "RESTRICT_SELECT_OFF", SHOW, {"what": what, "index": places[0]}) if places else None
 
 
 def _placed(report: ObjectReport, entries: Sequence[Issue]) -> list[int]:
-    """Return the lines that have a place, the worst first."""
+    """Return the indices of the issues or hints that have a place, the worst first."""
     return [index for index, entry in enumerate(entries) if has_shown_place(report, entry)]
 
 
 def _strained_places(report: ObjectReport) -> list[int]:
-    """Return the strained places of the worst piece.
+    """Return the indices of the hints about strained places of the worst piece.
 
-    The largest is first, because the most strained may be a single face.
+    The largest place is first, because the most strained place may be a single face.
     """
     hints = report.hints
     places = [index for index in _placed(report, hints) if hints[index].code in {STRAINED, BEYOND_FABRIC}]
@@ -246,10 +249,8 @@ def has_shown_place(report: ObjectReport, entry: Issue) -> bool:
 
 
 def failure_text(report: ObjectReport, step: NextStep | None) -> str:
-    """Return the text of the step's fault, or else of the first fault, without the remedy.
-
-    There is at least one fault.
-    """
+    """Return the text of the fault that the step fixes or shows, or else of the first fault, without the remedy. The
+    report must have a fault."""
     what = step.settings.get("what") if step else None
     found = [report.issues[step.settings["index"]]] if step and what == "ISSUE" else []
     found += [issue for issue in report.issues if what and remedy_of(issue) == what]
@@ -259,7 +260,7 @@ def failure_text(report: ObjectReport, step: NextStep | None) -> str:
 
 def _reason(issues: Sequence[Issue], what: str) -> str:
     if what == "SEAMS":
-        # mirrored pieces share their places
+        # each edge counts once, because the issues of mirrored pieces suggest the same edges
         edges = {(min(edge), max(edge)) for issue in issues for edge in issue.proposed_seams}
         return f"Suggested seam: {counted(len(edges), 'edge')}."
     if what == "TOLERANCES":

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Operators of the report: they select and show its elements, apply its suggestions, copy it, and show everything."""
+"""Operators that select elements of the report, apply its suggestions, copy it, and show the pieces in the view."""
 
 import bpy
 from bpy.props import EnumProperty, IntProperty
@@ -20,7 +20,7 @@ from ..ui.editing import OnMesh, reporting_refusals
 
 PROPOSALS = [
     ("SEAMS", "Mark as Seam", "Mark the suggested edges as seams on the model"),
-    ("TOLERANCES", "Loosen Wires", "Give the named wires the suggested tolerances"),
+    ("TOLERANCES", "Loosen Wires", "Set the suggested tolerances of the named wires"),
 ]
 
 
@@ -30,7 +30,7 @@ def check_indices(target: bpy.types.Object, report: ObjectReport) -> None:
     if report.with_modifiers:
         raise object_error(
             "with_modifiers",
-            "This report is about the mesh after its modifiers. To mark the model itself, flatten without Modifiers.",
+            "This report is about the mesh with its modifiers. To mark the model itself, flatten without Modifiers.",
         )
     with current_mesh(target) as mesh:
         counts = element_counts(mesh)
@@ -39,14 +39,14 @@ def check_indices(target: bpy.types.Object, report: ObjectReport) -> None:
 
 
 def check_flattened(source: bpy.types.Object, report: ObjectReport | None) -> ObjectReport:
-    """Return the report. Raises ObjectError if there is none."""
+    """Return the report. Raises ObjectError if it is None, because the model has not been flattened."""
     if report is None:
         raise object_error("not_flattened", f'"{source.name}" has not been flattened yet. Press Flatten first.')
     return report
 
 
 class ReportOperator(OnMesh):
-    """Base of operators that act on a report of the active model, or of the model of active flat pieces."""
+    """Mixin of operators that use a report of the active model, or of the model of active flat pieces."""
 
     bl_options = {"REGISTER", "UNDO"}
     modes = WORKING_MODES
@@ -58,7 +58,7 @@ class ReportOperator(OnMesh):
         return what.enum_items[properties.what].description if what else ""
 
     def report_of(self, source: bpy.types.Object) -> ObjectReport | None:
-        """Return the shown report."""
+        """Return the report that the panel shows; None if there is none."""
         return last_report(source)
 
     @reporting_refusals
@@ -75,7 +75,7 @@ class OBJECT_OT_wirewarp_copy_report(ReportOperator, bpy.types.Operator):
     bl_options = {"REGISTER"}
 
     def report_of(self, source: bpy.types.Object) -> ObjectReport | None:
-        """Return the report of the flat pieces if there are any, otherwise the shown report."""
+        """Return the report of the flat pieces if there are any, otherwise the report that the panel shows."""
         return pieces_report(source) or last_report(source)
 
     def act(self, context: bpy.types.Context, source: bpy.types.Object, report: ObjectReport) -> set[str]:
@@ -83,7 +83,7 @@ class OBJECT_OT_wirewarp_copy_report(ReportOperator, bpy.types.Operator):
         context.window_manager.clipboard = table
         lines = table.count("\n") - 1
         if has_changed(source, report.model_state):
-            self.report({"WARNING"}, f'{lines} lines copied. "{source.name}" has changed since they were measured')
+            self.report({"WARNING"}, f'{lines} lines copied. "{source.name}" has changed since it was flattened')
         else:
             self.report({"INFO"}, f"{lines} lines copied")
         return {"FINISHED"}
@@ -98,7 +98,7 @@ class MESH_OT_wirewarp_select_issues(ReportOperator, bpy.types.Operator):
     def act(self, context: bpy.types.Context, source: bpy.types.Object, report: ObjectReport) -> set[str]:
         check_indices(source, report)
         if not any(issue.has_place for issue in report.issues):
-            self.report({"INFO"}, "The last run reported no problem elements")
+            self.report({"INFO"}, "The problems of the last run have no vertices, edges or faces")
             return {"CANCELLED"}
         elements = Elements(
             [vertex for issue in report.issues for vertex in issue.vertices],
@@ -121,7 +121,7 @@ class MESH_OT_wirewarp_select_result(ReportOperator, bpy.types.Operator):
         items=[
             ("SEAM", "Seam", "Select and show the seam: on the model, or all its sides if flat pieces are active"),
             ("WIRE", "Wire", "Select and show the wire: on the model, or on the flat pieces if these are active"),
-            ("OUTLINE", "Open Edge", "Select and show this section of outline: on the model, or on active flat pieces"),
+            ("OUTLINE", "Open Edge", "Select and show the outline section: on the model, or on active flat pieces"),
             ("PIECE", "Piece", "Select and show the piece: on the model, or on the flat pieces if these are active"),
             ("STRETCH", "Largest Stretch", "Select and show the place in this piece that must stretch most"),
             ("EASE", "Largest Compression", "Select and show the place in this piece that is compressed most"),
@@ -133,13 +133,14 @@ class MESH_OT_wirewarp_select_result(ReportOperator, bpy.types.Operator):
     index: IntProperty(name="Index", description="Index in the report, from 0", min=0, options={"HIDDEN"})
 
     def report_of(self, source: bpy.types.Object) -> ObjectReport | None:
-        """Return the report of the flat pieces for the list of pieces, or else the report that the panel shows."""
+        """Return the report of the flat pieces for items of the list of pieces, otherwise the report that the panel
+        shows."""
         return (pieces_report if self.what in {"PIECE", "STRETCH", "EASE"} else last_report)(source)
 
     def act(self, context: bpy.types.Context, source: bpy.types.Object, report: ObjectReport) -> set[str]:
         elements = elements_of(report, self.what, self.index)
         if elements is None:
-            raise object_error("not_in_report", "That entry is gone. Flatten again.")
+            raise object_error("not_in_report", "The report no longer has this entry. Flatten again.")
         # If modifiers made the elements, only the flat pieces have them.
         wants_flat = context.active_object != source or report.with_modifiers
         if wants_flat and self._lies_flat(report, elements):
@@ -156,23 +157,23 @@ class MESH_OT_wirewarp_select_result(ReportOperator, bpy.types.Operator):
         return {"FINISHED"}
 
     def _lies_flat(self, report: ObjectReport, elements: Elements) -> bool:
-        """Return whether there is a flat piece; a failed piece or a failed model has none."""
+        """Return whether the elements are on a flat piece. Failed pieces and models may have no flat shape."""
         if self.what != "ISSUE":
             return True
         return elements.piece is not None and report.pieces[elements.piece].has_layout
 
 
 def take_proposals(source: bpy.types.Object, report: ObjectReport, what: str, issues: slice = slice(None)) -> int:
-    """Apply the proposals of these issues, SEAMS or TOLERANCES. Return the number of changed edges.
+    """Apply the suggestions of these issues to a model in Object Mode. Return the number of changed edges.
 
-    The model is in Object Mode. Raises ObjectError.
+    what: SEAMS or TOLERANCES; issues: slice of the report's issues. Raises ObjectError.
     """
     chosen = report.issues[issues]
     seams = [edge for issue in chosen for edge in issue.proposed_seams] if what == "SEAMS" else []
     wires = [wire for issue in chosen for wire in issue.proposed_tolerances] if what == "TOLERANCES" else []
     if not (seams or wires):
         proposal = "seam" if what == "SEAMS" else "tolerance"
-        sentence = f'The report of "{source.name}" has no suggested {proposal} here. Flatten again to see what helps.'
+        sentence = f'The report of "{source.name}" does not suggest a {proposal} here. Flatten again for suggestions.'
         raise object_error("not_in_report", sentence)
     check_not_edited(source)
     check_indices(source, report)

@@ -44,7 +44,7 @@ def draw_table(
     rows: list[ReportRow],
     names: Mapping[int, bpy.types.PropertyGroup],
 ) -> None:
-    """Draw the table. names: the item with the name of each seam, by the seam's id; the user can edit it."""
+    """Draw the table of these rows. names: the items with the names of seams, which the user can edit, by their ids."""
     units, meters = length_text(context.scene), meters_per_blender_unit(context.scene)
     column = layout.column(align=True)
     wide = is_wide(context)
@@ -71,7 +71,8 @@ def draw_table(
 def draw_heading(
     context: bpy.types.Context, layout: bpy.types.UILayout, name: str, mark: dict, what: str | None, index: int
 ) -> None:
-    """Draw a name with its mark (see mark_of) and the button that selects it, if there is one."""
+    """Draw the name of a row with its mark (see mark_of), and the button that selects the seam, wire or outline. what:
+    see draw_select; without it, there is no button."""
     row = layout.row(align=True)
     text = row.column(align=True)
     lines = broken(context, name, reserved=22 if what else 0)
@@ -112,7 +113,7 @@ def _flat_lines(row: ReportRow, text: LengthText) -> list[tuple[str, tuple[str, 
 
 
 def _flat_numbers(side: Side, text: LengthText) -> tuple[str, str, str]:
-    """Return flat length, difference and percent; no percent without a layout."""
+    """Return the texts of flat length, difference and percent. If the side has no flat shape, the last two are ""."""
     if side.length_2d is None:
         return "not laid flat", "", ""
     percent = f"{abs(side.percent):.3f}" if abs(side.percent) < 5e-4 else f"{side.percent:+.3f}"
@@ -120,7 +121,7 @@ def _flat_numbers(side: Side, text: LengthText) -> tuple[str, str, str]:
 
 
 def longer_sides(sides: Sequence[Side], units: LengthText, meters: float) -> list[str]:
-    """Return the texts of the pattern on an eased seam, such as "Sleeve 12 mm longer, ease between notches".
+    """Return the texts that the pattern has on an eased seam, such as "Sleeve 12 mm longer, ease between notches".
 
     meters: meters in a Blender unit.
     """
@@ -141,7 +142,7 @@ ADVICE = {
     TORN: f"{TORN_ADVICE}:",
     WIRE_AT_LIMIT: "A wider tolerance on these wires would lower the distortion:",
     BEYOND_FABRIC: "Your fabric does not stretch far enough at these places. Add a dart or seam:",
-    STRAINED: "The fabric must stretch or be compressed at these places. If yours does not, add a dart or seam:",
+    STRAINED: "The fabric must stretch or be compressed at these places. If yours cannot, add a dart or seam:",
 }
 
 
@@ -149,7 +150,7 @@ def draw_issues(context: bpy.types.Context, layout: bpy.types.UILayout, report: 
     issues = report.issues
     for index, issue in enumerate(issues[:SHOWN_ROWS]):
         _draw_entry(context, layout, issue_text(report, issue), "ISSUE", index, has_shown_place(report, issue))
-        # drawn here only if the panel Flatten has no such button
+        # the buttons are drawn here only if the panel Flatten does not have them
         if not report.with_modifiers and (len(issues) > 1 or issue.code == CLOSED_CODE):
             _draw_proposals(context, layout, index, issue)
     if len(issues) > SHOWN_ROWS:
@@ -162,7 +163,7 @@ def draw_issues(context: bpy.types.Context, layout: bpy.types.UILayout, report: 
 
 
 def draw_hints(context: bpy.types.Context, layout: bpy.types.UILayout, report: ObjectReport) -> None:
-    """Draw the advice, and below each item the places that it is about."""
+    """Draw each sentence of advice, and below it the places to which it applies."""
     is_there = not report.with_modifiers or report.flat_object is not None
     for code, advice in ADVICE.items():
         hints = [(index, hint) for index, hint in enumerate(report.hints) if hint.code == code]
@@ -183,7 +184,7 @@ def draw_hints(context: bpy.types.Context, layout: bpy.types.UILayout, report: O
 def _draw_entry(
     context: bpy.types.Context, layout: bpy.types.UILayout, text: str, what: str, index: int, placed: bool
 ) -> None:
-    """Draw the text, and the button that selects its place, if it has one."""
+    """Draw the text, and a button that selects the place if `placed`. what: ISSUE or HINT; index: in the report."""
     row = layout.row(align=True)
     reserved = (6 if what == "ISSUE" else 0) + (22 if placed else 0)
     draw_sentence(context, row, text, "ERROR" if what == "ISSUE" else "DOT", reserved)
@@ -225,8 +226,8 @@ class VIEW3D_PT_wirewarp_report(SidebarPanel, bpy.types.Panel):
             draw_sentence(context, layout, f"Method: {report.method_name}")
         if report.issues:
             box = layout.box()
-            # The text is gray after a change. The buttons still work, so that several suggestions can be marked before
-            # the next run.
+            # The text is gray after a change of the model. The buttons still work, so that several suggestions can be
+            # marked before the next run.
             box.active = not has_changed_since(source, report)
             draw_issues(context, box, report)
         if report.hints:
@@ -236,7 +237,7 @@ class VIEW3D_PT_wirewarp_report(SidebarPanel, bpy.types.Panel):
 
 
 class ReportSection(SidebarPanel):
-    """Base of sub-panels with one table, whose header shows the worst row."""
+    """Mixin of sub-panels with one table of the report. Their headers show the worst row."""
 
     bl_parent_id = "VIEW3D_PT_wirewarp_report"
     bl_options = {"DEFAULT_CLOSED"}
@@ -261,7 +262,7 @@ class ReportSection(SidebarPanel):
         return mark_of(all(each.ok for each in rows))
 
     def summary(self, context: bpy.types.Context, rows: list) -> str:
-        """Return the text for the header: the largest difference, and the number of rows if there is room."""
+        """Return the text for the header: the largest difference, and the number of rows if the sidebar is wide."""
         largest = largest_difference(rows)
         text = "" if largest is None else length_text(context.scene)(largest)
         return f"{len(rows)}, largest difference {text}" if text and is_wide(context) else f"±{text}" if text else ""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Draws the list of flat pieces, the worst first, and the chosen piece below it."""
+"""Draws the list of flat pieces, the worst first, and figures of the chosen piece below the list."""
 
 import bpy
 
@@ -17,15 +17,15 @@ from .flatten_panel import narrow_names, offered_piece
 from .panel import draw_select
 
 NO_STRAIN = 5e-4  # smaller values are shown as 0.0%
-MOST_ROWS = 16  # more rows get a scroll bar, in the place of the buttons that select a piece
+MOST_ROWS = 16  # a longer list has a scroll bar in the place of the buttons that select a piece
 MOST_LETTERS = 12  # letters of a name for which there is room beside a button in a sidebar of the default width
-NAMES, SHORT_NAMES = 0.78, 0.7  # share of a line for the name, beside "8.6%" and beside ">100%"
+NAMES, SHORT_NAMES = 0.78, 0.7  # share of a row for the name, beside "8.6%" and beside ">100%"
 SELECT = "Select Piece"
-WORTH_A_CUT = 0.005  # smallest strain for which the library proposes cuts
+WORTH_A_CUT = 0.005  # smallest stretch for which the library suggests cuts
 
 
 class WIREWARP_UL_pieces(bpy.types.UIList):
-    """The list of the report's pieces, with its entries in the order of the report."""
+    """List of flat pieces, whose entries have the order of the report and whose rows are shown the worst first"""
 
     def draw_item(
         self,
@@ -60,7 +60,7 @@ class WIREWARP_UL_pieces(bpy.types.UIList):
     def filter_items(
         self, context: bpy.types.Context, source: bpy.types.Object, entries_name: str
     ) -> tuple[list[int], list[int]]:
-        """Return the flags of the entries to show (empty: all are shown), and the place of each entry."""
+        """Return a flag for each entry to show (empty: all entries), and the place of each entry in the list."""
         entries, helper = getattr(source, entries_name), bpy.types.UI_UL_list
         shown = []
         if self.filter_name:
@@ -74,7 +74,7 @@ class WIREWARP_UL_pieces(bpy.types.UIList):
 
 
 def _have_buttons(context: bpy.types.Context, source: bpy.types.Object) -> bool:
-    """Return whether each row has a button that selects the piece; otherwise, one button is below the list."""
+    """Return whether each row has a button that selects its piece. Otherwise, one button is below the list."""
     pieces = source.wirewarp_pieces
     longest = max((len(entry.name) for entry in pieces), default=0)
     return len(pieces) <= MOST_ROWS and (is_wide(context) or longest <= MOST_LETTERS)
@@ -87,7 +87,7 @@ def report_of_pieces(context: bpy.types.Context) -> ObjectReport | None:
 
 
 def _row_of(context: bpy.types.Context, index: int) -> core.report.Piece | None:
-    """Return the piece; None if the report and the list have different pieces."""
+    """Return the piece with this index in the report; None if the report does not have it."""
     return next((row for row in report_of_pieces(context).tables.pieces if row.index == index), None)
 
 
@@ -117,9 +117,9 @@ class VIEW3D_PT_wirewarp_pieces(SidebarPanel, bpy.types.Panel):
         if chosen and chosen.has_layout and not _have_buttons(context, source):
             button = self.layout.operator("mesh.wirewarp_select_result", text=SELECT, icon="RESTRICT_SELECT_OFF")
             button.what, button.index = "PIECE", chosen.index
-        if chosen:  # above the figures, so that what the buttons list below them stays in view
+        if chosen:  # above the figures, so that the suggestions below the buttons stay in view
             report = shown_report(context)
-            # the piece that has buttons below Flatten
+            # the piece for which the panel Flatten has these buttons
             offered = offered_piece(context, source, report) if report else None
             has_seams = bool(report and report.seams)
             if chosen.ok and chosen.needed >= WORTH_A_CUT and offered != chosen.index:
@@ -151,13 +151,13 @@ def draw_figures(context: bpy.types.Context, layout: bpy.types.UILayout, row: co
     if row.needed >= NO_STRAIN:
         line = column.row(align=True)
         draw_cells(line, "Stretch", [percent_text(row.shown)], 0.5)
-        # None: infinite
+        # a stretch of None is infinite
         is_stretched = row.stretch_max is None or (row.ease_max is not None and row.stretch_max >= row.ease_max)
         draw_select(line, "STRETCH" if is_stretched else "EASE", row.index)
 
 
 def draw_copies(context: bpy.types.Context, layout: bpy.types.UILayout, source: bpy.types.Object, name: str) -> None:
-    """Draw how this piece can be cut with its copies or on the fold, as Equal Pieces and On the Fold do it."""
+    """Draw a sentence about the copies of this piece and its symmetry, which Equal Pieces and On the Fold use."""
     flat = find_flat_object(source)
     if flat is None or flat.data.is_editmode:
         return

@@ -8,7 +8,7 @@ import numpy as np
 from ..core import LengthText
 from .chains import WireChain, next_corners
 
-# A surface is too open to have an inside if the sum of its area vectors is a larger share of its area.
+# largest length of the sum of all area vectors, as a share of the area, at which a surface has an inside
 ALL_ROUND = 0.3
 INWARD = (
     "Normals point inward, so pieces show their inside. In Edit Mode use Mesh > Normals > Recalculate Outside, then "
@@ -38,42 +38,43 @@ class NamedWire:
 
 @dataclass(frozen=True)
 class MeshArrays:
-    """Indices are Blender's. Triangles are counterclockwise seen from outside, even for mirrored objects."""
+    """A mesh with Blender's indices. Triangles are counterclockwise seen from outside, even for mirrored objects."""
 
     vertices: np.ndarray  # (n,3) float64, Blender units, with the object's rotation, scale and shear applied
     triangles: np.ndarray  # (m,3) int32, as Blender shows the faces
-    triangle_loops: np.ndarray  # (m,3) int32, the loop at each corner
-    triangle_polygons: np.ndarray  # (m,) int32, ascending
-    loop_vertices: np.ndarray  # (l,) int32
-    loop_edges: np.ndarray  # (l,) int32, the edge from each corner to the next of its polygon
+    triangle_loops: np.ndarray  # (m,3) int32, the loop (corner of the mesh) at each corner of the triangle
+    triangle_polygons: np.ndarray  # (m,) int32, the polygon of each triangle, ascending
+    loop_vertices: np.ndarray  # (l,) int32, the vertex of each corner
+    loop_edges: np.ndarray  # (l,) int32, the edge from each corner to the next corner of its polygon
     polygon_starts: np.ndarray  # (f,) int32, first loop of each polygon
     polygon_sizes: np.ndarray  # (f,) int32
     edges: np.ndarray  # (e,2) int32
-    seam_edges: np.ndarray  # (k,) int32
+    seam_edges: np.ndarray  # (k,) int32, indices of the edges that are seams
     seams: np.ndarray  # (k,2) int32, the vertices of seam_edges
-    seam_ids: np.ndarray  # (k,) int32, the seam of each seam edge in the last run; 0 none
-    outline: np.ndarray  # (k,2) int32, edges of one face
+    seam_ids: np.ndarray  # (k,) int32, id of the seam of each seam edge in the last run; 0 none
+    outline: np.ndarray  # (o,2) int32, edges with one face
     wires: list[NamedWire]
     # (l,) float32, ease of the edge that begins at each corner, on the side of the corner's face; 0: none
     side_eases: np.ndarray
     grain_wire: int  # id of the wire that is upright in its pieces; 0: no wire was chosen
-    piece_ids: np.ndarray  # (f,) int32, the piece of each polygon in the last run; 0: none
+    piece_ids: np.ndarray  # (f,) int32, id of the piece of each polygon in the last run; 0: none
     regions: FaceRegions
-    materials: np.ndarray  # (f,) int32, the slot of each polygon
+    materials: np.ndarray  # (f,) int32, the material slot of each polygon
     uv_maps: dict[str, np.ndarray]  # (l,2) float32, the model's own maps by name
     own_map: str  # the map whose island borders can become seams; "": none
     allowance: float  # the widest allowance, in Blender units
-    side_allowances: np.ndarray  # (l,) float32, as side_eases, in Blender units; 0 the default, below 0 none
-    loose_marks: int  # number of ignored edges: marked as wires, but without a face
+    # (l,) float32, like side_eases, allowances in Blender units; 0: the default, below 0: no allowance
+    side_allowances: np.ndarray
+    loose_marks: int  # number of edges that are marked as wires, but ignored because they have no face
     loose_eases: int  # number of edges with an ease that has no effect, because they are not wires
-    mirrored: bool
+    mirrored: bool  # whether the object's matrix mirrors the mesh
     default_allowance: float = 0.0  # for sides without their own allowance, in Blender units
     lengths: LengthText = LengthText("", 1.0)  # format of lengths in sentences; no unit if the scene is unknown
 
 
 def area_vectors(vertices: np.ndarray, triangles: np.ndarray) -> np.ndarray:
-    """Return the area vectors (3,m): each along its triangle's normal, with the area as its length. vertices (n,3),
-    triangles (m,3)."""
+    """Return the area vectors (3,m) of triangles (m,3) of vertices (n,3). Each is along its triangle's normal, with the
+    area as its length."""
     x, y, z = (np.ascontiguousarray(column)[triangles] for column in vertices.T)  # (m,3), one per corner
     ux, uy, uz = (each[:, 1] - each[:, 0] for each in (x, y, z))
     vx, vy, vz = (each[:, 2] - each[:, 0] for each in (x, y, z))
@@ -81,14 +82,14 @@ def area_vectors(vertices: np.ndarray, triangles: np.ndarray) -> np.ndarray:
 
 
 def triangle_areas(vertices: np.ndarray, triangles: np.ndarray) -> np.ndarray:
-    """Return the areas (m,)."""
+    """Return the areas (m,) of triangles (m,3) of vertices (n,3)."""
     x, y, z = area_vectors(vertices, triangles)
     return np.sqrt(x * x + y * y + z * z)
 
 
 def edge_lengths(points: np.ndarray, edges: np.ndarray) -> np.ndarray:
-    """Return the lengths (k,) between points (n,2) or (n,3). Works by coordinate, because gathering short rows is
-    slow."""
+    """Return the lengths of edges (k,2) between points (n,2) or (n,3). Coordinates are gathered one by one, because
+    gathering short rows is slow."""
     a, b = edges.T
     columns = (np.ascontiguousarray(column) for column in points.T)
     return np.sqrt(sum((column[a] - column[b]) ** 2 for column in columns))
@@ -120,11 +121,11 @@ def new_seams(arrays: MeshArrays) -> np.ndarray:
 def island_borders(
     loop_edges: np.ndarray, loop_vertices: np.ndarray, next_loops: np.ndarray, uv: np.ndarray, edge_count: int
 ) -> np.ndarray:
-    """Return a mask (e,) of the edges whose two faces are not side by side in the map. For each corner (loop): its
-    edge, vertex, the next corner of its face, and its place uv (l,2) in the map."""
+    """Return a mask (e,) of the edges whose two faces are not side by side in the map. The arrays describe each corner:
+    its edge, its vertex, the next corner of its face, and its place uv (l,2) in the map."""
     turned = loop_vertices > loop_vertices[next_loops]
     ends = np.column_stack([uv, uv[next_loops]])  # (l,4): both ends of the edge in the map, on the side of this face
-    ends[turned] = ends[turned][:, [2, 3, 0, 1]]  # from the lower vertex to the higher one
+    ends[turned] = ends[turned][:, [2, 3, 0, 1]]  # from the vertex with the lower index to the other vertex
     lowest, highest = np.full((edge_count, 4), np.inf), np.full((edge_count, 4), -np.inf)
     np.minimum.at(lowest, loop_edges, ends)
     np.maximum.at(highest, loop_edges, ends)
@@ -132,14 +133,14 @@ def island_borders(
 
 
 def with_split_quads(corners: np.ndarray, starts: np.ndarray, sizes: np.ndarray, places: np.ndarray) -> np.ndarray:
-    """Return the triangles with every quad split as its own corners require: from the first corner to the third, or
-    across if both triangles would lie on the same side of that diagonal.
+    """Return the triangles (m,3) with quads split by one rule: from the first corner to the third, or from the second
+    to the fourth if both triangles would otherwise be on the same side of the diagonal.
 
-    This is Blender's rule, except that Blender 3.4 splits some bent quads otherwise if it has kept their normals. Edit
-    Mode and Object Mode would then lead to different pieces.
+    This is Blender's rule, but Blender 3.4 splits some bent quads differently if it has stored their normals. Without
+    this function, Edit Mode and Object Mode would lead to different pieces.
 
-    corners: (m,3) of the triangles, in the order of the faces; starts, sizes: (f,) first corner and number of corners
-    of each face; places: (l,3) of the corners.
+    corners (m,3): corners of Blender's triangles, in the order of the faces; starts, sizes (f,): first corner and
+    number of corners of each face; places (l,3): places of the corners.
     """
     quads = np.flatnonzero(sizes == 4)
     if not len(quads):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Numbers the edges of a mesh for searching, and orders them as chains."""
+"""Finds edges by their vertices, and orders edges as chains."""
 
 import math
 from dataclasses import dataclass
@@ -12,13 +12,13 @@ STRAIGHT_COSINE = np.cos(np.radians(45.0))
 
 
 def are_among(pairs: ArrayLike, edges: ArrayLike) -> np.ndarray:
-    """Return a mask (k,) of the pairs of vertices (k,2) that are among the edges (e,2). Either end may be first."""
+    """Return a mask (k,) of the vertex pairs (k,2) that are among the edges (e,2), in either direction."""
     keys, wanted = _edge_keys(edges, pairs)
     return np.isin(wanted, keys)
 
 
 def find_edges(pairs: ArrayLike, edges: ArrayLike) -> np.ndarray:
-    """Return the first of the edges (e,2) between each pair of vertices (k,2); -1 if there is none."""
+    """Return the index (k,) of the first of the edges (e,2) between each pair of vertices (k,2); -1 if none exists."""
     keys, wanted = _edge_keys(edges, pairs)
     if not len(keys):
         return np.full(len(wanted), -1)
@@ -28,14 +28,15 @@ def find_edges(pairs: ArrayLike, edges: ArrayLike) -> np.ndarray:
 
 
 def _edge_keys(*lists: ArrayLike) -> list[np.ndarray]:
-    """Return one number for each pair of vertices, in either order."""
+    """Return, for each list, one number for each pair of vertices. The order of the two vertices does not matter."""
     pairs = [np.asarray(each, dtype=np.int64).reshape(-1, 2) for each in lists]
     count = 1 + max(int(each.max(initial=0)) for each in pairs)
     return [np.sort(each, axis=1) @ np.array([count, 1]) for each in pairs]
 
 
 def next_corners(sizes: np.ndarray) -> np.ndarray:
-    """Return the next corner (l,) of its face for each corner of faces of these sizes (f,), one after the other."""
+    """Return, for each corner, the next corner of its face, (l,). sizes (f,): number of corners of each face; the
+    corners are numbered face by face."""
     starts = np.cumsum(sizes) - sizes
     following = np.arange(1, sizes.sum() + 1)
     following[starts + sizes - 1] = starts
@@ -44,7 +45,7 @@ def next_corners(sizes: np.ndarray) -> np.ndarray:
 
 @dataclass(frozen=True)
 class Chain:
-    """A connected run of edges; a closed run repeats its first vertex."""
+    """A connected run of edges. A closed run repeats its first vertex at the end."""
 
     edges: list[int]  # rows of the edge array, in order along the run
     vertices: list[int]  # one more than the number of edges, in order
@@ -95,8 +96,9 @@ class WireChain:
 def split_into_chains(edges: np.ndarray, positions: np.ndarray) -> list[Chain]:
     """Return the chains of edges (k,2). positions (n,3): places of the vertices.
 
-    At a vertex of two edges, a chain continues. If four or six edges meet, chains continue as straight as possible, so
-    that crossing lines stay whole. If an odd number meet, one chain ends, and so do chains that would turn.
+    At a vertex of two edges, the chain continues. If an even number of edges meet, chains continue as straight as
+    possible, so that crossing lines stay whole. If an odd number of edges meet, one chain ends, and chains that would
+    turn by 45 degrees or more end, too.
     """
     following, vertex_of_side = _pair_sides(edges, positions).tolist(), edges.ravel().tolist()
     used = [False] * len(edges)
@@ -122,21 +124,23 @@ def chains_of_marks(edges: np.ndarray, marks: EdgeMarks, positions: np.ndarray) 
 
 
 def shortest_double(value: np.float32) -> float:
-    """Return the float32 0.03 as the double 0.03, not 0.029999999329, because the user entered 0.03."""
+    """Return the shortest decimal number with this float32 value: 0.03 as entered by the user, not 0.029999999329."""
     number = float(str(np.float32(value)))
     # always the same NaN object, so that equal edges belong to one wire
     return math.nan if math.isnan(number) else number
 
 
 def _shortest_doubles(values: np.ndarray) -> list[float]:
-    """Return the same object for equal numbers, even for NaN, so that equal edges belong to one wire."""
+    """Return shortest_double of each value. Equal values get the same object, even NaN, so that equal edges belong to
+    one wire."""
     kinds, kind_of_value = np.unique(values, return_inverse=True)
     doubles = [shortest_double(kind) for kind in kinds]
     return [doubles[kind] for kind in kind_of_value.ravel().tolist()]
 
 
 def _pair_sides(edges: np.ndarray, positions: np.ndarray) -> np.ndarray:
-    """Return the next side of the chain for each side 2e+s (edge e at its vertex edges[e,s]); -1 at the end."""
+    """Return, for each side, the side of the next edge of its chain at the same vertex; -1 if the chain ends there.
+    Side 2e+s is edge e at its vertex edges[e,s]."""
     vertex_of_side = edges.ravel()
     following = np.full(len(vertex_of_side), -1, dtype=np.int64)
     order = np.argsort(vertex_of_side, kind="stable")
@@ -152,8 +156,8 @@ def _pair_sides(edges: np.ndarray, positions: np.ndarray) -> np.ndarray:
 
 
 def _straightest_pairs(sides: np.ndarray, edges: np.ndarray, positions: np.ndarray) -> list[tuple[int, int]]:
-    """Return pairs of edge sides at one vertex, the straightest first. If their number is odd, one side stays
-    single."""
+    """Return pairs of these sides of edges at one vertex, the straightest pair first. If their number is odd, one side
+    stays single."""
     here, there = edges.ravel()[sides], edges.ravel()[sides ^ 1]
     directions = positions[there] - positions[here]
     directions = directions / np.maximum(np.linalg.norm(directions, axis=1), np.finfo(float).tiny)[:, None]

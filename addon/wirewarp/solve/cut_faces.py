@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Finds the segments to draw for lines on a mesh, and how the lines divide its faces, without Blender."""
+"""Finds the segments to draw for lines on a mesh, and the parts into which the lines divide its faces."""
 
 from collections import Counter, defaultdict
 from collections.abc import Iterable, Sequence
@@ -18,18 +18,18 @@ Pairs = list[tuple[int, int]]  # vertices
 
 @dataclass(frozen=True)
 class Segments:
-    """Straight sections of lines, each in one face. A point is a mix of three vertices of that face."""
+    """Straight segments of lines, each in one face. Each end is a weighted mean of three vertices of this face."""
 
-    polygons: np.ndarray  # (s,) int32
-    vertices: np.ndarray  # (s,3) int32
-    weights: np.ndarray  # (s,2,3) of both ends, with the sum 1
+    polygons: np.ndarray  # (s,) int32, the face
+    vertices: np.ndarray  # (s,3) int32, the three vertices
+    weights: np.ndarray  # (s,2,3) weights of these vertices for both ends, with the sum 1
 
 
 @dataclass(frozen=True)
 class DividedTriangle:
     corners: tuple[int, int, int]
-    inside: dict[int, tuple[float, float, float]]  # points inside, as mixes of the corners
-    parts: list[tuple[int, int, int]]  # triangles between its corners and points on its sides and inside
+    inside: dict[int, tuple[float, float, float]]  # weights of the corners for each new point inside
+    parts: list[tuple[int, int, int]]  # smaller triangles, between corners, points on the sides and points inside
 
 
 @dataclass(frozen=True)
@@ -40,11 +40,12 @@ class DividedPolygon:
 
 @dataclass(frozen=True)
 class Division:
-    """How lines divide a mesh. Faces that lines cross are divided into triangles; the surface stays the same."""
+    """The division of a mesh by lines. Faces that lines cross are divided into triangles. The surface does not
+    change."""
 
     polygons: dict[int, DividedPolygon]
-    edges: list[list[tuple[int, float]]]  # points along each divided edge, with their share of its length
-    lines: Pairs  # edges of the lines; new points are numbered after all vertices of the mesh
+    edges: list[list[tuple[int, float]]]  # points along each divided edge, with their places as shares of its length
+    lines: Pairs  # edges of the lines; new points have higher numbers than the vertices of the mesh
 
 
 def segments_of(paths: Iterable[SurfacePath], arrays: MeshArrays) -> Segments:
@@ -77,7 +78,7 @@ def segments_along(edges: np.ndarray, arrays: MeshArrays) -> Segments:
 
 
 def places_on(segments: Segments, polygons: np.ndarray, vertices: np.ndarray, places: np.ndarray) -> np.ndarray:
-    """Return the ends (2k,3) of the segments, except on faces that the mesh lacks.
+    """Return the ends (2k,3) of the segments on a mesh. Segments on faces that the mesh lacks are left out.
 
     The arrays describe each corner of the mesh: its face and vertex (l,), numbered as in the segments, and its place
     (l,3).
@@ -97,7 +98,7 @@ def places_on(segments: Segments, polygons: np.ndarray, vertices: np.ndarray, pl
 
 
 def divide(arrays: MeshArrays, paths: Sequence[SurfacePath]) -> Division:
-    """Return how the lines become edges. Raises the library's FlattenError."""
+    """Return the division of the mesh by these lines. Raises the library's FlattenError."""
     _, faces, edges, sources = cut_mesh(arrays.vertices, arrays.triangles, list(paths))
     inside = set(range(len(arrays.vertices), len(sources.vertices)))
     inside -= {index for line in sources.divided_edges for index in line.tolist()}
@@ -133,7 +134,7 @@ def common_sides(triangles: Iterable[Sequence[int]]) -> Pairs:
 
 
 def _followed_diagonals(edges: np.ndarray, arrays: MeshArrays) -> np.ndarray:
-    """Return the edges (k,2) of lines that are diagonals of faces of the mesh."""
+    """Return the edges of lines that are diagonals of faces of the mesh, (k,2). edges: all edges of the lines."""
     count = len(arrays.vertices)
     whole = np.unique(np.sort(edges[(edges < count).all(axis=1)], axis=1), axis=0)
     return whole[~are_among(whole, arrays.edges)]

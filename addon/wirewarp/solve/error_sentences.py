@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Rewrites the library's errors for users of Blender: with faces, display units, wire names and Blender's commands.
 
-The sentences count elements instead of listing them, because a button selects them. Reports begin each with the name of
-the piece.
+The sentences count elements instead of listing them, because a button selects the elements. Reports write the name of
+the piece before each sentence.
 """
 
 import math
@@ -12,17 +12,17 @@ from typing import Any
 
 from ..core import FlattenError, LengthText, counted, quoted
 
-MOST_LISTED = 5  # most names listed, because nobody reads longer lists
+MOST_LISTED = 5  # maximum number of names in a list, because nobody reads longer lists
 
 
 @dataclass(frozen=True)
 class ErrorFacts:
-    """An error, and facts that only the add-on knows."""
+    """An error of the library, and facts that only the add-on knows."""
 
     error: FlattenError
-    faces: int  # number of the mesh's faces that contain error.faces
+    faces: int  # number of the mesh's faces that contain the triangles error.faces
     flipped: int  # number of flipped faces of the piece
-    overlapping: int
+    overlapping: int  # number of overlapping faces of the piece
     wires: list[str]  # names of all wires, in the library's order
     lengths: LengthText
     piece: str = "the piece"  # "the piece", or the name of the piece in quotes
@@ -31,7 +31,7 @@ class ErrorFacts:
         return self.error.arguments[name]
 
     def get(self, name: str) -> Any:  # noqa: ANN401
-        """Return the argument; None if the error has no argument of this name."""
+        """Return the error's argument of this name; None if it has no such argument."""
         return self.error.arguments.get(name)
 
     @property
@@ -64,7 +64,8 @@ def percent(fraction: float) -> str:
 
 
 def error_sentence(facts: ErrorFacts) -> str:
-    """Return the fault, its place and the remedy. An error that only scripts can cause keeps the library's sentence."""
+    """Return the fault, its place and the remedy. For errors that only scripts can cause, return the library's
+    sentence."""
     sentence = SENTENCES.get(str(facts.error.code))
     return sentence(facts) if sentence else facts.error.message
 
@@ -135,7 +136,7 @@ def _not_solvable(facts: ErrorFacts) -> str:
         case "sizes":
             return (
                 "The piece cannot be solved in double precision, because its faces differ too much in size. At "
-                f"{facts.face_text}, merge vertices that lie very close together, or remesh the piece."
+                f"{facts.face_text}, merge vertices that are very close together, or remesh the piece."
             )
     return "The piece cannot be solved in double precision. Remesh it, or cut it in two with a seam."
 
@@ -148,8 +149,9 @@ def _wrong_option(facts: ErrorFacts) -> str:
         )
     if facts["name"] == "method" and facts.error.edges:
         return (
-            "WireWarping++ keeps seams and outlines at one length, but there is a tolerance along them on "
-            f"{facts.wire_text(facts['wires'])}. Use the method Refined, or make them rigid and mark an ease."
+            "WireWarping++ keeps seams and outlines at one length, but a tolerance is set for "
+            f"{facts.wire_text(facts['wires'])} along them. Use the method Refined, or make such wires rigid and mark "
+            "an ease."
         )
     return facts.error.message
 
@@ -242,7 +244,7 @@ SENTENCES: dict[str, Callable[[ErrorFacts], str]] = {
         f"The piece overlaps itself at {facts.face_text}. Cut it in two with a seam, or add a dart there."
     ),
     "repeated_face": lambda facts: (
-        f"{counted(facts.faces, 'face has', 'faces have')} the same vertices as another one. "
+        f"{counted(facts.faces, 'face has', 'faces have')} the same vertices as another face. "
         "In Edit Mode, use Mesh > Delete > Only Faces."
     ),
     "repeated_vertex_in_face": lambda facts: (

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Makes one mesh from the flat pieces, with its measures.
+"""Makes one mesh from the flat pieces, with measures.
 
 The flat mesh has the source's faces, including quads and n-gons, so that it has only edges of the source. Measures of
-triangles are combined for each face: energies are added, and of ratios the worst is kept.
+triangles are combined for each face: energies are added, and the worst ratio is kept.
 """
 
 from collections.abc import Sequence
@@ -20,11 +20,11 @@ from .identity import PieceIdentity
 def edge_length_variation(
     result: FlattenResult, arrays: MeshArrays, choices: FlattenChoices, flat: np.ndarray, places: np.ndarray
 ) -> np.ndarray:
-    """Return the variation of the flat edges, (e,) float32.
+    """Return the relative difference of the flat edges from their target lengths, (e,) float32.
 
     flat (e,2): the edges as vectors; places (e,2): the piece of each edge, and its edge on the model. Edges of outlines
-    and wires have the library's value. Other edges are compared with the model's, with the fabric's built-in stretch
-    included.
+    and wires have the library's value. The targets of other edges are their lengths on the model, shortened by the
+    fabric's negative ease.
     """
     worn = (choices.cloth.worn_across, choices.cloth.worn_along) if choices.cloth else (0.0, 0.0)
     spatial = _model_lengths(result, arrays, choices)[places[:, 1]]
@@ -36,7 +36,8 @@ def edge_length_variation(
 
 
 def _on_lines(result: FlattenResult, arrays: MeshArrays) -> tuple[np.ndarray, np.ndarray]:
-    """Return ascending keys of piece and model edge on wires and outlines, and their E_L (the worse of two sides)."""
+    """Return the ascending keys (piece and model edge) of the edges on wires and outlines, and their variations of
+    length. If an edge has two sides in the piece, the larger variation is returned."""
     pieces = np.repeat(np.arange(len(result.pieces)), [len(piece.metrics.wire_edges) for piece in result.pieces])
     pairs = [np.reshape(piece.metrics.wire_edges, (-1, 2)) for piece in result.pieces]
     keys = pieces * len(arrays.edges) + find_edges(np.concatenate(pairs), arrays.edges)
@@ -49,8 +50,8 @@ def _on_lines(result: FlattenResult, arrays: MeshArrays) -> tuple[np.ndarray, np
 def _model_lengths(result: FlattenResult, arrays: MeshArrays, choices: FlattenChoices) -> np.ndarray:
     """Return the lengths (k,) of the model's edges; for thick materials, the lengths in the middle of the thickness.
 
-    An edge is as long as dx f_u + dy f_v, where (dx, dy) is the flat edge. The lengths of f_u and f_v and the angle
-    between them follow from the measures of the threads.
+    A flat edge (dx, dy) has the length of the vector dx f_u + dy f_v on the model. f_u and f_v are the derivatives of
+    the map to the model. The measures of the threads determine their lengths and the angle between them.
     """
     lengths = edge_lengths(arrays.vertices, arrays.edges)
     if choices.thickness == 0 or choices.surface == "middle":
@@ -73,7 +74,7 @@ def _threads_of_triangles(result: FlattenResult) -> list[np.ndarray]:
 
 
 def _of_triangles(result: FlattenResult, name: str) -> np.ndarray:
-    """Return a measure (m,) of the triangles of all pieces."""
+    """Return a measure (m,) of the triangles of all pieces. name: its field in the pieces' metrics."""
     values = np.full(len(result.corner_uv), np.nan)
     for piece in result.pieces:
         values[piece.source_face] = getattr(piece.metrics, name)
@@ -85,28 +86,28 @@ class FlatMesh:
     """The pieces that have a layout, as one mesh."""
 
     vertices: np.ndarray  # (p,2) float64, Blender units
-    source_vertex: np.ndarray  # (p,) int32
+    source_vertex: np.ndarray  # (p,) int32, vertex of the source
     vertex_piece: np.ndarray  # (p,) int32, index of the piece, ascending
     edges: np.ndarray  # (e,2) int32
-    source_edge: np.ndarray  # (e,) int32
-    loop_vertices: np.ndarray  # (l,) int32
-    loop_edges: np.ndarray  # (l,) int32, the edge from each corner to the next of its face
-    face_starts: np.ndarray  # (f,) int32
-    face_sizes: np.ndarray  # (f,) int32
+    source_edge: np.ndarray  # (e,) int32, edge of the source
+    loop_vertices: np.ndarray  # (l,) int32, the vertex of each corner
+    loop_edges: np.ndarray  # (l,) int32, the edge from each corner to the next corner of its face
+    face_starts: np.ndarray  # (f,) int32, first corner of each face
+    face_sizes: np.ndarray  # (f,) int32, number of corners of each face
     source_corner: np.ndarray  # (l,) int32, corner (loop) of the source
     side_eases: np.ndarray  # (l,) float32, as in MeshArrays
     source_face: np.ndarray  # (f,) int32, face of the source
     face_piece: np.ndarray  # (f,) int32, index of the piece
     piece_id: np.ndarray  # (f,) int32, the piece's id for the next run
     failed: np.ndarray  # (f,) bool, whether the piece failed
-    arap_energy: np.ndarray  # (f,) float32, Eq. (6)
-    energy_density: np.ndarray  # (f,) float32, Eq. (6) by 3D area
-    aspect_ratio: np.ndarray  # (f,) float32
+    arap_energy: np.ndarray  # (f,) float32, ARAP energy
+    energy_density: np.ndarray  # (f,) float32, ARAP energy divided by the area on the model
+    aspect_ratio: np.ndarray  # (f,) float32, of the worst triangle
     # (f,) float32: mean stretch over all directions; 0.1 if the fabric is stretched by 10% on the model
     stretch: np.ndarray
     length_variation: np.ndarray  # (e,) float32: 0.1 if an edge differs by 10% from its target length
     threads: "Threads | None"  # None without a fabric
-    piece_areas: np.ndarray  # (n,) by index of the piece; below 0 for a flipped piece
+    piece_areas: np.ndarray  # (n,) areas of the pieces by index; below 0 for a flipped piece
 
 
 @dataclass(frozen=True)
@@ -121,7 +122,7 @@ class Threads:
 def flat_mesh(
     result: FlattenResult, arrays: MeshArrays, identities: Sequence[PieceIdentity], choices: FlattenChoices
 ) -> FlatMesh:
-    """Return the pieces of a FlattenResult side by side, as packed."""
+    """Return the pieces of a FlattenResult as one mesh, in the places where the library has packed them."""
     vertices, source_vertex, vertex_piece, flat_triangles, piece_of_triangle = _join_pieces(result)
     placed = has_layout(result.corner_uv)
     polygon_count = len(arrays.polygon_starts)
@@ -176,7 +177,8 @@ def flat_mesh(
 
 
 def _threads(result: FlattenResult, first_triangle: np.ndarray, kept: np.ndarray) -> Threads:
-    """Return the measures. first_triangle (f,), kept (f,): one entry per polygon of the model."""
+    """Return the measures of the threads. first_triangle (f,): first triangle of each polygon of the model; kept (f,):
+    mask of the polygons in the flat mesh."""
     measures = []
     for measure in _threads_of_triangles(result):
         values = np.where(np.isfinite(measure), measure, 0)
@@ -187,8 +189,8 @@ def _threads(result: FlattenResult, first_triangle: np.ndarray, kept: np.ndarray
 
 
 def _join_pieces(result: FlattenResult) -> tuple[np.ndarray, ...]:
-    """Return the vertices of all pieces, their vertices of the model and their pieces, and of each triangle its corners
-    and piece."""
+    """Return, for the vertices of all pieces, their places, their vertices on the model and their pieces. Also return,
+    for each triangle of the model, its flat vertices and its piece."""
     count = len(result.corner_uv)
     flat_triangles = np.full((count, 3), -1, dtype=np.int32)
     piece_of_triangle = np.zeros(count, dtype=np.int32)
@@ -213,9 +215,9 @@ def _join_pieces(result: FlattenResult) -> tuple[np.ndarray, ...]:
 
 
 def _model_areas(result: FlattenResult, arrays: MeshArrays, flat: np.ndarray) -> np.ndarray:
-    """Return the areas (m,) of the flattened triangles on the model; for thick materials, in their middle. The map from
-    flat to model multiplies areas by p q cos γ. Flat triangles without area have the model's area. flat (m,): flat
-    areas."""
+    """Return the areas (m,) of the triangles on the model; for thick materials, in the middle of the thickness. flat
+    (m,): flat areas, which the map to the model multiplies by the stretch factors of both threads and the cosine of the
+    shear angle. Triangles without a flat area have the area of the mesh."""
     weft, warp, shear = _threads_of_triangles(result)
     with np.errstate(invalid="ignore"):
         measured = np.abs(flat) * (1 + weft) * (1 + warp) * np.cos(shear)
@@ -223,7 +225,8 @@ def _model_areas(result: FlattenResult, arrays: MeshArrays, flat: np.ndarray) ->
 
 
 def _loops_of(arrays: MeshArrays, kept: np.ndarray) -> np.ndarray:
-    """Return the loops of the kept polygons, one polygon after the other; in reverse order for mirrored objects."""
+    """Return the corners of the kept polygons, one polygon after the other. For mirrored objects, the corners of each
+    polygon are in reverse order."""
     sizes = arrays.polygon_sizes[kept]
     starts = np.repeat(arrays.polygon_starts[kept], sizes)
     step = np.arange(sizes.sum()) - np.repeat(np.cumsum(sizes) - sizes, sizes)
@@ -231,22 +234,22 @@ def _loops_of(arrays: MeshArrays, kept: np.ndarray) -> np.ndarray:
 
 
 def _edge_corners(source_corner: np.ndarray, sizes: np.ndarray, arrays: MeshArrays) -> np.ndarray:
-    """Return for each corner (l,) the source's corner at which its side begins. In reversed faces, a side begins at its
-    end on the source."""
+    """Return, for each corner (l,), the corner at which its side begins on the source. If faces are reversed, this is
+    the source of the corner at which the side ends on the flat mesh."""
     return source_corner[next_corners(sizes)] if arrays.mirrored else source_corner
 
 
 def _edges(
     loop_vertices: np.ndarray, source_corner: np.ndarray, sizes: np.ndarray, arrays: MeshArrays
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return edges (e,2), the edge at each corner (l,), and the source's edge of each edge (e,), all int32. Two sides
-    of faces share an edge if they have the same ends and come from the same edge of the source."""
+    """Return the flat edges (e,2), the edge at each corner (l,), and the source's edge of each flat edge (e,), all
+    int32. Sides of two faces share an edge if they have the same ends and the same edge of the source."""
     following = next_corners(sizes)
     source_edge = arrays.loop_edges[_edge_corners(source_corner, sizes, arrays)]
     ends = loop_vertices, loop_vertices[following]
     low, high = np.minimum(*ends), np.maximum(*ends)
     first = np.empty(len(arrays.edges), dtype=np.int64)
-    first[source_edge] = np.arange(len(source_edge))  # one corner of each edge, any of them
+    first[source_edge] = np.arange(len(source_edge))  # any corner at which the edge begins
     first = first[source_edge]
     other = np.flatnonzero((low != low[first]) | (high != high[first]))  # corners on the other side of seams
     _, rows, inverse = np.unique(
@@ -260,7 +263,7 @@ def _edges(
 
 
 def _signed_areas(vertices: np.ndarray, triangles: np.ndarray) -> np.ndarray:
-    """Return the signed areas (m,) of triangles of vertices (p,2)."""
+    """Return the signed areas (m,) of triangles (m,3) of vertices (p,2)."""
     x, y = (np.ascontiguousarray(column)[triangles] for column in vertices.T)
     return ((x[:, 1] - x[:, 0]) * (y[:, 2] - y[:, 0]) - (x[:, 2] - x[:, 0]) * (y[:, 1] - y[:, 0])) / 2
 
@@ -275,7 +278,7 @@ class FlatMarks:
 
 
 def flat_marks(source_edges: np.ndarray, arrays: MeshArrays) -> FlatMarks:
-    """Return the marks. source_edges (e,): the model's edge of each flat edge."""
+    """Return the marks of the flat edges. source_edges (e,): the model's edge of each flat edge."""
     seams, seam_ids = np.zeros(len(arrays.edges), dtype=bool), np.zeros(len(arrays.edges), dtype=np.int32)
     seams[arrays.seam_edges], seam_ids[arrays.seam_edges] = True, arrays.seam_ids
     marks = EdgeMarks.none(len(arrays.edges))

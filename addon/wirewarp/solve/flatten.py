@@ -30,16 +30,16 @@ from .chains import are_among, find_edges, shortest_double
 from .error_sentences import ErrorFacts, error_sentence
 from .steps import Steps
 
-EASE_AGAIN = "Mark the ease again: anything above -100%, 0 for none."
+EASE_AGAIN = "Mark the ease again with a value above -100%. 0 means no ease."
 Result = TypeVar("Result")
-_ending: list[Job] = []  # canceled jobs; they are kept, because deleting a job waits for its end
+_ending: list[Job] = []  # canceled jobs, which are kept because deleting a job would wait for its end
 
 
 @dataclass(frozen=True)
 class ClothChoice:
     """A fabric of the library, chosen by its name, or a custom fabric."""
 
-    name: str  # "woven" and so on, or "custom"
+    name: str  # name of a preset, or "custom"
     gives_across: float  # maximum stretch as a fraction; 0 for unknown
     gives_along: float
     worn_across: float = 0.0  # negative ease: stretch when worn, as a fraction
@@ -54,7 +54,7 @@ LAYS_OUT = {"lays_out": True}
 
 @dataclass(frozen=True)
 class FlattenChoices:
-    """The operator's settings, with the names that the core library uses."""
+    """The operator's settings, with the names of the core library's options."""
 
     method: str
     fairness: float
@@ -65,7 +65,7 @@ class FlattenChoices:
     layout: str = field(metadata=LAYS_OUT)
     orientation: str = field(metadata=LAYS_OUT)
     grain_angle: float = field(metadata=LAYS_OUT)
-    spacing: float = field(metadata=LAYS_OUT)  # between the cutting lines of pieces, in Blender units
+    spacing: float = field(metadata=LAYS_OUT)  # space between the cutting lines of pieces, in Blender units
     mirror: bool = field(metadata=LAYS_OUT)
 
 
@@ -74,8 +74,8 @@ LAYOUT_OPTIONS = (*(each.name for each in fields(FlattenChoices) if each.metadat
 
 
 def flatten_arrays(arrays: MeshArrays, choices: FlattenChoices, solved: Cache | None = None) -> Steps[FlattenResult]:
-    """Return the library's FlattenResult. solved: a Cache of earlier pieces, which are not solved again if they are
-    unchanged. Raises ObjectError if the mesh as a whole is refused. The library continues to work between steps."""
+    """Return the library's FlattenResult. The library continues to work between the steps. solved: a cache of earlier
+    pieces, so that unchanged pieces are not solved again. Raises ObjectError if the library refuses the whole mesh."""
     try:
         arguments = library_arguments(arrays, choices)
         return (yield from result_of(start(arrays.vertices, arrays.triangles, **arguments, cache=solved)))
@@ -84,7 +84,7 @@ def flatten_arrays(arrays: MeshArrays, choices: FlattenChoices, solved: Cache | 
 
 
 def library_arguments(arrays: MeshArrays, choices: FlattenChoices) -> dict[str, Any]:
-    """Return arguments that the library's calls share, except the triangles. Raises ObjectError and FlattenError."""
+    """Return the arguments that all calls of the library share, except the mesh. Raises ObjectError or FlattenError."""
     return {
         "seams": arrays.seams,
         "options": _library_options(used_choices(choices, arrays), arrays),
@@ -93,12 +93,12 @@ def library_arguments(arrays: MeshArrays, choices: FlattenChoices) -> dict[str, 
 
 
 def library_marks(arrays: MeshArrays) -> dict[str, Any]:
-    """Return the wires and eases. Raises ObjectError."""
+    """Return the wires and eases as arguments of the library. Raises ObjectError if one is invalid."""
     return {"wires": [_library_wire(wire) for wire in arrays.wires], "eases": _library_eases(arrays)}
 
 
 def result_of(job: "Job[Result]") -> Steps[Result]:
-    """Return the job's result. Closing the steps cancels it. Raises the library's FlattenError."""
+    """Return the job's result. Closing the steps cancels the job. Raises the library's FlattenError."""
     try:
         while not job.is_done():
             yield job.progress()[1]
@@ -108,7 +108,7 @@ def result_of(job: "Job[Result]") -> Steps[Result]:
 
 
 def _let_end(job: Job) -> None:
-    """Let the job end without waiting for it, because that takes seconds for half a million faces."""
+    """Cancel the job without waiting for its end, because waiting takes seconds for half a million faces."""
     job.cancel()
     _ending[:] = [each for each in (*_ending, job) if not each.is_done()]
 
@@ -119,7 +119,7 @@ def drop_jobs(*_: object) -> None:
 
 
 def _library_options(choices: FlattenChoices, arrays: MeshArrays) -> Options:
-    """Return the options. The gap is converted to a share of the side of a square with the area of all pieces."""
+    """Return the library's options. Its gap is a share of the side of a square with the area of all pieces."""
     options = asdict(choices)
     side, gap = _side(arrays), gap_between(arrays, options.pop("spacing"))
     options |= {"gap": gap / side if side > 0 else 0.0, "grain": _grain_index(arrays)}
@@ -129,20 +129,21 @@ def _library_options(choices: FlattenChoices, arrays: MeshArrays) -> Options:
 
 
 def library_cloth(cloth: ClothChoice) -> Cloth:
-    """Return the cloth without its maximum stretch, because the report checks that."""
+    """Return the library's cloth without its maximum stretch, because only the report needs the maximum stretch."""
     own = _without_stretch(cloth)
     worn = cloth.worn_across, cloth.worn_along
     return Cloth(own.weft, own.warp, own.shear, squeeze=own.squeeze, stretch=worn, locking=own.locking)
 
 
 def maximum_stretch(cloth: ClothChoice) -> tuple[float | None, float | None]:
-    """Return the stretch across and along the grain, from the settings or the preset; None if unknown."""
+    """Return the maximum stretch across and along the grain as fractions, from the settings or else from the preset;
+    None if unknown."""
     across, along = _without_stretch(cloth).limits or (None, None)
     return cloth.gives_across or across, cloth.gives_along or along
 
 
 def known_stretch(cloth: ClothChoice | None) -> list[float]:
-    """Return the known maximum stretches of the fabric, smallest first. The verdict assumes 3% for unknown fabric."""
+    """Return the known maximum stretches of the fabric as fractions, the smaller first; empty if they are unknown."""
     return sorted(limit for limit in maximum_stretch(cloth) if limit is not None) if cloth else []
 
 
@@ -158,7 +159,8 @@ def _without_stretch(cloth: ClothChoice) -> Cloth:
 
 
 def gap_between(arrays: MeshArrays, spacing: float) -> float:
-    """Return the gap between pieces that leaves `spacing` between their cutting lines, at most the library's limit."""
+    """Return the gap between pieces that leaves `spacing` between their cutting lines, at most the library's maximum.
+    All lengths are in Blender units."""
     return min(spacing + 2 * arrays.allowance, _side(arrays))
 
 
@@ -168,7 +170,7 @@ def _side(arrays: MeshArrays) -> float:
 
 
 def used_choices(choices: FlattenChoices, arrays: MeshArrays) -> FlattenChoices:
-    """Return the choices. Without a grain wire, "grain" is the same as "up"."""
+    """Return the choices with the orientation "up" instead of "grain" if the model has no grain wire."""
     if choices.orientation == "grain" and _grain_index(arrays) == -1:
         return replace(choices, orientation="up")
     return choices
@@ -183,7 +185,7 @@ def _grain_index(arrays: MeshArrays) -> int:
 def _library_wire(wire: NamedWire) -> Wire:
     try:
         return Wire(wire.chain.vertices, tolerance=wire.chain.tolerance, name=wire.name, ease=wire.chain.ease)
-    except FlattenError as error:  # the library's error names neither the wire nor the place
+    except FlattenError as error:  # the library's error does not contain the wire's name and edges
         edges = list(pairwise(wire.chain.vertices))
         is_ease = str(error.code) == "invalid_ease"
         remedy = EASE_AGAIN if is_ease else "Click it in the list of wires and choose Rigid, Elastic or Free."
@@ -192,7 +194,7 @@ def _library_wire(wire: NamedWire) -> Wire:
 
 
 def _library_eases(arrays: MeshArrays) -> list[Ease]:
-    """Return one ease for each ratio."""
+    """Return the eases of single sides, one for all sides with the same ratio. Raises ObjectError if one is invalid."""
     half_edges, eases = eased_half_edges(arrays)
     ratios, number = np.unique(eases, return_inverse=True)
     return [_library_ease(half_edges[number == k], shortest_double(ratio)) for k, ratio in enumerate(ratios)]
@@ -209,14 +211,14 @@ def eased_half_edges(arrays: MeshArrays) -> tuple[np.ndarray, np.ndarray]:
 def _library_ease(half_edges: np.ndarray, ratio: float) -> Ease:
     try:
         return Ease(half_edges, ratio)
-    except FlattenError as error:  # the library's error does not name the place
+    except FlattenError as error:  # the library's error does not contain the edges
         edges = [tuple(pair) for pair in half_edges.tolist()]
         sentence = f"The ease of one side is invalid along {counted(len(edges), 'edge')}. {EASE_AGAIN}"
         raise ObjectError(Issue(str(error.code), sentence, edges=edges)) from error
 
 
 def issue_of_piece(piece: Piece, index: int, arrays: MeshArrays) -> Issue:
-    """Return the error of a failed piece, with all of the piece's faces that break a guarantee."""
+    """Return the error of a failed piece as an issue, with all flipped and overlapping faces of the piece."""
     flipped = polygons_of(arrays, piece.metrics.flipped_faces)
     overlapping = polygons_of(arrays, piece.metrics.overlapping_faces)
     issue = issue_of_error(piece.error, arrays, len(flipped), len(overlapping))
@@ -226,7 +228,8 @@ def issue_of_piece(piece: Piece, index: int, arrays: MeshArrays) -> Issue:
 def issue_of_error(
     error: FlattenError, arrays: MeshArrays, flipped: int = 0, overlapping: int = 0, piece: str = "the piece"
 ) -> Issue:
-    """Return the library's error in the add-on's words. flipped, overlapping: counts of such faces in its piece."""
+    """Return the library's error as an issue in the add-on's words. flipped, overlapping: numbers of such faces in the
+    piece; piece: see ErrorFacts."""
     faces = polygons_of(arrays, error.faces)
     names = [wire.name for wire in arrays.wires]
     return Issue(
@@ -242,11 +245,12 @@ def issue_of_error(
 
 
 def polygons_of(arrays: MeshArrays, triangles: Sequence[int] | np.ndarray) -> list[int]:
+    """Return the polygons that contain these triangles, each once."""
     return np.unique(arrays.triangle_polygons[np.asarray(triangles, dtype=np.int64)]).tolist()
 
 
 def has_layout(corner_uv: np.ndarray) -> np.ndarray:
-    """Return a mask (m,) of triangles with coordinates."""
+    """Return a mask (m,) of the triangles whose flat coordinates (m,3,2) are finite."""
     return np.isfinite(corner_uv.reshape(-1, 6) @ np.ones(6))  # a sum is finite only if its terms are
 
 
@@ -256,8 +260,8 @@ def has_cloth(result: FlattenResult) -> bool:
 
 
 def seams_on_edges(proposed: Iterable[tuple[int, int]], arrays: MeshArrays) -> list[tuple[int, int]]:
-    """Return the proposed vertex pairs as edges of the mesh, each once. The library sees triangles, so a pair may be
-    the diagonal of a face. The shorter way around the face replaces it."""
+    """Return the proposed vertex pairs as edges of the mesh, each once. A pair may be the diagonal of a face, because
+    the library works on triangles. It is replaced with the shorter way around the face."""
     pairs = np.asarray(list(proposed), dtype=np.int64).reshape(-1, 2)
     is_edge = are_among(pairs, arrays.edges)
     edges = pairs[is_edge].tolist()
@@ -267,12 +271,12 @@ def seams_on_edges(proposed: Iterable[tuple[int, int]], arrays: MeshArrays) -> l
 
 
 def polygons_across(diagonals: np.ndarray, arrays: MeshArrays) -> np.ndarray:
-    """Return the polygon (k,) that contains each diagonal. The diagonals (k, 2) are pairs of vertices."""
+    """Return the polygon (k,) that contains each diagonal. diagonals (k,2): pairs of vertices."""
     return arrays.triangle_polygons[find_edges(diagonals, arrays.triangles[:, [0, 1, 1, 2, 2, 0]]) // 3]
 
 
 def _way_round(diagonal: np.ndarray, polygon: int, arrays: MeshArrays) -> list[int]:
-    """Return the vertices of a polygon from one end of its diagonal to the other."""
+    """Return the vertices along the shorter way around a polygon from one end of its diagonal to the other."""
     start = arrays.polygon_starts[polygon]
     corners = arrays.loop_vertices[start : start + arrays.polygon_sizes[polygon]].tolist()
     first, last = sorted(corners.index(vertex) for vertex in diagonal)
@@ -281,7 +285,7 @@ def _way_round(diagonal: np.ndarray, polygon: int, arrays: MeshArrays) -> list[i
 
 
 def looser_wires(proposed: Iterable[tuple[int, float]], arrays: MeshArrays) -> list[LooserWire]:
-    """Return the proposed pairs of a wire's index and its tolerance."""
+    """Return the wires with their proposed tolerances. proposed: pairs of a wire's index and its tolerance."""
     return [
         LooserWire(name=wire.name, tolerance=round_up(tolerance), edges=list(pairwise(wire.chain.vertices)))
         for wire, tolerance in ((arrays.wires[index], tolerance) for index, tolerance in proposed)
@@ -289,7 +293,8 @@ def looser_wires(proposed: Iterable[tuple[int, float]], arrays: MeshArrays) -> l
 
 
 def round_up(tolerance: float) -> float:
-    """Round up to the three digits that the panel shows, so that the tolerance is large enough. Keep inf (free)."""
+    """Return the tolerance, rounded up to the three digits that the panel shows, so that it is large enough. inf (free)
+    stays."""
     if math.isinf(tolerance):
         return tolerance
     step = 10.0 ** (math.floor(math.log10(tolerance)) - 2)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Assigns ids and names to the pieces and seams of a result.
 
-A seam keeps its number. The ids on the model's edges identify it, even if its index in the result changes, and a
-number is never used again.
+The ids on the model's edges identify a seam, so that it keeps its name even if its index in the result changes. No
+other seam gets the number of a removed seam.
 """
 
 import random
@@ -22,12 +22,14 @@ from .limbs import limb_names
 # (-Y): the left hand is at +X.
 SIDES = (("Right", "Left"), ("Front", "Back"), ("Bottom", "Top"))
 HALVES = (("Right", "Left"), ("Front", "Back"), ("Lower", "Upper"))  # distinguish pieces on the same side
-# shortest mean normal of a piece that faces one side; others, such as sleeves, are named after their place
+# least length of the mean normal of a piece that faces one side; other pieces, such as sleeves, are named after their
+# place
 FACES_ONE_WAY = 0.3
 WORD_ORDER = (2, 1, 0)  # axes of the words in a name: "Upper Front Left"
-IN_THE_MIDDLE = 0.13  # share of the distance between the outermost pieces; one closer to their middle gets no word
-BESIDE = 0.05  # share of the model's size; a piece closer to the middle, such as a ball, has no side
-ROUNDED = 3  # digits of offsets that are compared, because models are seldom exactly symmetric
+# share of the distance between the outermost pieces; a piece closer to their middle gets no word
+IN_THE_MIDDLE = 0.13
+BESIDE = 0.05  # share of the model's size; a piece closer to the model's middle, such as a ball, has no side
+ROUNDED = 3  # number of digits of offsets that are compared, because models are seldom exactly symmetric
 NO_SIDE = "Around"
 
 
@@ -36,8 +38,8 @@ def side_names(normals: np.ndarray, offsets: np.ndarray) -> list[str]:
 
     Several pieces may have the same name.
 
-    normals (p,3): the mean normal of each piece, of length 1 if it is flat. offsets (p,3): from the middle of the
-    model to that of the piece, as a share of the model's size.
+    normals (p,3): the mean normal of each piece, of length 1 if the piece is flat. offsets (p,3): from the middle of
+    the model to the middle of the piece, as a share of the model's size.
     """
     names = [_side(normal, offset) for normal, offset in zip(normals, offsets, strict=True)]
     for side in dict.fromkeys(names):
@@ -46,12 +48,13 @@ def side_names(normals: np.ndarray, offsets: np.ndarray) -> list[str]:
             names[index] = f"{side} {half}".rstrip()
     words = {name: sorted(name.split()) for name in names}
     alike = {name for name in names for other in words if other != name and words[other] == words[name]}
-    # "Left Front" is on the left, "Front Left" on the front
+    # rename "Left Front" to "Left Side Front" if there is a "Front Left"
     return [re.sub("^(Left|Right) ", r"\1 Side ", name) if name in alike else name for name in names]
 
 
 def region_side_names(regions: Sequence[str | None], normals: np.ndarray, offsets: np.ndarray) -> list[str | None]:
-    """Return the names of regions. If pieces share a region, add the side: "Left Sleeve" and "Right Sleeve"."""
+    """Return the name of each piece's region. If pieces share a region, add their sides, as in "Left Sleeve" and "Right
+    Sleeve". normals, offsets: see side_names."""
     names = list(regions)
     for region in filter(None, dict.fromkeys(regions)):
         own = [index for index, name in enumerate(regions) if name == region]
@@ -72,9 +75,9 @@ def _side(normal: np.ndarray, offset: np.ndarray) -> str:
 
 
 def _places_on(side: str, offsets: np.ndarray) -> list[str]:
-    """Return words that distinguish pieces on one side by their place, such as "Upper Front"; some may be equal.
+    """Return words that distinguish pieces on one side by their place, such as "Upper Front". Some may be equal.
 
-    Names of a mirrored pair differ only in the side.
+    The words for a mirrored pair differ only in "Left" and "Right".
     """
     axes: list[int] = []
     names, spread = [""] * len(offsets), np.ptp(offsets, axis=0).round(ROUNDED)
@@ -89,14 +92,14 @@ def _places_on(side: str, offsets: np.ndarray) -> list[str]:
 
 
 def _words(axes: Sequence[int], offsets: np.ndarray) -> list[str]:
-    """Return one word an axis for each piece, and none for a piece near the middle of the others.
+    """Return the words for each piece, one for each axis on which the piece is not near the middle of all pieces.
 
-    Of more than two pieces, left and right refer to the middle of the model.
+    If there are more than two pieces, left and right are relative to the middle of the model.
     """
     words = [""] * len(offsets)
     for axis in axes:
         low, high = offsets[:, axis].min(), offsets[:, axis].max()
-        if high - low < BESIDE:  # one piece is inside or behind the other
+        if high - low < BESIDE:  # the pieces are at the same place along this axis
             continue
         middle, near = (low + high) / 2, IN_THE_MIDDLE * (high - low)
         if axis == 0 and len(offsets) > 2:
@@ -114,7 +117,7 @@ def from_top(offsets: np.ndarray) -> list[int]:
 
 
 def numbered(wanted: Sequence[str], taken: Sequence[str]) -> list[str]:
-    """Return the names, with numbers if several pieces would have the same name, or if it is in use."""
+    """Return the wanted names, with numbers if several pieces would have the same name, or if a name is taken."""
     used, asked = set(taken), Counter(wanted)
     following: dict[str, int] = {}
     names = []
@@ -132,7 +135,8 @@ def numbered(wanted: Sequence[str], taken: Sequence[str]) -> list[str]:
 
 
 def region_names(piece_of_face: np.ndarray, piece_count: int, regions: FaceRegions) -> list[str | None]:
-    """Return, for each piece, the region that contains most of its faces; None if no region distinguishes pieces."""
+    """Return, for each piece, the name of a region that contains most of its faces, but not most faces of every piece.
+    Return None for pieces without such a region."""
     faces_in_piece = np.bincount(piece_of_face[regions.sample], minlength=piece_count)
     names: list[str | None] = [None] * piece_count
     for kind in (regions.materials, regions.groups):  # groups come last, because they are more specific
@@ -144,7 +148,7 @@ def region_names(piece_of_face: np.ndarray, piece_count: int, regions: FaceRegio
 def _names_by(
     regions: Sequence[Region], piece_of_face: np.ndarray, faces_in_piece: np.ndarray
 ) -> list[tuple[int, str]]:
-    """Return pairs (piece, name). If a piece has several regions, it is named after the one with the fewest other
+    """Return pairs (piece, name). If a piece has several regions, it is named after the region with the fewest
     pieces."""
     if not regions:
         return []
@@ -163,7 +167,7 @@ MAX_ID = 2**31 - 1  # largest value of an INT attribute
 class KnownPieces:
     """Ids and names of pieces before a run."""
 
-    ids: np.ndarray  # (f,) int32, one per face of the model; 0 on faces that have not been in a piece yet
+    ids: np.ndarray  # (f,) int32, piece ids of the model's faces; 0 on faces that have not been in a piece yet
     names: Mapping[int, str]  # names of the pieces of the last run, by id
     model_name: str  # former name of the model
 
@@ -180,9 +184,9 @@ class _Shape:
 
     triangle_areas: np.ndarray  # (m,)
     areas: np.ndarray  # (p,)
-    normals: np.ndarray  # (p,3), the mean over the area
-    offsets: np.ndarray  # (p,3), from the middle of the model, as a share of its size
-    places: np.ndarray  # (n,3) of the vertices, in the same coordinates
+    normals: np.ndarray  # (p,3), mean normals over the area
+    offsets: np.ndarray  # (p,3), middles of the pieces, from the middle of the model, as a share of its size
+    places: np.ndarray  # (n,3), places of the vertices, in the same coordinates
 
 
 def identify_pieces(
@@ -225,19 +229,18 @@ def ids_by_face(result: FlattenResult, arrays: MeshArrays, identities: Sequence[
 
 
 def assign_ids(owners: np.ndarray, ids: np.ndarray, weights: np.ndarray, count: int, taken: set[int]) -> list[int]:
-    """Return, for each owner, the id with the largest share of its weight.
+    """Return, for each owner, the id with the largest weight among its elements. Of two owners with the same id, the
+    heavier owner keeps it. Other owners get new ids.
 
-    Of two owners with the same id, the heavier keeps it.
-
-    owners (k,) from 0 to count - 1, ids (k,), 0 or less for none, and weights (k,) of the elements; taken: further ids
-    that new ones must not repeat.
+    The arrays describe elements, which are faces of pieces or edges of seams: owners (k,) from 0 to count - 1; ids
+    (k,), 0 or less for none; weights (k,). taken: further ids that new ids must not repeat.
     """
     marked = ids > 0  # other values are not ids
     pairs = owners[marked].astype(np.int64) << 32 | ids[marked].astype(np.int64)
     present, place = np.unique(pairs, return_inverse=True)
     order = np.argsort(np.bincount(place, weights[marked], minlength=len(present)), kind="stable")
     carried = np.zeros(count, dtype=np.int64)
-    carried[present[order] >> 32] = present[order] & 0xFFFFFFFF  # the last assignment, the largest, wins
+    carried[present[order] >> 32] = present[order] & 0xFFFFFFFF  # the last assignment has the largest weight and wins
     taken, given = taken | set(np.unique(ids).tolist()), set()
     assigned = carried.tolist()
     for owner in np.argsort(-np.bincount(owners, weights, minlength=count), kind="stable").tolist():
@@ -274,7 +277,7 @@ def _measure(piece_of_triangle: np.ndarray, count: int, arrays: MeshArrays) -> _
 
 
 def _first_of_each(names: list[str]) -> list[str]:
-    """Return the names, with "" for repeated ones, because the user may have used a name twice."""
+    """Return the names with "" instead of repeated names, because the user may have used a name twice."""
     first = {name: index for index, name in reversed(list(enumerate(names)))}
     return [name if first[name] == index else "" for index, name in enumerate(names)]
 
@@ -287,7 +290,7 @@ GIVEN = re.compile(rf"({'|'.join(KINDS)}) (\d+)")  # matches a name that the use
 class KnownSeams:
     """Ids and names of seams before a run."""
 
-    ids: np.ndarray  # (k,) int32, one per seam edge of the model; 0 on edges that have not been in a seam yet
+    ids: np.ndarray  # (k,) int32, seam ids of the model's seam edges; 0 on edges that have not been in a seam yet
     names: Mapping[int, str]  # names of all present and former seams by id
 
 
@@ -311,7 +314,8 @@ def identify_seams(result: FlattenResult, arrays: MeshArrays, known: KnownSeams)
     identities = []
     for seam_id, is_dart in zip(ids, darts, strict=True):
         kind, given = KINDS[is_dart], GIVEN.fullmatch(names.get(seam_id, ""))
-        # The seam needs a new name: it is new, the user has cleared its name, or it became a dart or stopped being one.
+        # A seam needs a new name if it is new, if the user has cleared its name, or if it became a dart or is no longer
+        # a dart.
         if not names.get(seam_id) or (given and given[1] != kind):
             numbers[kind] += 1
             names[seam_id] = f"{kind} {numbers[kind]}"
@@ -320,11 +324,12 @@ def identify_seams(result: FlattenResult, arrays: MeshArrays, known: KnownSeams)
 
 
 def _highest_number(kind: str, names: Mapping[int, str], kinds: Mapping[int, str]) -> int:
-    """Return the highest number of a kind among present and removed seams, including those that the user has renamed.
+    """Return the highest number of a kind, or the number of its seams if that is larger, because renamed seams count,
+    too.
 
-    A seam that becomes a dart, or a dart that is cut through, leaves its number to the next one.
+    If a seam becomes a dart, or a dart becomes a seam, a later seam or dart can get the number of its former name.
 
-    names: names of all present and removed seams, by id; kinds: kinds of the present seams.
+    names: names of all present and removed seams, by id; kinds: kinds of the present seams, by id.
     """
     given = {seam_id: GIVEN.fullmatch(name) for seam_id, name in names.items()}
     own = {i: match for i, match in given.items() if (match[1] if match else kinds.get(i, KINDS[0])) == kind}
@@ -339,7 +344,7 @@ def ids_by_edge(result: FlattenResult, arrays: MeshArrays, identities: Sequence[
 
 
 def _seam_of_edge(seams: Sequence[SeamReport], arrays: MeshArrays) -> np.ndarray:
-    """Return the index of the seam that contains each seam edge of the model (k,), -1 for none."""
+    """Return, for each seam edge of the model, the index of the seam that contains it, (k,); -1 for none."""
     found = np.full(len(arrays.seams), -1, dtype=np.int64)
     if seams:
         place = find_edges(np.concatenate([seam.edges for seam in seams]), arrays.seams)

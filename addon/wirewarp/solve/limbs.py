@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Recognizes sleeves and trouser legs by their seams and places. Does not use Blender."""
+"""Recognizes sleeves and trouser legs by their seams and places."""
 
 from collections.abc import Sequence
 from itertools import permutations
@@ -9,23 +9,24 @@ import numpy as np
 from ..core import FlattenResult, SeamReport
 
 SLEEVE, LEG = "Sleeve", "Leg"
-ALIKE = 0.05  # share of the model's size: largest distance between a piece and the mirror image of its partner
-AREAS_ALIKE = 1.3  # largest ratio of their areas; the seams of two sleeves are often in different places
-AT_MIDDLE = 0.03  # share of the model's size: a leg reaches the middle of the model, at the crotch
-CLEARLY = 0.02  # share of the model's size by which the open end must be farther out or down
+ALIKE = 0.05  # largest distance between a piece and the mirror image of its partner, as a share of the model's size
+AREAS_ALIKE = 1.3  # largest ratio of the areas of such a pair, because seams of two sleeves may be in different places
+AT_MIDDLE = 0.03  # largest distance of a leg from the middle plane of the model, as a share of the model's size
+CLEARLY = 0.02  # least distance by which the open end is farther out or down, as a share of the model's size
 
 
 def limb_names(
     result: FlattenResult, are_darts: Sequence[bool], places: np.ndarray, offsets: np.ndarray, areas: np.ndarray
 ) -> list[str | None]:
-    """Return "Sleeve" or "Leg" for pieces that certainly are one, otherwise None.
+    """Return "Sleeve" or "Leg" for each piece that is certainly a sleeve or a leg, otherwise None.
 
-    Such a piece is a tube: a seam joins it to itself. It has a mirror image, and no other such tube is sewn to it, as a
-    cuff is to a sleeve. One of its ends is sewn to other pieces, and one is open: the outer end of a sleeve, or the
-    lower end of a leg, which reaches the middle of the model. Only one pair of each kind is named.
+    Such a piece is a tube, because a seam joins it to itself. It has a mirror image. No other mirrored tube, such as a
+    cuff, is sewn to it. One of its ends is sewn to other pieces, and one end is open: the outer end of a sleeve, or the
+    lower end of a leg. A leg also reaches the middle plane of the model. If there are several pairs of a kind, none of
+    them is named.
 
-    are_darts: one for each seam. places (n,3): vertices of the model, from its middle, as a share of its size. offsets
-    (p,3), areas (p,): middles of the pieces in these coordinates, and areas.
+    are_darts: whether each seam is a dart. places (n,3): vertices of the model, from its middle, as a share of its
+    size. offsets (p,3): middles of the pieces in these coordinates. areas (p,): areas of the pieces.
     """
     seams = list(zip(result.seams, are_darts, strict=True))
     tubes = {seam.pieces[0] for seam, is_dart in seams if not is_dart and len(set(seam.pieces)) == 1}
@@ -44,7 +45,7 @@ def limb_names(
 
 
 def _only(found: dict[str, list[tuple[int, int]]], piece: int) -> str | None:
-    """Return the kind of the piece, if its pair is the only one of this kind."""
+    """Return the kind of the piece if its pair is the only pair of this kind, otherwise None."""
     return next((kind for kind, pairs in found.items() if kind and len(pairs) == 1 and piece in pairs[0]), None)
 
 
@@ -55,7 +56,7 @@ def _are_mirrored(piece: int, other: int, offsets: np.ndarray, areas: np.ndarray
 
 
 def _kind(result: FlattenResult, piece: int, places: np.ndarray) -> str | None:
-    """Return SLEEVE or LEG if the tube is one."""
+    """Return SLEEVE or LEG if the tube is a sleeve or a leg, otherwise None."""
     open_ends, joined = [], []
     for chain in result.pieces[piece].boundaries:
         middle = places[chain.vertices].mean(axis=0)

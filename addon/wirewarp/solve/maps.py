@@ -7,16 +7,17 @@ from functools import cache
 
 import numpy as np
 
-# Linear RGB at equal steps. From no distortion to the upper end: near white, yellow, orange, red, dark.
+# Linear RGB at equal steps from no distortion to the upper end: near white, yellow, orange, red, dark.
 _RISING = ((0.93, 0.93, 0.90), (0.98, 0.80, 0.35), (0.93, 0.42, 0.10), (0.65, 0.07, 0.08), (0.18, 0.01, 0.09))
-# From compressed through unchanged to stretched: blue, near white, orange.
+# Linear RGB at equal steps from compressed through unchanged to stretched: blue, near white, orange.
 _TWO_SIDED = ((0.002, 0.08, 0.33), (0.10, 0.33, 0.66), (0.92, 0.90, 0.86), (0.89, 0.35, 0.05), (0.38, 0.05, 0.002))
-STEPS = 4096  # steps of a scale, more than the eye can distinguish
+STEPS = 4096  # number of colors of a scale, more than the eye can distinguish
 
 
 @cache
 def _colors(stops: tuple[tuple[float, float, float], ...]) -> np.ndarray:
-    """Return colors (STEPS + 1,4), float32, at equal steps; a lookup takes a twentieth of the time of interpolation."""
+    """Return colors (STEPS + 1,4) at equal steps, float32, because looking up colors is 20 times as fast as
+    interpolating them."""
     colors, place = np.ones((STEPS + 1, 4), dtype=np.float32), np.linspace(0, len(stops) - 1, STEPS + 1)
     for channel, values in enumerate(np.array(stops).T):
         colors[:, channel] = np.interp(place, np.arange(len(stops)), values)
@@ -54,7 +55,7 @@ LENGTH_VARIATION = ColorMap("length_variation_color", "Change of length", 0.0, 0
 ARAP_ENERGY = ColorMap("arap_energy_color", "Distortion", 0.0, 0.1)
 WEFT = ColorMap("weft_strain_color", "Across the grain", -0.1, 0.1, is_percent=True, stops=_TWO_SIDED)
 WARP = ColorMap("warp_strain_color", "Along the grain", -0.1, 0.1, is_percent=True, stops=_TWO_SIDED)
-# the threads of woven fabric lock at a larger shear
+# the scale ends at the angle at which the threads of a plain weave lock
 SHEAR = ColorMap("shear_angle_color", "Shear", 0.0, math.radians(45), is_angle=True)
 CLOTH_MAPS = (WEFT, WARP, SHEAR)
 COLOR_MAPS = (ASPECT_RATIO, STRETCH, LENGTH_VARIATION, ARAP_ENERGY, *CLOTH_MAPS)

@@ -12,11 +12,11 @@ from .chains import EdgeMarks, next_corners
 class FlatPieces:
     """A flat mesh, as WireWarp made it or as the user has changed it."""
 
-    vertices: np.ndarray  # (n,2) float64
+    vertices: np.ndarray  # (n,2) float64, places of the vertices
     source_vertex: np.ndarray  # (n,) int32, vertex of the model
     loop_vertices: np.ndarray  # (l,) int32, the corners face by face
-    loop_edges: np.ndarray  # (l,) int32, the edge from each corner to the next of its face
-    face_sizes: np.ndarray  # (f,) int32
+    loop_edges: np.ndarray  # (l,) int32, the edge from each corner to the next corner of its face
+    face_sizes: np.ndarray  # (f,) int32, number of corners of each face
     face_piece: np.ndarray  # (f,) int32, index of the piece in the report
     piece_id: np.ndarray  # (f,) int32, the piece's id for the next run
     source_face: np.ndarray  # (f,) int32, face of the model
@@ -27,7 +27,7 @@ class FlatPieces:
 def piece_of_vertices(
     count: int, loop_vertices: np.ndarray, face_sizes: np.ndarray, face_piece: np.ndarray
 ) -> np.ndarray:
-    """Return the piece of each vertex (count,) from its faces; 0 for vertices without a face."""
+    """Return the piece of each vertex (count,) from the pieces of its faces; 0 for vertices without a face."""
     piece_of_vertex = np.zeros(count, dtype=np.int64)
     piece_of_vertex[loop_vertices] = np.repeat(face_piece, face_sizes)
     return piece_of_vertex
@@ -35,11 +35,11 @@ def piece_of_vertices(
 
 @dataclass(frozen=True)
 class OutlineEdges:
-    """Outline edges, directed as in their face. `inward` points into the piece, even in mirrored pieces."""
+    """Outline edges, in the direction in which they run around their face."""
 
-    edges: np.ndarray  # (b,2) int64, vertices
-    piece: np.ndarray  # (b,) int32
-    inward: np.ndarray  # (b,2) unit vectors
+    edges: np.ndarray  # (b,2) int64, vertices of each edge
+    piece: np.ndarray  # (b,) int32, piece of each edge
+    inward: np.ndarray  # (b,2) unit vectors into the piece, even if the piece is mirrored
 
 
 def outline_edges(
@@ -49,8 +49,9 @@ def outline_edges(
     face_sizes: np.ndarray,
     face_piece: np.ndarray,
 ) -> OutlineEdges:
-    """Return the outline edges of vertices (n,2). For each corner (l,), face by face, the vertex and the edge to the
-    next corner are given; for each face, its size and its piece."""
+    """Return the outline edges of flat pieces. vertices (n,2): places; loop_vertices, loop_edges (l,): for each corner,
+    face by face, its vertex and the edge to the next corner; face_sizes, face_piece (f,): for each face, its number of
+    corners and its piece."""
     lonely = np.flatnonzero(np.bincount(loop_edges)[loop_edges] == 1)
     corners = np.column_stack([lonely, next_corners(face_sizes)[lonely]])
     edges, piece = loop_vertices[corners].astype(np.int64), np.repeat(face_piece, face_sizes)[lonely]
@@ -62,16 +63,16 @@ def outline_of(flat: FlatPieces) -> OutlineEdges:
 
 
 def signed_areas(vertices: np.ndarray, outline: OutlineEdges) -> np.ndarray:
-    """Return the areas (p,) of the pieces 0, 1, ...; below 0 if the outline runs clockwise."""
+    """Return the areas (p,) of the pieces by index; below 0 if the outline runs clockwise."""
     return _areas(vertices, outline.edges[:, 0], outline.edges[:, 1], outline.piece)
 
 
 def _areas(vertices: np.ndarray, a: np.ndarray, b: np.ndarray, piece: np.ndarray) -> np.ndarray:
-    """Return the signed areas (p,) of the pieces 0, 1, ... a, b (k,): ends of outline edges; pieces (k,): the piece of
-    each."""
+    """Return the signed areas (p,) of the pieces by index. a, b (k,): ends of the outline edges; piece (k,): the piece
+    of each edge."""
     origin = np.zeros(piece.max(initial=-1) + 1, dtype=np.int64)
     origin[piece] = a
-    # The shoelace formula is used relative to a point of each piece, because pieces may be far from the origin.
+    # The shoelace formula uses places relative to a point of each piece, because pieces may be far from the origin.
     sides = []
     for column in map(np.ascontiguousarray, vertices.T):
         origins = column[origin][piece]
@@ -81,7 +82,7 @@ def _areas(vertices: np.ndarray, a: np.ndarray, b: np.ndarray, piece: np.ndarray
 
 
 def _inward(vertices: np.ndarray, edges: np.ndarray, piece: np.ndarray) -> np.ndarray:
-    """Return unit vectors to the left of each edge, or to the right in clockwise pieces, which show the inside."""
+    """Return unit vectors (b,2) to the left of each edge, or to the right in pieces whose outline runs clockwise."""
     along = vertices[edges[:, 1]] - vertices[edges[:, 0]]
     _, row = np.unique(piece, return_inverse=True)
     side = np.sign(_areas(vertices, edges[:, 0], edges[:, 1], row))[row]

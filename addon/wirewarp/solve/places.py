@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Keeps pieces where the user has placed them when they are flattened again."""
+"""Finds the places of pieces that are flattened again: where the user has moved them, if they have room there."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -12,7 +12,7 @@ from .flat_mesh import FlatMesh
 from .outlines import FlatPieces, OutlineEdges, outline_edges, piece_of_vertices
 
 SAMPLE = 100  # number of points by which the place of a piece is stored
-# Points of pieces that have a place but no shape at present. Rows (k,4): piece id, source vertex, place (2).
+# No points of pieces that have a place but no flat shape at present. Rows (k,4): piece id, source vertex, place (2).
 NONE_AWAY = np.empty((0, 4))
 # smallest correlation between the points of a piece and of its earlier shape at which the piece keeps its place
 LIKE = 0.7
@@ -20,7 +20,7 @@ LIKE = 0.7
 
 @dataclass(frozen=True)
 class Motion:
-    """A rotation about the origin followed by a translation. Points of the plane are treated as complex numbers."""
+    """A rotation about the origin, followed by a translation. Points of the plane are treated as complex numbers."""
 
     turn: complex = 1.0  # rotation, as a complex number of length 1
     shift: complex = 0.0
@@ -50,11 +50,11 @@ def fit_motion(points: np.ndarray, places: np.ndarray) -> Motion:
 @dataclass(frozen=True)
 class Places:
     motions: dict[int, Motion]  # motion of each piece from the layout to its place, by id
-    crowded: list[int]  # ids of pieces that had to move because they would overlap another
+    crowded: list[int]  # ids of pieces that had to move, because they would overlap another piece
 
 
 class _Pieces:
-    """Data of single pieces. Outlines are computed only on request, because they take longest."""
+    """Data of single pieces, by id. Outlines are computed only if they are needed, because computing them is slow."""
 
     def __init__(self, pieces: FlatMesh | FlatPieces, away: np.ndarray = NONE_AWAY) -> None:
         self._pieces = pieces
@@ -73,7 +73,7 @@ class _Pieces:
         return piece_id in self._vertices or piece_id in self._away
 
     def is_away(self, piece_id: int) -> bool:
-        """Return whether the piece has a place but no shape at present."""
+        """Return whether the piece has a place but no flat shape at present."""
         return piece_id not in self._vertices
 
     def points(self, piece_id: int) -> np.ndarray:
@@ -83,13 +83,13 @@ class _Pieces:
         return self._pieces.vertices[self._vertices[piece_id]]
 
     def sources(self, piece_id: int) -> np.ndarray:
-        """Return, for each point, the vertex (k,) of the model."""
+        """Return, for each point, its vertex on the model, (k,)."""
         if self.is_away(piece_id):
             return self._away[piece_id][:, 1].astype(np.int64)
         return self._pieces.source_vertex[self._vertices[piece_id]]
 
     def box(self, piece_id: int, motion: Motion = STAY) -> np.ndarray:
-        """Return the lowest and the highest corner, (2,2)."""
+        """Return the lowest and the highest corner (2,2) of the moved piece's box."""
         points = motion(self.points(piece_id))
         return np.array([points.min(axis=0), points.max(axis=0)])
 
@@ -109,7 +109,7 @@ class _Pieces:
 
 
 def points_of(earlier: FlatPieces, away: np.ndarray, piece_ids: Sequence[int]) -> np.ndarray:
-    """Return some points (k,4) of each of these pieces, including those without a shape; see NONE_AWAY."""
+    """Return some points (k,4) of each of these pieces, even of pieces without a flat shape; see NONE_AWAY."""
     pieces = _Pieces(earlier, away)
     rows = [NONE_AWAY]
     for piece_id in piece_ids:
@@ -122,8 +122,8 @@ def points_of(earlier: FlatPieces, away: np.ndarray, piece_ids: Sequence[int]) -
 
 
 def find_places(pieces: FlatMesh, earlier: FlatPieces, away: np.ndarray, spacing: float) -> Places:
-    """Return the places of pieces: earlier pieces keep theirs, and new pieces are placed to the right of them. away:
-    see NONE_AWAY; spacing: space between the new pieces."""
+    """Return the places of all pieces. Earlier pieces keep their places if they have room, and other pieces are placed
+    to the right of them. away: see NONE_AWAY; spacing: space between these other pieces."""
     now, then = _Pieces(pieces), _Pieces(earlier, away)
     fits = {piece_id: _fit(now, then, piece_id) for piece_id in now if piece_id in then}
     kept = {piece_id: motion for piece_id, motion in fits.items() if motion}
@@ -139,7 +139,8 @@ def find_places(pieces: FlatMesh, earlier: FlatPieces, away: np.ndarray, spacing
 
 
 def _fit(now: _Pieces, then: _Pieces, piece_id: int) -> Motion | None:
-    """Return the motion of vertices that occur once in both pieces; None if they are too few or fit badly."""
+    """Return the motion of the piece to its earlier place, which fits the vertices that occur once in both shapes.
+    Return None if these are too few or fit badly."""
     rows = [_only_once(pieces.sources(piece_id)) for pieces in (now, then)]
     here, there = (pieces.sources(piece_id)[own] for pieces, own in zip((now, then), rows, strict=True))
     _, first, second = np.intersect1d(here, there, assume_unique=True, return_indices=True)
@@ -152,13 +153,14 @@ def _fit(now: _Pieces, then: _Pieces, piece_id: int) -> Motion | None:
 
 
 def _only_once(sources: np.ndarray) -> np.ndarray:
-    """Return the rows of vertices that occur only once in the piece, because no cut has doubled them."""
+    """Return the rows of vertices that occur only once in the piece. Cuts double the other vertices."""
     _, first, count = np.unique(sources, return_index=True, return_counts=True)
     return first[count == 1]
 
 
 def _crowded(kept: dict[int, Motion], now: _Pieces, then: _Pieces) -> list[int]:
-    """Return the pieces that newly overlap another piece. Of two such pieces, return the one that has grown more."""
+    """Return the pieces that overlap another piece now, but did not before. Of two such pieces, only the piece that has
+    grown more is returned."""
     overlap = pattern.geometry.overlap
     close = _close(kept, now)
     growth = {piece_id: now.area(piece_id) / max(then.area(piece_id), 1e-300) for piece_id in close}
@@ -180,7 +182,7 @@ def _crowded(kept: dict[int, Motion], now: _Pieces, then: _Pieces) -> list[int]:
 
 
 def _close(kept: dict[int, Motion], now: _Pieces) -> dict[int, set[int]]:
-    """Return each piece whose box overlaps others, with the pieces whose boxes it overlaps."""
+    """Return the pieces whose boxes overlap, each with the pieces whose boxes overlap its box."""
     ids = list(kept)
     low, high = np.array([now.box(piece_id, motion) for piece_id, motion in kept.items()]).transpose(1, 0, 2)
     meet = np.all((low[:, None] < high) & (low < high[:, None]), axis=2) & ~np.eye(len(ids), dtype=bool)
@@ -188,7 +190,8 @@ def _close(kept: dict[int, Motion], now: _Pieces) -> dict[int, set[int]]:
 
 
 def _beside(kept: dict[int, Motion], homeless: list[int], now: _Pieces, room: float) -> dict[int, Motion]:
-    """Place pieces to the right of those kept in place, in columns of the same height, the tallest first."""
+    """Return motions of the homeless pieces to the right of the kept pieces, in columns of the same height, the tallest
+    piece first. room: space between pieces."""
     boxes = np.array([now.box(piece_id, motion) for piece_id, motion in kept.items()])
     corner, top = np.array([boxes[:, 1, 0].max() + room, boxes[:, 0, 1].min()]), boxes[:, 1, 1].max()
     motions = {}

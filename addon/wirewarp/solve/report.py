@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The report of one object: the library's, with the add-on's facts, and one fix for both pieces of a mirrored pair.
-
-Also the message of a run.
+"""Makes the report of one object: the library's report with the add-on's facts, and with one fix for both pieces of a
+mirrored pair. Also makes the message of a run.
 """
 
 from collections.abc import Iterable, Mapping, Sequence
@@ -36,7 +35,7 @@ from .flatten import ClothChoice, issue_of_piece, known_stretch, library_marks, 
 from .identity import PieceIdentity, SeamIdentity
 
 SHOWN_SENTENCES = 4
-MOST_SEWN = 60  # pieces of a sewn object; UV maps for textures may have an island for each face
+MOST_SEWN = 60  # maximum number of pieces that can be sewn; UV maps for textures may have an island for each face
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -46,20 +45,20 @@ class Facts:
     object: str
     mesh: str
     with_modifiers: bool
-    shaped_by: list[str]  # causes of a different visible shape: "modifiers", "shape keys"
-    counts: dict[str, Any]  # numbers of elements of its own mesh
+    shaped_by: list[str]  # causes of a visible shape that differs from the mesh: "modifiers", "shape keys"
+    counts: dict[str, Any]  # numbers of elements of the object's own mesh
 
 
 @dataclass(frozen=True, kw_only=True)
 class UvSeams:
-    """The result of flattening with the seams of the model's own UV map, which are tried if the marked seams fail. It
-    is not kept: if the user wants it, the seams are marked and the model is flattened again."""
+    """Figures of flattening with the seams of the model's own UV map, which are tried if the marked seams fail. The
+    pieces are not kept: if the user wants them, the seams are marked and the model is flattened again."""
 
-    pieces: int
-    failed: int
-    stretch: float  # largest Piece.needed of the pieces that some fabric can be cut for
+    pieces: int  # number of pieces
+    failed: int  # number of failed pieces
+    stretch: float  # largest Piece.needed of the pieces that can be cut from some fabric
     beyond_any: int = 0  # number of pieces that need more stretch than any fabric has
-    is_beyond_fabric: bool = False  # whether this is more than the chosen fabric stretches
+    is_beyond_fabric: bool = False  # whether a piece needs more stretch than the chosen fabric has
 
     @property
     def usable(self) -> int:
@@ -67,15 +66,16 @@ class UvSeams:
 
     @property
     def is_good(self) -> bool:
-        """Return whether to offer these seams first. A few pieces may need more seams, such as laces of a shoe."""
+        """Return whether to offer these seams first. Some pieces may still need seams, for example the laces of a shoe,
+        but most must be usable."""
         is_sewable = self.pieces <= MOST_SEWN and self.usable > self.beyond_any
         return is_sewable and not (self.failed or self.is_beyond_fabric)
 
 
 @dataclass(kw_only=True)
 class ObjectReport(Report):
-    """The library's report with the add-on's fields. The defaults are for failure_report, which knows only the
-    issue."""
+    """The library's report with the add-on's fields. Their defaults are for the report of an object that was not
+    read."""
 
     mesh: str = ""
     with_modifiers: bool = False
@@ -102,8 +102,8 @@ class ObjectReport(Report):
 
     @property
     def offered_seams(self) -> list[tuple[int, int]]:
-        """Return the proposed seams that the next step marks, as vertex pairs. There are none if the UV map has good
-        seams, or if all proposed seams only slit closed pieces open."""
+        """Return the suggested seams that the next step marks, as vertex pairs. There are none if the UV map has good
+        seams, or if all suggested seams are for closed pieces."""
         issues = [issue for issue in self.issues if issue.proposed_seams]
         is_good = self.uv_seams is not None and self.uv_seams.is_good
         if is_good or all(issue.code == CLOSED_CODE for issue in issues):
@@ -132,7 +132,8 @@ def object_report(
     meters: float,
     cloth: ClothChoice | None = None,
 ) -> ObjectReport:
-    """Return the report. identities: names and ids of pieces; meters: meters in a Blender unit."""
+    """Return the report of a run. identities: ids and names of the pieces; seams: ids and names of the seams; meters:
+    meters in a Blender unit."""
     report = _library_report(result, arrays, meters, cloth)
     for piece, identity in zip(report.pieces, identities, strict=True):
         piece.name, piece.piece_id = identity.name, identity.piece_id
@@ -145,7 +146,7 @@ def object_report(
 
 
 def uv_seams(result: FlattenResult, arrays: MeshArrays, meters: float, cloth: ClothChoice | None) -> UvSeams:
-    """Return the result. arrays: the model with the seams of the UV map."""
+    """Return the figures of this result. arrays: the model with the seams of its UV map."""
     pieces = _library_report(result, arrays, meters, cloth).pieces
     good = [piece for piece in pieces if piece.ok]
     needed = [piece.needed for piece in good if piece.needed <= ANY_LIMIT]
@@ -209,10 +210,10 @@ Pairs = list[tuple[int, int]]  # vertices
 
 
 def with_mirror_images(issues: Sequence[Issue], result: FlattenResult, arrays: MeshArrays) -> list[Issue]:
-    """Return the issues. The issue of each mirrored piece proposes fixes for both pieces.
+    """Return the issues with shared fixes: for a mirrored pair of pieces, both issues suggest the fixes of both pieces.
 
-    If the meshes of the pieces are mirror images, the fixes are the first proposal and its mirror image. Otherwise they
-    are the proposals of both issues.
+    If the meshes of the pieces are mirror images, the fixes are those of the first issue and their mirror images.
+    Otherwise, they are the fixes of both issues.
     """
     found = list(issues)
     fixable = [index for index, issue in enumerate(issues) if issue.proposed_seams or issue.proposed_tolerances]
@@ -241,16 +242,17 @@ def _measures(piece: Piece, arrays: MeshArrays) -> np.ndarray:
 
 
 def _are_alike(issue: Issue, other: Issue, measures: np.ndarray, others: np.ndarray) -> bool:
+    """Return whether the issues are of the same kind, and their pieces have the same measures: see _measures."""
     same_kind = issue.code == other.code and bool(issue.proposed_seams) == bool(other.proposed_seams)
     return same_kind and len(measures) == len(others) and np.allclose(measures, others, rtol=ALIKE, atol=0)
 
 
 def _mirrored(issue: Issue, piece: Piece, other: Piece, arrays: MeshArrays) -> Issue | None:
-    """Return the issue's proposal, mirrored to the other piece; None if that has no such edges or wires."""
+    """Return the issue with its fixes mirrored to the other piece; None if this piece has no such edges or wires."""
     wanted = [*issue.proposed_seams, *(edge for wire in issue.proposed_tolerances for edge in wire.edges)]
     own = np.intersect1d(np.unique(piece.source_vertex), np.array(wanted).ravel())
     places, others = arrays.vertices[np.unique(piece.source_vertex)], np.unique(other.source_vertex)
-    # most models are symmetric in X; the other axes are for models that lie down or face sideways
+    # most models are symmetric in X; the other axes are for models that are rotated
     for axis in range(3):
         image = _images(arrays.vertices[own], places, arrays.vertices[others], axis)
         if image is None:
@@ -264,8 +266,8 @@ def _mirrored(issue: Issue, piece: Piece, other: Piece, arrays: MeshArrays) -> I
 
 
 def _images(points: np.ndarray, own: np.ndarray, others: np.ndarray, axis: int) -> np.ndarray | None:
-    """Return the vertices (k,) of the other piece that mirror the points (k,3); None if one has no mirror image. own
-    (n,3), others (m,3): all vertices of both pieces, which are aligned by their middles."""
+    """Return the index in `others` of the mirror image of each point, (k,); None if a point has no mirror image. points
+    (k,3): places in the first piece; own (n,3), others (m,3): places of all vertices of the two pieces."""
     mirror = np.where(np.arange(3) == axis, -1.0, 1.0)
     low, high = own.min(axis=0), own.max(axis=0)
     middle = (others.min(axis=0) + others.max(axis=0)) / 2
@@ -286,7 +288,7 @@ def _mirrored_edges(edges: Iterable[tuple[int, int]], image_of: dict[int, int]) 
 
 
 def _mirrored_wire(wire: LooserWire, image_of: dict[int, int], arrays: MeshArrays) -> LooserWire | None:
-    """Return the wire that contains the mirror image of the part of `wire` in the piece."""
+    """Return the wire that contains the mirror image of the part of `wire` in the piece; None if there is none."""
     image = _mirrored_edges([edge for edge in wire.edges if edge[0] in image_of and edge[1] in image_of], image_of)
     wanted = set(image or ())
     for each in arrays.wires:

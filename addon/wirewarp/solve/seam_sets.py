@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Sets of seams: which seams a model can do without, and whether the pieces of a set suit the fabric and have room.
-
-Does not use Blender.
+"""Finds sets of seams, and seams that a model does not need, and measures whether the pieces of a set suit the fabric
+and are wide enough.
 """
 
 import math
@@ -29,19 +28,20 @@ from .flatten import (
 from .steps import CanceledError, Steps, of_all, reported_as
 from .suggest import Cut, NoSeam, SearchOptions, from_few_pieces, suggest_cuts
 
-LIMITS = (0.05, 0.1, 0.2)  # accepted stretches: woven fabric stretches by the first, plush and knits by the last
+LIMITS = (0.05, 0.1, 0.2)  # accepted stretches as fractions, from stiff woven fabric to plush and knits
 
 
 def limits_up_to(stretches: Sequence[float]) -> list[float]:
-    """Return the accepted stretches in ascending order, among them the fabric's maximum stretches; none if unknown."""
+    """Return the accepted stretches in ascending order: the fabric's maximum stretches, and smaller LIMITS. stretches:
+    the maximum stretches; empty if unknown."""
     return sorted({*(limit for limit in LIMITS if not stretches or limit < max(stretches)), *stretches})
 
 
 def fewer_seams(arrays: MeshArrays, choices: FlattenChoices, limits: Sequence[float], remedy: str) -> Steps[list[Cut]]:
-    """Return sets of seams to clear: one for each limit that allows fewer seams than the limit below.
+    """Return sets of seams to clear, one for each limit that allows fewer seams than the next lower limit.
 
-    limits: accepted stretches in ascending order; the sets are in the opposite order. If canceled, the sets found so
-    far are returned. remedy: a sentence for the ObjectError if every seam is needed.
+    limits: accepted stretches in ascending order; the sets have the opposite order. If the search is canceled, the sets
+    found so far are returned. Raises ObjectError if every seam is needed. remedy: last sentence of this error.
     """
     if len(arrays.seams) == 0:
         raise object_error("no_seams", "The model has no seams to simplify. Mark seams, or press Suggest Seams.")
@@ -91,9 +91,10 @@ def _row(arrays: MeshArrays, cleared: np.ndarray, length: float, strain: float, 
 
 
 def within_fabric(search: Steps[list[Cut]], limits: Sequence[float], remedy: str) -> Steps[list[Cut]]:
-    """Search, and return the sets that the fabric allows. remedy: as for fewer_seams; limits: see Cut.excess.
+    """Search, and return the sets that the fabric allows. Raises ObjectError if the fabric allows none, and
+    CanceledError if the search is canceled before a set is known to be allowed.
 
-    Raises CanceledError if the search is canceled before a set is known to be allowed.
+    search: steps of with_measures(); limits: see Cut.excess; remedy: see fewer_seams.
     """
     cuts = yield from search
     allowed = [cut for cut in cuts if cut.excess(limits) <= 0]
@@ -107,11 +108,10 @@ def within_fabric(search: Steps[list[Cut]], limits: Sequence[float], remedy: str
 def first_sets(
     arrays: MeshArrays, choices: FlattenChoices, options: SearchOptions, no_seam: NoSeam
 ) -> Steps[list[Cut]]:
-    """Return cut sets for a fabric with a known maximum stretch; other cuts if no piece needs a set.
+    """Return cut sets for a fabric with a known maximum stretch, or other cuts if no piece needs a set.
 
-    Sets are searched as for a material without threads, which takes a fraction of the time. Then with_measures() finds
-    what the fabric needs. Shapes of a fabric with built-in stretch are too different, so these sets are searched with
-    the fabric.
+    The search uses a material without threads, which takes a fraction of the time. Then with_measures() measures the
+    stretch with the fabric. If the fabric has negative ease, its shapes differ too much, so the search uses the fabric.
     """
     cloth = choices.cloth
     if cloth is not None and not (cloth.worn_across or cloth.worn_along):
@@ -121,16 +121,16 @@ def first_sets(
     return (yield from suggest_cuts(arrays, choices, options, no_seam))
 
 
-SEARCH = 0.8  # progress at which the search ends; the rest is for measuring the sets
+SEARCH = 0.8  # share of the progress bar for the search; the rest is for measuring the sets
 
 
 def with_measures(
     search: Steps[list[Cut]], arrays: MeshArrays, choices: FlattenChoices, limits: Sequence[float]
 ) -> Steps[list[Cut]]:
-    """Search, and return cut sets with their widths and threads, without those that have failed pieces. Sets that were
-    not measured when the user canceled have none.
+    """Search, and return cut sets with their widths and threads. Sets with failed pieces are left out. If the user
+    cancels, sets that were not measured have no width and no threads. Cuts that are not sets are returned unchanged.
 
-    limits: maximum stretches of the fabric, the smaller direction first. Other cuts stay as they are.
+    limits: maximum stretches of the fabric, the smaller direction first.
     """
     cuts = yield from reported_as(search, lambda share: SEARCH * share)
     if not cuts[0].is_set:
@@ -146,7 +146,7 @@ def with_measures(
 
 
 def _measure(cuts: Sequence[Cut], measured: list[Cut], arrays: MeshArrays, choices: FlattenChoices) -> Steps[None]:
-    """Add the measured sets to a list."""
+    """Measure these sets one by one, and add them to the list `measured`."""
     solved = Cache()
     for index, cut in enumerate(cuts):
         steps = _measured_set(arrays, choices, cut, solved)
@@ -154,11 +154,11 @@ def _measure(cuts: Sequence[Cut], measured: list[Cut], arrays: MeshArrays, choic
 
 
 def _measured_set(arrays: MeshArrays, choices: FlattenChoices, cut: Cut, solved: Cache) -> Steps[Cut]:
-    """Return the set with the narrowest width of the pieces that it changes, and whether one has no room.
+    """Return the set with the narrowest width of the pieces that it changes, and with whether a piece is too narrow.
 
-    If there are pieces without room for their allowances, the width is theirs. It is in Blender units; None if no piece
-    is flat. If the maximum stretch of the fabric is known, the set gets the strain of the fabric and the threads of its
-    worst piece. If a piece fails, the strain is infinite.
+    If pieces have no room for their allowances, only their widths count. The width is in Blender units; None if no
+    piece is flat. If the maximum stretch of the fabric is known, the set also gets the strain of the fabric, and the
+    threads of its worst piece. If a piece fails with the fabric, the strain is infinite.
     """
     arguments = library_arguments(arrays, choices)
     sides, allowances = _own_allowances(arrays)
@@ -187,13 +187,14 @@ def _measured_set(arrays: MeshArrays, choices: FlattenChoices, cut: Cut, solved:
     threads = [each.threads for each in own_reports if each.ok and each.threads]
     if len(threads) < len(own_reports):  # a piece fails with this fabric
         return replace(cut, strain=math.inf)
-    # seams are cleared for the strain of the whole model, and with the fabric
+    # for seams to clear, the strain of the search is already that of the whole model with the fabric
     strain = cut.strain if cut.cleared else max(each.needed for each in own_reports)
     return replace(cut, strain=strain, threads=max(threads, key=lambda each: each.excess))
 
 
 def _own_allowances(arrays: MeshArrays) -> tuple[np.ndarray, np.ndarray]:
-    """Return sides (k,2) in the direction of their triangle, and their allowances (k,) in Blender units."""
+    """Return the sides of edges with marked allowances, as vertices (k,2) in the direction of their triangle, and these
+    allowances (k,) in Blender units."""
     corners = np.flatnonzero(arrays.side_allowances)
     following = next_corners(arrays.polygon_sizes)[corners]
     ends = (following, corners) if arrays.mirrored else (corners, following)

@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs work in steps, between which the window responds: generators that yield the completed share of the work.
+"""Runs work in steps, between which the window responds. Steps are generators that yield the completed share of work.
 
-To stop the steps, throw CanceledError into them. An optional part then ends with the result so far. To discard
-the steps, close them; files do not change. The caller always closes them, because the traceback of an error would
-keep them alive. Python threads are not used, because Blender does not allow them; the core has its own threads. Does
-not use Blender.
+To cancel the work, throw CanceledError into the steps. If only optional work is left, they then end with the result so
+far. To discard the work, close the steps; files do not change. The caller always closes them, because the traceback of
+an error would keep them alive. Blender does not allow Python threads, but the core has its own threads.
 """
 
 import time
@@ -13,7 +12,7 @@ from contextlib import closing
 from functools import partial
 from typing import TypeVar
 
-SLICE = 0.04  # seconds of work between two updates of the window, so that it is drawn 20 times a second
+SLICE = 0.04  # seconds of work between two updates of the window, so that it is drawn about 20 times a second
 POLL = 0.001  # longest time in seconds until the end of a job is noticed
 S = TypeVar("S")
 T = TypeVar("T")
@@ -21,12 +20,12 @@ Steps = Generator[float, None, T]  # yields the completed share, from 0 to 1
 
 
 class CanceledError(Exception):
-    """The user canceled the work; there is no result unless one existed before."""
+    """Raised if the user has canceled the work."""
 
 
 def reported_as(steps: Generator[S, None, T], share: Callable[[S], float]) -> Steps[T]:
-    """Return the same steps with converted shares. share: converts a yielded value to the completed share of the
-    whole."""
+    """Do these steps, but yield the completed share of the whole work. share: converts a yielded value to this
+    share."""
     with closing(steps):
         go_on = partial(next, steps)
         while True:
@@ -43,12 +42,13 @@ def reported_as(steps: Generator[S, None, T], share: Callable[[S], float]) -> St
 
 
 def of_all(done: int, count: int, share: float) -> float:
-    """Return the share of all parts of the work. done: finished parts; share: completed share of the next."""
+    """Return the completed share of work in several parts. done: number of finished parts; count: number of all parts;
+    share: completed share of the current part."""
     return (done + share) / count
 
 
 def in_slices(steps: Generator[S, None, T]) -> Generator[S, None, T]:
-    """Group the steps, so that each group fills a slice of time."""
+    """Do these steps in groups, each of which fills a slice of time. Yield the last value of each group."""
     with closing(steps):
         while True:
             end = time.monotonic() + SLICE
@@ -63,7 +63,7 @@ def in_slices(steps: Generator[S, None, T]) -> Generator[S, None, T]:
 
 
 def in_one_go(steps: Generator[S, None, T], show: Callable[[S], object] = lambda _yielded: None) -> T:
-    """Do all steps while Blender waits. show: called with each yielded value."""
+    """Do all steps while Blender waits, and return the result. show: called with each yielded value."""
     with closing(steps):
         while True:
             try:

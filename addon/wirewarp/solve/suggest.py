@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Cuts that the core library proposes, as lines on the mesh and in words. Does not use Blender."""
+"""Finds the cuts that the core library suggests, as lines on the mesh, and describes them in words."""
 
 import math
 from collections.abc import Sequence
@@ -31,19 +31,21 @@ from .cut_faces import Pairs, Segments, segments_of
 from .flatten import FlattenChoices, issue_of_error, library_arguments, polygons_across, result_of
 from .steps import CanceledError, Steps
 
-# smallest width of a piece in allowances: two for both sides, and a fifth more to turn the piece right side out
+# smallest width of a piece, as a multiple of the allowance: two allowances, and a fifth more to turn the piece right
+# side out
 ROOM = 2.4
-WORTH_PIECES = 0.95  # share of the stretch; smaller gains are not felt in fabric, and more pieces take longer to sew
-CORNER = math.cos(math.radians(30))  # a sewist sees a smaller turn of a dart as a curve
+# largest stretch, as a share of the stretch of a set with fewer pieces, at which more pieces are worth the sewing
+WORTH_PIECES = 0.95
+CORNER = math.cos(math.radians(30))  # a smaller turn of a line counts as a curve, a larger turn as a corner
 PAINTED = f' Seams are also not allowed where "{NO_SEAM}" is painted.'
 
 
 @dataclass(frozen=True)
 class NoSeam:
-    """Faces and vertices that the user has painted: no seam may cross them."""
+    """Faces and vertices that the user has painted, because no seam may cross them."""
 
-    faces: np.ndarray  # (f,) bool, whether a face of the mesh is painted
-    vertices: np.ndarray  # (n,) bool
+    faces: np.ndarray  # (f,) bool, whether each face of the mesh is painted
+    vertices: np.ndarray  # (n,) bool, whether each vertex is painted
 
     def is_same(self, other: "NoSeam") -> bool:
         return np.array_equal(self.faces, other.faces) and np.array_equal(self.vertices, other.vertices)
@@ -51,18 +53,18 @@ class NoSeam:
 
 @dataclass(frozen=True)
 class Target:
-    """The target of several cuts together."""
+    """The target for several cuts that are marked together."""
 
     strain: float  # maximum of Cut.strain
-    most: int  # number of cuts; a cut set counts as one
-    length: float | None  # maximum total length of cuts on the model, Blender units; None: any
+    most: int  # maximum number of cuts; a cut set counts as one
+    length: float | None  # maximum total length of the cuts on the model, in Blender units; None: any length
 
 
 @dataclass(frozen=True)
 class Cut:
-    """A suggestion and its effect: a dart, a seam, a mirrored pair of these, a cut set, or seams to clear.
+    """A suggestion and its effect: a dart, a seam, a mirrored pair of darts or seams, a cut set, or seams to clear.
 
-    With a target, each cut includes all cuts before it.
+    If there is a target, each cut includes all cuts before it.
     """
 
     edges: Pairs  # edges of the cut; empty if a line crosses faces
@@ -70,15 +72,15 @@ class Cut:
     paths: list[SurfacePath] = field(compare=False)  # the same cut as lines, for library.cut_mesh
     segments: Segments = field(compare=False)  # drawn lines
     piece: int  # number of the piece in the flattening
-    lengths: list[float]  # length of each line on the model, or the total of a cut set; Blender units
-    strain: float  # strain that 99% of the piece, or of its worst part, stays below after the cut
-    strain_before: float  # infinite for a cut set
-    num_pieces: int  # pieces after the first line or all lines of a cut set, or without the cleared seams
+    lengths: list[float]  # length of each line on the model, or total length of a cut set, in Blender units
+    strain: float  # after the cut, 99% of the piece, or of its worst part, has at most this strain
+    strain_before: float  # strain before the cut; infinite for a cut set
+    num_pieces: int  # number of pieces after the first line or all lines of a cut set, or without the cleared seams
     is_bent: bool = False  # whether a line along edges has a corner
-    cleared: Pairs = field(default_factory=list)  # seams to clear; then nothing is cut
-    width: float | None = None  # narrowest width of the pieces of a set, Blender units; None until it is measured
+    cleared: Pairs = field(default_factory=list)  # seams to clear; if there are any, nothing is cut
+    width: float | None = None  # narrowest width of the pieces of a set, in Blender units; None until it is measured
     is_narrow: bool = False  # whether two allowances of a piece have no room side by side
-    threads: Threads | None = None  # of the piece of a set that is furthest beyond the fabric; None until measured
+    threads: Threads | None = None  # of the piece of a set that exceeds the fabric most; None until measured
 
     @property
     def is_first(self) -> bool:
@@ -87,14 +89,14 @@ class Cut:
 
     @property
     def is_set(self) -> bool:
-        """Return whether the cut is a complete set of seams for a piece or model, so that the rows are alternatives."""
+        """Return whether the cut is a complete set of seams for a piece or model. The rows are then alternatives."""
         return bool(self.cleared) or (self.is_first and len(self.lengths) == 1)
 
     def excess(self, limits: Sequence[float]) -> float:
-        """Return by how much a piece of the set is beyond the fabric, as the verdict compares them; at most 0 if none.
+        """Return by how much the worst piece of the set exceeds the fabric, like the verdict; at most 0 if none does.
 
-        Before the set is measured, its strain counts in the tighter direction. limits: maximum stretches, the smaller
-        direction first.
+        Before the set is measured, its strain is compared with the smaller limit. limits: maximum stretches, the
+        smaller direction first.
         """
         return self.threads.excess if self.threads else self.strain - limits[0]
 
@@ -103,15 +105,15 @@ class Cut:
 class SearchOptions:
     """Which cuts to suggest."""
 
-    kind: str  # DARTS or SEAMS; FEWER for seams to clear
-    piece: int | None = None  # None for any
+    kind: str  # DARTS, SEAMS, or FEWER for seams to clear
+    piece: int | None = None  # index of the piece to cut; None for any piece
     target: Target | None = None
-    strain: float | None = None  # accepted strain of cut sets; None for the library's; ignored if there is a target
+    strain: float | None = None  # accepted strain of cut sets; None: the library's default; ignored with a target
     is_smooth: bool = False  # whether darts and cut sets may cross faces; ignored if there is a target
     names: dict[int, str] = field(default_factory=dict)  # names of pieces by their ids
 
     def piece_text(self, arrays: MeshArrays, triangles: np.ndarray) -> str:
-        """Return the name of the piece of these triangles in quotes; "the piece" if it is not known."""
+        """Return the name of the piece of these triangles in quotes; "the piece" if the name is not known."""
         ids = np.unique(arrays.piece_ids[arrays.triangle_polygons[triangles]])
         return quoted([self.names[int(ids[0])]]) if len(ids) == 1 and ids[0] in self.names else "the piece"
 
@@ -119,10 +121,10 @@ class SearchOptions:
 def suggest_cuts(
     arrays: MeshArrays, choices: FlattenChoices, options: SearchOptions, no_seam: NoSeam
 ) -> Steps[list[Cut]]:
-    """Return cuts, or the steps to a target. The best dart or seam is first, but darts with corners come after all
-    others. Cut sets are not sorted.
+    """Return cuts, or the steps to a target. The best dart or seam is first, but smooth darts come before darts with
+    corners. Cut sets are not sorted.
 
-    If canceled, the cut sets found so far are returned. Raises ObjectError, for example if there is nothing to gain.
+    If the search is canceled, the cut sets found so far are returned. Raises ObjectError, for example if no cut helps.
     """
     try:
         shared = library_arguments(arrays, choices)
@@ -163,10 +165,10 @@ def _found_by_then(job: "Job[list[DartProposal]]") -> Steps[list[DartProposal]]:
 def _start(
     options: SearchOptions, arguments: dict[str, Any], around_painted: np.ndarray, allowance: float
 ) -> "Job[list[DartProposal]]":
-    """Start the search.
+    """Return the started job of the search.
 
-    around_painted: edges (k,2) that smooth lines would cross to enter painted faces; allowance: width of the allowance
-    in Blender units.
+    around_painted: edges (k,2) that smooth lines must not cross, because they would enter painted faces; allowance:
+    width of the allowance in Blender units.
     """
     target, is_dart = options.target, options.kind == "DARTS"
     if target is not None:
@@ -179,7 +181,7 @@ def _start(
 
 
 def diagonals(arrays: MeshArrays) -> np.ndarray:
-    """Return the sides (k,2) of triangles that are not edges of the mesh, the lower vertex first."""
+    """Return the sides (k,2) of triangles that are not edges of the mesh, the vertex with the lower index first."""
     sides = np.sort(arrays.triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1)
     return np.unique(sides[~are_among(sides, arrays.edges)], axis=0)
 
@@ -201,13 +203,13 @@ def painted_at_edges(arrays: MeshArrays, no_seam: NoSeam) -> np.ndarray:
 
 
 def _forbidden_diagonals(across: np.ndarray, arrays: MeshArrays, no_seam: NoSeam) -> np.ndarray:
-    """Return the diagonals (k,2) of painted faces."""
+    """Return the diagonals (k,2) in painted faces, or with two painted ends. across: all diagonals of the mesh."""
     is_painted = no_seam.faces[polygons_across(across, arrays)] | no_seam.vertices[across].all(axis=1)
     return across[is_painted]
 
 
 def _with_mirror_images(proposals: list[DartProposal], arrays: MeshArrays) -> list[Cut]:
-    """Return cuts in the library's order. Mirror images become one cut, unless one of them alone gains as much."""
+    """Return cuts in the library's order. Two mirror images become one cut, unless one of them alone helps as much."""
     cuts = []
     for index, proposal in enumerate(proposals):
         if proposal.twin is not None and proposal.twin < index:
@@ -221,10 +223,11 @@ def _with_mirror_images(proposals: list[DartProposal], arrays: MeshArrays) -> li
 
 
 def from_few_pieces(sets: Sequence[Cut], limits: Sequence[float]) -> list[Cut]:
-    """Return cut sets by their number of pieces, without those that have more pieces but about the same stretch.
+    """Return cut sets by their number of pieces. Sets with more pieces but about the same stretch are left out.
 
-    The first set that the fabric allows is kept even if it gains little. A set with narrow pieces does not replace a
-    set without them. If a set is within the larger limit, the sets beyond it are left out. limits: see Cut.excess.
+    The first set that the fabric allows is kept even if it lowers the stretch little. A set with narrow pieces does not
+    replace a set without them. If any set is within the larger limit, sets beyond this limit are left out. limits: see
+    Cut.excess.
     """
     kept: list[Cut] = []
     within = [each for each in sets if each.strain <= limits[-1]]
@@ -233,14 +236,13 @@ def from_few_pieces(sets: Sequence[Cut], limits: Sequence[float]) -> list[Cut]:
         is_first = each.excess(limits) <= 0 < min((other.excess(limits) for other in others), default=math.inf)
         if is_first or each.strain < WORTH_PIECES * min((other.strain for other in others), default=math.inf):
             kept.append(each)
-    # Among sets with equally many pieces, the one with the least stretch is last.
+    # Among sets with equally many pieces, the set with the least stretch is last.
     return sorted(kept, key=lambda cut: (cut.num_pieces, -cut.strain))
 
 
 def set_for(sets: Sequence[Cut], limits: Sequence[float]) -> int:
-    """Return the index of the set to show: of those that the fabric allows, the first without narrow pieces.
-
-    If the fabric allows none, return the one that exceeds its limits least. limits: see Cut.excess.
+    """Return the index of the set to show first: the first set that the fabric allows, if possible one without narrow
+    pieces. If the fabric allows no set, return the set that exceeds its limits least. limits: see Cut.excess.
     """
     excesses = [each.excess(limits) for each in sets]
     within = [index for index, excess in enumerate(excesses) if excess <= 0]
@@ -250,7 +252,7 @@ def set_for(sets: Sequence[Cut], limits: Sequence[float]) -> int:
 
 
 def _steps_of(plan: list[DartProposal], arrays: MeshArrays, piece: int | None) -> list[Cut]:
-    """Return the steps of a plan; mirror images are one step. piece: the piece to cut; None for any."""
+    """Return the steps of a plan. Two mirror images are one step. piece: the piece to cut; None for any piece."""
     first = plan[0]
     # If any piece may be cut, the most strained piece may be one that stays whole, not the one that is cut first.
     before = first.strain_before if piece is not None else max(first.strain_before, first.strain_left)
@@ -278,7 +280,8 @@ def _cut(proposals: list[DartProposal], strain: float, before: float, arrays: Me
 
 
 def _has_corner(ends: np.ndarray) -> bool:
-    """Return whether a line turns by more than 30 degrees at a vertex. ends: (k,2,3) of its edges in order."""
+    """Return whether a line turns by more than 30 degrees at a vertex. ends (k,2,3): places of the ends of its edges,
+    in order."""
     ways = ends[:, 1] - ends[:, 0]
     ways = ways / np.linalg.norm(ways, axis=1)[:, None]
     return bool((np.sum(ways[1:] * ways[:-1], axis=1) < CORNER).any())
@@ -288,7 +291,7 @@ WORDS = {"DARTS": ("dart", "darts"), "SEAMS": ("seam", "seams")}
 
 
 def found_words(cuts: list[Cut]) -> str:
-    """Return the number of rows: "5 suggestions", "2 sets of seams" or "2 ways to simplify"."""
+    """Return words for the number of rows: "5 suggestions", "2 sets of seams" or "2 ways to simplify"."""
     if cuts[0].is_first:
         return counted(len(cuts), "set of seams", "sets of seams")
     if cuts[0].cleared:
@@ -297,7 +300,7 @@ def found_words(cuts: list[Cut]) -> str:
 
 
 def taken_words(kind: str, cut: Cut) -> str:
-    """Return the words for cuts that are marked together: "2 darts", "first seams", "first seams and 1 seam"."""
+    """Return words for cuts that are marked together: "2 darts", "first seams", "first seams and 1 seam"."""
     if not cut.is_first:
         return counted(len(cut.lengths), *WORDS[kind])
     more = len(cut.lengths) - 1
@@ -310,21 +313,21 @@ def step_text(kind: str, cut: Cut, text: LengthText) -> str:
 
 
 def row_text(kind: str, cut: Cut, target: Target | None, text: LengthText) -> str:
-    """Return the text of a button in the list. It fits a narrow sidebar."""
+    """Return the text of a cut's button in the list. It fits a narrow sidebar."""
     if cut.cleared:
         return f"{counted(cut.num_pieces, 'piece')}, {percent_text(cut.strain)}, −{text.rough(cut.lengths[0])}"
     if target is None and cut.is_first:
         return f"{counted(cut.num_pieces, 'piece')}, {_shares(cut)}, {text.rough(cut.lengths[0])}"
     if target is None:
         return cut_text(cut, text)
-    step = step_text(kind, cut, text).removeprefix("first seams and ")  # the row above says so
+    step = step_text(kind, cut, text).removeprefix("first seams and ")  # the row above names the first seams
     if step[0].isdigit() and cut.is_first:
         return f"and {step}"
     return step[0].upper() + step[1:]
 
 
 def shortfall(kind: str, cuts: list[Cut], target: Target) -> str:
-    """Return why the target is not reached; empty if it is."""
+    """Return a sentence that says why the target is not reached; empty if it is reached."""
     last = cuts[-1]
     if last.strain <= target.strain:
         return ""
@@ -334,14 +337,17 @@ def shortfall(kind: str, cuts: list[Cut], target: Target) -> str:
         remedy = "Allow more length, because another cut may help"
     else:
         remedy = f"No other {WORDS[kind][0]} helps"
-    return f"{percent_text(last.strain)} is left, more than your target of {percent_text(target.strain)}. {remedy}."
+    return (
+        f"A stretch of {percent_text(last.strain)} is left, more than your target of {percent_text(target.strain)}. "
+        f"{remedy}."
+    )
 
 
 def cut_text(cut: Cut, text: LengthText) -> str:
-    """Return "stretch 12 → 6.0%, 140 mm"; for mirror images "2×140 mm".
+    """Return the text of a cut in messages: "stretch 12 → 6.0%, 140 mm", with "2×140 mm" for mirror images.
 
-    For a cut set, return "3 pieces, stretch 6.0%, seams 1.4 m"; for seams to clear "4 pieces, stretch 5.0 → 9.5%, 270
-    mm less seam".
+    For a cut set, return "3 pieces, stretch 6.0%, seams 1.4 m". For seams to clear, return "4 pieces, stretch 5.0 →
+    9.5%, 270 mm less seam".
     """
     if cut.cleared:
         return f"{counted(cut.num_pieces, 'piece')}, stretch {_shares(cut)}, {text.rough(cut.lengths[0])} less seam"

@@ -1,18 +1,19 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Marks on one side of an edge, and seam allowances, for meshes in Object Mode.
 
-Scripts may write such a value on a corner of the face. Blender blends corner values when the edge is split, and moves
-them to another edge when the face is flipped or mirrored. Values on edges and faces do not change. Marks are therefore
-stored on the edge: the value, and the number of the face on the marked side (wirewarp_face INT, random, 0 none).
+Scripts may write a mark of one side on the corner at which the edge begins in the face on that side. Blender blends
+corner values when the edge is split, and moves them to another edge when the face is flipped or mirrored. Values on
+edges and faces do not change. The add-on therefore stores marks on the edge: the value, and the number of the face on
+the marked side (wirewarp_face INT, random, 0 none).
 
-If a face is cut, copied or extruded, the new faces get its number, too. This does no harm while only one face of the
-edge has the number, so each face gets a number of its own before a side is marked. If several faces of an edge have the
-number, or if it has several faces and none has it, the side is unknown.
+If a face is cut, copied or extruded, the new faces get its number, too. The side stays known while only one face of the
+edge has the number. Before a side is marked, each face with a shared number therefore gets a new number. The side is
+unknown if several faces of the edge have the number, or if the edge has several faces and no face has the number.
 
 wirewarp_allowance FLOAT, on edges, in Blender units: above 0, the width on all sides of the edge; below 0, nothing is
-added, because the fabric is folded there or stays raw. 0 means the pattern's default, because Blender gives 0 to new
-edges and to edges of joined meshes; NaN and a missing attribute mean the default, too. One side of an edge may have its
-own width: see SIDE_ALLOWANCES.
+added, because the fabric is folded there or stays raw. 0 means the pattern's default, because new edges and edges of
+joined meshes have the value 0. NaN and a missing attribute mean the default, too. One side of an edge may have its own
+width: see SIDE_ALLOWANCES.
 """
 
 from collections.abc import Sequence
@@ -43,8 +44,8 @@ class SidedMark:
 
     what: str  # name of the mark in sentences
     value: Mark  # FLOAT, on edges: value of the marked side
-    side: Mark  # INT, on edges: the number of the face on that side, 0 none
-    corner: Mark  # FLOAT, on corners: values that scripts write, of the edge that begins there
+    side: Mark  # INT, on edges: number of the face on the marked side, 0 none
+    corner: Mark  # FLOAT, on corners: values that scripts write, each for the edge that begins at the corner
 
     def check_attributes(self, mesh: bpy.types.Mesh) -> None:
         """Raises ObjectError if an attribute with one of our names has another type or domain."""
@@ -52,43 +53,46 @@ class SidedMark:
             check_attribute(mesh, attribute)
 
     def check(self, mesh: bpy.types.Mesh, *, has_modifiers: bool = False) -> None:
-        """Raises ObjectError as check_attributes does, and if a side is unknown or has two values.
+        """Raises ObjectError like check_attributes, or if a side is unknown or has two values.
 
-        If an edge has only one face left and it is not the marked one, the mark is ignored. has_modifiers: modifiers
-        made the mesh; where a Mirror modifier merges the middle, both faces of an edge have the same number.
+        If an edge has only one face left, which is not the marked face, the mark is ignored. has_modifiers: whether
+        modifiers made the mesh. If a Mirror modifier merges the middle, both faces of an edge there have one number.
         """
         self.check_attributes(mesh)
         _, counts = marked_corners(mesh, self.side)
         sides, values = read_values(mesh, self.side), read_values(mesh, self.value)
         lost = np.flatnonzero((sides != 0) & is_set(values) & (counts != 1) & (faces_at_edges(mesh) > 1))
         if len(lost):
-            why, first = "faces there were copied or replaced", "Mark it again"
+            why, first = "faces there were copied or replaced", f"Mark the {self.what} again"
             if has_modifiers:
-                why, first = "modifiers copied or replaced faces there", "Apply them and mark it again"
+                why = "modifiers copied or replaced faces there"
+                first = f"Apply the modifiers and mark the {self.what} again"
             sentence = (
                 f'The side of the {self.what} is unknown on {counted(len(lost), "edge")} of "{mesh.name}", because '
-                f"{why}. {first}, or mark the same on all sides."
+                f"{why}. {first}, or mark the same {self.what} on all sides."
             )
             raise ObjectError(Issue("side_unknown", sentence, edges=_pairs(mesh, lost)))
         corners, marked = read_values(mesh, self.corner), self._on_edges(mesh)
         contradict = np.unique(corner_edges(mesh)[(corners != 0) & (marked != 0) & (corners != marked)])
         if len(contradict):
             sentence = (
-                f'Edges of "{mesh.name}" have two {self.what}s on one side: the one that was marked, and another in '
-                f"the attribute {self.corner.name}. Mark their {self.what} again."
+                f'Edges of "{mesh.name}" have two {self.what}s on one side: the marked {self.what}, and a value in the '
+                f"attribute {self.corner.name}. Mark the {self.what} of these edges again."
             )
             raise ObjectError(Issue(f"{self.what}s_contradict", sentence, edges=_pairs(mesh, contradict)))
 
     def read(self, mesh: bpy.types.Mesh) -> np.ndarray:
-        """Returns (l,) float32: the value of the edge that begins at each corner, on the side of its face; 0 for none.
-        Attributes of another type or domain count as none. If a side has two values, it returns the corner's."""
+        """Returns (l,) float32: the value of the edge that begins at each corner, on the side of the corner's face; 0
+        for none. Attributes of another type or domain are ignored. If a side has two values, the corner's value is
+        returned."""
         if not {self.value.name, self.corner.name} & set(mesh.attributes.keys()):
             return np.zeros(len(mesh.loops), dtype=np.float32)
         corners, marked = read_values(mesh, self.corner), self._on_edges(mesh)
         return np.where(is_set(corners) | (marked == 0), corners, marked)
 
     def mark(self, mesh: bpy.types.Mesh, corners: Sequence[int] | np.ndarray, values: np.ndarray | float) -> None:
-        """Sets these values on the sides that begin at these corners, one per edge, and clears the other sides."""
+        """Sets these values on the sides of edges that begin at these corners, at most one side of each edge. Clears
+        the other sides of these edges."""
         rows, faces = corner_edges(mesh)[corners], faces_of_corners(mesh)[corners]
         self.clear(mesh, rows)
         numbers = number_faces(mesh, faces)
@@ -108,7 +112,7 @@ class SidedMark:
         return had
 
     def _on_edges(self, mesh: bpy.types.Mesh) -> np.ndarray:
-        """Returns (l,) float32, like read, from the values on edges alone."""
+        """Returns (l,) float32 like read, but ignores the values on corners."""
         marked, counts = marked_corners(mesh, self.side)
         loop_edges = corner_edges(mesh)
         return np.where(marked & (counts[loop_edges] == 1), read_values(mesh, self.value)[loop_edges], np.float32(0))
@@ -119,12 +123,13 @@ SIDE_ALLOWANCES = SidedMark("allowance", SIDE_WIDTH, SIDE, SIDE_ALLOWANCE)
 
 
 def is_set(values: np.ndarray) -> np.ndarray:
+    """Returns a mask of the values that are finite and not 0."""
     return np.isfinite(values) & (values != 0)
 
 
 def number_faces(mesh: bpy.types.Mesh, faces: np.ndarray) -> np.ndarray:
-    """Numbers these faces, and renumbers faces that share a number. Returns the numbers of all faces (f,), 0 for none.
-    Known sides remain known. The mesh is in Object Mode."""
+    """Gives these faces numbers, and new numbers to all faces that share one. Returns the numbers of all faces (f,), 0
+    for none. Known sides remain known. The mesh is in Object Mode."""
     numbers = read_values(mesh, FACE)
     _, first, counts = np.unique(numbers, return_inverse=True, return_counts=True)
     renumbered = (numbers != 0) & (counts[first] > 1)
@@ -144,8 +149,8 @@ def number_faces(mesh: bpy.types.Mesh, faces: np.ndarray) -> np.ndarray:
 
 
 def marked_corners(mesh: bpy.types.Mesh, side: Mark) -> tuple[np.ndarray, np.ndarray]:
-    """Return a mask (l,) of corners whose face has the number of their edge, and the count of these at each edge (e,).
-    side: the attribute with the number."""
+    """Return a mask (l,) of the corners whose face has the number that is stored on their edge. Also return how many of
+    these corners each edge has, (e,). side: the attribute that stores the number on edges."""
     loop_edges = corner_edges(mesh)
     of_loops = read_values(mesh, side)[loop_edges]
     numbers = np.repeat(read_values(mesh, FACE), face_sizes(mesh))
@@ -157,22 +162,22 @@ def _pairs(mesh: bpy.types.Mesh, rows: np.ndarray) -> list[tuple[int, int]]:
     return [tuple(pair) for pair in edge_vertices(mesh)[rows].tolist()]
 
 
-NONE = -1.0  # stored on edges without allowance
+NONE = -1.0  # stored on edges that get no allowance
 
 
 @dataclass(frozen=True)
 class MarkedAllowances:
-    """Widths by vertex pairs, in Blender units; below 0 for no allowance."""
+    """Widths of edges and of single sides, in Blender units; below 0 for no allowance."""
 
-    edges: np.ndarray  # (e,2)
-    widths: np.ndarray  # (e,)
-    sides: np.ndarray  # (s,2) in the direction of their face
-    side_widths: np.ndarray  # (s,)
+    edges: np.ndarray  # (e,2) vertices of the edges with a width on all sides
+    widths: np.ndarray  # (e,) widths of these edges
+    sides: np.ndarray  # (s,2) vertices of the edges with a width on one side, in the direction of the face on this side
+    side_widths: np.ndarray  # (s,) widths of these sides
 
 
 def mark_edges(mesh: bpy.types.Mesh, rows: np.ndarray, width: float) -> int:
-    """Set this width on the edges that are on seams and outlines: NONE for no allowance, 0 for the default. Return the
-    number of changed edges."""
+    """Set this width on those of the edges that are on seams or outlines. width: in Blender units, NONE for no
+    allowance, 0 for the default. Return the number of changed edges."""
     marked = rows[on_outlines(mesh)[rows]]
     widths = read_values(mesh, ALLOWANCE)
     widths[marked] = width
@@ -182,8 +187,8 @@ def mark_edges(mesh: bpy.types.Mesh, rows: np.ndarray, width: float) -> int:
 
 
 def mark_sides(mesh: bpy.types.Mesh, corners: np.ndarray, width: float) -> int:
-    """Set this width, as in mark_edges, on the sides of edges that begin at these corners. Return the number of changed
-    sides. Edges of more than two faces do not change, because their sides have one width."""
+    """Set this width on the sides of edges that begin at these corners. Return the number of changed sides. Edges of
+    more than two faces do not change, because all their sides have one width. width: see mark_edges."""
     loop_edges = corner_edges(mesh)
     marked = corners[faces_at_edges(mesh)[loop_edges[corners]] <= 2]
     both, widths = _where_set(read_values(mesh, ALLOWANCE)), corner_widths(mesh)
@@ -194,7 +199,7 @@ def mark_sides(mesh: bpy.types.Mesh, corners: np.ndarray, width: float) -> int:
     first = beside[np.searchsorted(loop_edges[beside], rows)]
     last = beside[np.searchsorted(loop_edges[beside], rows, side="right") - 1]
     own, shared = np.where(widths[first] != 0, first, last), np.where(widths[first] != 0, last, first)
-    both[rows] = widths[shared]  # edges of more than two faces stay unchanged: their sides share only the default
+    both[rows] = widths[shared]  # the edge stores the width of one side; SIDE_ALLOWANCES stores a different width below
     write_marked(mesh, ALLOWANCE, both)
     SIDE_ALLOWANCES.clear(mesh, rows)
     one_sided = own[widths[own] != widths[shared]]
@@ -203,7 +208,7 @@ def mark_sides(mesh: bpy.types.Mesh, corners: np.ndarray, width: float) -> int:
 
 
 def scale_lengths(mesh: bpy.types.Mesh, factor: float) -> None:
-    """Multiplies all marked lengths by the factor. Edges without an allowance or with the default do not change."""
+    """Multiplies all marked lengths by the factor. Edges with no allowance or the default allowance do not change."""
     for mark in MARKS:
         lengths = find_values(mesh, mark) if mark.is_length else None
         if lengths is not None:
@@ -211,8 +216,8 @@ def scale_lengths(mesh: bpy.types.Mesh, factor: float) -> None:
 
 
 def read_allowances(mesh: bpy.types.Mesh) -> MarkedAllowances:
-    """Return the allowances. Raises ObjectError for a foreign attribute, or a side that is unknown or has two
-    widths."""
+    """Return the marked allowances. Raises ObjectError if an attribute of another add-on has one of our names, or if a
+    side is unknown or has two widths."""
     check_attribute(mesh, ALLOWANCE)
     SIDE_ALLOWANCES.check(mesh)
     edges, starts = edge_vertices(mesh), corner_vertices(mesh)
@@ -222,8 +227,8 @@ def read_allowances(mesh: bpy.types.Mesh) -> MarkedAllowances:
 
 
 def corner_widths(mesh: bpy.types.Mesh) -> np.ndarray:
-    """Return the width (l,) of the edge that begins at each corner, on the side of its face: 0 for the default. NONE
-    marks an edge without an allowance. Edges inside pieces may have widths, too."""
+    """Return the width (l,) of the edge that begins at each corner, on the side of the corner's face: 0 for the
+    default, NONE for no allowance. Edges inside pieces may have widths, too."""
     both, alone = _where_set(read_values(mesh, ALLOWANCE)), _where_set(SIDE_ALLOWANCES.read(mesh))
     return np.where(alone != 0, alone, both[corner_edges(mesh)])
 
@@ -236,13 +241,13 @@ def widest_allowance(mesh: bpy.types.Mesh) -> float:
 
 
 def on_outlines(mesh: bpy.types.Mesh) -> np.ndarray:
-    """Return a mask (e,) of the edges on seams and outlines; only these have sides."""
+    """Return a mask (e,) of the edges on seams and outlines. Only the sides of these edges can have marks."""
     faces = faces_at_edges(mesh)
     return (faces == 1) | (read_seams(mesh) & (faces > 0))
 
 
 def _where_set(widths: np.ndarray) -> np.ndarray:
-    """Return the widths; 0 where no width is marked."""
+    """Return the widths, with 0 instead of values that are not finite."""
     return np.where(is_set(widths), widths, np.float32(0))
 
 

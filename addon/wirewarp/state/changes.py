@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Summarizes everything that the flat pieces of a model depend on, so that a report detects changes."""
+"""Summarizes everything that the flat pieces of a model depend on as a state, so that changes since a report are
+detected.
+"""
 
 import hashlib
 
@@ -14,18 +16,19 @@ from .memory import Take, kept, read_anew
 SHAPE, FACES, MARKS, SCALE = "shape", "faces", "marks", "metric"
 MATRIX, LENGTHS = "matrix", "lengths"  # keys to recognize an applied transformation
 MODIFIED = "modified"  # key of the state with modifiers
-BLOCKS = 64  # number of blocks of vertices, each with one sum per axis
+BLOCKS = 64  # number of blocks of vertices, for each of which coordinates are summed
 ROUNDING = 1e-6  # relative rounding error of single-precision coordinates after transformations
 
 
 def model_state(source: bpy.types.Object, base: MarkedMesh, with_modifiers: bool) -> dict:
-    """Return the state for the report. base: the object's base mesh."""
+    """Return the state of the model that a report stores. base: the object's base mesh."""
     state = _state(source, _digests(base), with_modifiers, read_anew)
     return state | {LENGTHS: _length_sums(base, _linear(source))}
 
 
 def present_state(source: bpy.types.Object, with_modifiers: bool, take: Take = read_anew) -> dict:
-    """Return the model_state without lengths, even in Edit Mode. take: read_anew, or kept. Raises ObjectError."""
+    """Return the present state like model_state, but without lengths. Works in Edit Mode, too. take: read_anew or kept.
+    Raises ObjectError if an attribute of another add-on has one of our names."""
     digests = take(source.data, "digests", lambda _: _digests(marked_mesh(source, take)))
     return _state(source, digests, with_modifiers, take)
 
@@ -39,14 +42,14 @@ def _state(source: bpy.types.Object, digests: dict, with_modifiers: bool, take: 
 
 
 def has_changed(source: bpy.types.Object, state: dict | None, take: Take = kept) -> bool:
-    """Return whether geometry, seams, wires or scale differ from a report's model_state. take: kept, or read_anew. For
-    a report with modifiers, their result must not differ either, if Blender evaluates them: see shows_modified."""
+    """Return whether geometry, marks or scale differ from a report's model_state. For a report with modifiers, also
+    return whether their result differs, if Blender evaluates them: see shows_modified. take: kept or read_anew."""
     return state is not None and bool(_changes(source, state, take))
 
 
 def has_moved(source: bpy.types.Object, state: dict | None) -> bool:
-    """Return whether geometry or scale differ from the report. Changes of seams and wires do not count. A report
-    without a state counts as a report on another model."""
+    """Return whether geometry or scale differ from the report's state. Changes of seams and wires do not count. Return
+    True for a report without a state."""
     return state is None or bool(_changes(source, state, read_anew) & {SHAPE, SCALE})
 
 
@@ -56,7 +59,7 @@ def shows_modified(source: bpy.types.Object) -> bool:
 
 
 def _changes(source: bpy.types.Object, then: dict, take: Take) -> set[str]:
-    """Return the differences from the state `then`."""
+    """Return the kinds of differences from the state `then`: SHAPE, MARKS, SCALE and MODIFIED."""
     if source.data.is_editmode and source.data.shape_keys:  # Edit Mode shows the active shape key, not the base mesh
         return {SCALE} if _is_scaled(source, then) else set()
     try:
@@ -75,8 +78,8 @@ def _changes(source: bpy.types.Object, then: dict, take: Take) -> set[str]:
 
 
 def _is_applied(source: bpy.types.Object, then: dict, now: dict, take: Take) -> bool:
-    """Return whether vertices and matrix both changed, but no length, as if Blender applied a transformation. Without a
-    new matrix, any change of a vertex counts, even one below the rounding of applied transformations."""
+    """Return whether vertices and matrix have changed, but no length, because the user has applied a transformation. If
+    the matrix is the same, return False, so that even the smallest change of a vertex counts as a change."""
     if LENGTHS not in then or then[MATRIX] == now[MATRIX] or then[FACES] != now[FACES]:
         return False
     if (then[SCALE][-1] < 0) != (now[SCALE][-1] < 0):  # mirrored
@@ -94,14 +97,14 @@ def _is_scaled(source: bpy.types.Object, then: dict) -> bool:
 
 
 def _digests(mesh: MarkedMesh) -> dict[str, str]:
-    places = mesh.places + np.float32(0)  # Apply Scale turns -0 into 0, but the shape stays the same
+    places = mesh.places + np.float32(0)  # -0 becomes 0, because Apply Scale changes -0 to 0, too
     faces = _digest(_faces(mesh))
     return {SHAPE: _digest([places, *_faces(mesh)]), FACES: faces, MARKS: _digest(_marks(mesh))}
 
 
 def _length_sums(mesh: MarkedMesh, linear: np.ndarray) -> dict:
-    """Return sums of the lengths in the world of all edges and of the diagonals of faces, and their rounding. linear:
-    (3,3) from the mesh to the world. Pieces depend on these lengths alone."""
+    """Return sums of the lengths of all edges and of diagonals of faces in the world, and the rounding error of the
+    sums. The shapes of pieces depend only on these lengths. linear (3,3): from the mesh to the world."""
     points = _finite(mesh.places) @ linear.T
     corners, sizes = mesh.corner_vertices, np.repeat(mesh.face_sizes, mesh.face_sizes)
     begins = np.repeat(np.cumsum(mesh.face_sizes) - mesh.face_sizes, mesh.face_sizes)
@@ -112,12 +115,13 @@ def _length_sums(mesh: MarkedMesh, linear: np.ndarray) -> dict:
 
 
 def _modified_state(source: bpy.types.Object) -> dict:
-    """Return the state from the existing evaluated mesh.
+    """Return the state of the existing evaluated mesh.
 
-    evaluated_mesh is not used, because it would evaluate again to get more layers.
+    evaluated_mesh is not used, because it would evaluate the object again to get more layers.
 
-    Coordinates are summed and not hashed: if a modifier refers to another object, moving both changes their rounding.
-    Up to Blender 3.6, threads also sum normals in varying order, which changes coordinates along normals.
+    Coordinates are summed and not hashed, because rounding may change them. If a modifier refers to another object,
+    moving both objects changes the rounding. Up to Blender 3.6, threads also sum normals in varying order, which
+    changes coordinates along normals.
     """
     evaluated = source.evaluated_get(bpy.context.view_layer.depsgraph)
     try:
@@ -130,8 +134,8 @@ def _modified_state(source: bpy.types.Object) -> dict:
 
 
 def _is_same(then: dict | None, now: dict, is_applied: bool) -> bool:
-    """Return whether the states with modifiers are equal except for rounding. is_applied: whether a transformation was
-    applied since, so that equal lengths are enough."""
+    """Return whether two states of meshes with modifiers are equal except for rounding. is_applied: whether the user
+    has applied a transformation in between, so that equal lengths suffice."""
     if then is None or then[FACES] != now[FACES]:
         return False
     return _are_close(then, now) or (is_applied and LENGTHS in then and _are_close(then[LENGTHS], now[LENGTHS]))
@@ -165,20 +169,21 @@ def place_sums(points: np.ndarray) -> list[float]:
     numbers = np.arange(len(points))
     blocks = numbers * BLOCKS // max(len(points), 1)
     wave = np.cos(2.4 * numbers)
-    # no weight is near 0, and their sum is near 0, so that a common rounding error cancels
+    # no weight is near 0, and the sum of the weights is near 0, so that a common rounding error cancels
     weights = (wave + np.sign(wave)) / 2
     sums = [np.bincount(blocks, weights * column, minlength=BLOCKS) for column in _finite(points).T]
     return np.concatenate(sums).tolist()
 
 
 def rounding_of_sums(points: np.ndarray, distance: float) -> float:
-    """Return the largest change of the sums of points (n,3) that rounding can cause. distance: distance of the object
+    """Return the largest change of place_sums of points (n,3) that rounding can cause. distance: distance of the object
     from the world's origin."""
     return _rounding(float(np.abs(_finite(points)).max(initial=0)) + distance, len(points))
 
 
 def _rounding(size: float, count: int) -> float:
-    """Return the largest change of sums of this many values by rounding, if no coordinate is larger than `size`."""
+    """Return the largest change of place_sums that rounding can cause. size: largest coordinate; count: number of
+    points."""
     return float(ROUNDING * size * np.sqrt(max(count / BLOCKS, 1)))
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Keeps drawings until their data change, so that a redraw costs nothing."""
+"""Keeps drawings until their data change, so that a redraw takes almost no time."""
 
 import time
 from collections.abc import Callable
@@ -14,15 +14,15 @@ from .memory import all_states, state_of
 
 T = TypeVar("T")
 IDLE_SHARE = 9  # pause after a build as a multiple of the time it took, so that building takes a tenth of all time
-MAX_IDLE = 1.0  # seconds; the longest pause, because a drawing older than this is outdated
-FELT = 0.03  # seconds; a slower drawing is built one redraw later, so that the view follows the mouse
+MAX_IDLE = 1.0  # longest pause in seconds, so that no drawing is outdated for longer
+FELT = 0.03  # longest time in seconds for a build; a drawing that took longer is built again one redraw later
 SOON = 0.01  # seconds until the redraw after a slow drawing
 REST = 0.2  # seconds without a change before a build in Edit Mode, where the user may be dragging
 
 
 @dataclass(frozen=True, eq=False)
 class Same:
-    """Equal only to an instance with the same object."""
+    """A value that equals another Same only if both contain the same object."""
 
     value: object
 
@@ -32,19 +32,19 @@ class Same:
 
 @dataclass(frozen=True)
 class _Entry:
-    made_of: tuple
-    value: Any
-    rests_until: float  # seconds of the monotonic clock
-    is_slow: bool
-    awaited: tuple | None = None  # data of the postponed drawing
-    since: float = 0.0  # time when it was postponed, on the monotonic clock
+    made_of: tuple  # data from which the drawing was built
+    value: Any  # the drawing
+    rests_until: float  # end of the pause after the build, in seconds of the monotonic clock
+    is_slow: bool  # whether the build took longer than FELT
+    awaited: tuple | None = None  # data of a postponed build
+    since: float = 0.0  # time when the build was postponed, in seconds of the monotonic clock
 
 
 def kept_drawing(
     owner: bpy.types.Object, what: str, made_of: tuple, build: Callable[[], T], model: bpy.types.Object | None = None
 ) -> T:
-    """Return build(), or its last result if `made_of` is unchanged or if a build now would delay the user. model:
-    another object; in its Edit Mode, builds wait for a pause, too."""
+    """Return build(), or its last result if `made_of` is unchanged, or if a build now would delay the user. While the
+    owner or `model` is in Edit Mode, slow builds wait for a pause of the user."""
     drawings, now = state_of(owner).drawings, time.monotonic()
     entry: _Entry | None = drawings.get(what)
     if entry and entry.made_of == made_of:
@@ -68,7 +68,7 @@ def kept_drawing(
 
 
 def reused(old: Any, new: Any) -> Any:  # noqa: ANN401
-    """Return the new data, with all equal parts taken from the old one."""
+    """Return the new data. Parts that are equal in the old data are the old objects."""
     if is_same(old, new):
         return old
     if isinstance(old, dict) and isinstance(new, dict):
@@ -80,7 +80,7 @@ def reused(old: Any, new: Any) -> Any:  # noqa: ANN401
 
 
 def is_same(first: Any, second: Any) -> bool:  # noqa: ANN401
-    """Return whether the values are equal. Compares arrays, even those in dataclasses, dicts and lists."""
+    """Return whether the values are equal, even if they are or contain arrays."""
     if type(first) is not type(second):
         return False
     if isinstance(first, np.ndarray):

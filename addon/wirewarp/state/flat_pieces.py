@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Reads a flat mesh: which elements of the model its elements are, and whether it is still valid."""
+"""Reads a flat mesh, finds elements of the model on it, and checks whether it is still valid."""
 
 import bpy
 import numpy as np
@@ -22,7 +22,8 @@ from .reports import pieces_report
 
 
 def on_flat(elements: Elements, flat: FlatPieces) -> Elements:
-    """Return these elements of the model as elements of the flat pieces; an edge along a seam exists once per side."""
+    """Return the elements of the flat pieces that were made from these elements of the model. An edge on a seam has one
+    edge on each side."""
     in_piece = np.full(len(flat.face_piece), True) if elements.piece is None else flat.face_piece == elements.piece
     if elements.whole_piece:
         return Elements(faces=np.flatnonzero(in_piece))
@@ -38,13 +39,13 @@ def on_flat(elements: Elements, flat: FlatPieces) -> Elements:
 
 
 OF_ELEMENTS = (SOURCE_VERTEX, SOURCE_CORNER, SOURCE_FACE, PIECE_INDEX, PIECE)  # attributes that a flat mesh always has
-# Tolerance relative to the length, and to the largest coordinate in single precision, because pieces may have been
-# moved.
+# Tolerances of lengths, relative to the length, and relative to the largest coordinate, because single precision rounds
+# the coordinates of pieces that were moved.
 LENGTH_ERROR, PLACE_ERROR = 1e-5, 1e-6
 
 
 def is_flat_mesh(mesh: bpy.types.Mesh) -> bool:
-    """Return whether the mesh contains only flat pieces, even if their model has changed. The mesh is not in Edit
+    """Return whether the mesh contains flat pieces in a plane, even if their model has changed. The mesh is not in Edit
     Mode."""
     if not len(mesh.polygons) or not has_attributes(mesh, *OF_ELEMENTS):
         return False
@@ -52,8 +53,8 @@ def is_flat_mesh(mesh: bpy.types.Mesh) -> bool:
 
 
 def read_flat_pieces(mesh: bpy.types.Mesh, scale: float = 1.0) -> FlatPieces:
-    """Return the pieces in Blender units times `scale`, with None for missing ones. The object is in Object Mode.
-    Raises ObjectError."""
+    """Return the pieces, with None for missing attributes. The mesh is not in Edit Mode. scale: factor for lengths,
+    which are in Blender units. Raises ObjectError."""
     return FlatPieces(
         vertices=vertex_places(mesh)[:, :2].astype(np.float64) * scale,
         source_vertex=find_values(mesh, SOURCE_VERTEX),
@@ -69,11 +70,12 @@ def read_flat_pieces(mesh: bpy.types.Mesh, scale: float = 1.0) -> FlatPieces:
 
 
 def no_pieces_sentence(source: bpy.types.Object) -> str:
-    return f'"{source.name}" has no flat pieces. Flatten it again.'  # they were deleted, or it is a copy
+    return f'"{source.name}" has no flat pieces. Flatten it again.'  # its pieces were deleted, or the model is a copy
 
 
 def pieces_of_report(source: bpy.types.Object, report: ObjectReport) -> tuple[bpy.types.Object, FlatPieces]:
-    """Return the flat object of a model that is in Object Mode. Raises ObjectError if the report has none."""
+    """Return the flat object of a model in Object Mode, and its pieces. Raises ObjectError if the report's pieces do
+    not exist."""
     flat = find_flat_object(source)
     if (
         not has_flat_object(source)
@@ -85,8 +87,8 @@ def pieces_of_report(source: bpy.types.Object, report: ObjectReport) -> tuple[bp
 
 
 def has_kept_shape(mesh: bpy.types.Mesh) -> bool:
-    """Return whether all elements still exist, no edge has changed its length, and no piece is flipped. The mesh has
-    the attributes of flat pieces."""
+    """Return whether all elements of the flat mesh still exist, no edge has changed its length, and no piece is
+    flipped."""
     laid_out, record = find_values(mesh, FLAT_LENGTH), read_record(mesh)
     counts = [len(mesh.vertices), len(mesh.edges), len(mesh.polygons)]
     if laid_out is None or record is None or record.counts != counts:
@@ -104,7 +106,7 @@ def current_pieces(source: bpy.types.Object) -> tuple[ObjectReport, bpy.types.Ob
     """Return the report and the flat object of a model in Object Mode. Raises ObjectError if they are outdated."""
     report, flat = pieces_report(source), find_flat_object(source)
     if report is None or not has_flat_object(source) or report.flat_object is None:
-        raise object_error("no_flat_pieces", f'"{source.name}" has no flat pieces: flatten it first.')
+        raise object_error("no_flat_pieces", f'"{source.name}" has no flat pieces. Flatten it first.')
     check_not_edited(source)
     bpy.context.view_layer.update()
     if report.with_modifiers and not shows_modified(source):
@@ -116,7 +118,7 @@ def current_pieces(source: bpy.types.Object) -> tuple[ObjectReport, bpy.types.Ob
         raise object_error(
             "edited_pieces",
             f'The pieces in "{flat.name}" were edited by hand, so their lengths differ from the model. '
-            f'Flatten "{source.name}" again. Moving and turning whole pieces is fine.',
+            f'Flatten "{source.name}" again. You may move and rotate only whole pieces.',
         )
     if not is_true_size(flat):
         raise object_error(
@@ -128,7 +130,7 @@ def current_pieces(source: bpy.types.Object) -> tuple[ObjectReport, bpy.types.Ob
 
 
 def _is_edited(mesh: bpy.types.Mesh, report: ObjectReport) -> bool:
-    """Return whether anything differs from the layout except the places of whole pieces."""
+    """Return whether the pieces differ from those that Flatten wrote, except in their places."""
     if not has_attributes(mesh, PIECE_INDEX, SOURCE_VERTEX):
         return True
     pieces = find_values(mesh, PIECE_INDEX)

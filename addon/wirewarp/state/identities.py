@@ -20,16 +20,17 @@ from .record import read_record
 
 
 def find_name(mesh: bpy.types.Mesh, wire_id: int) -> bpy.types.PropertyGroup | None:
+    """Return the entry of this wire in the list of names; None if there is none."""
     return next((entry for entry in mesh.wirewarp_names if entry.wire_id == wire_id), None)
 
 
 def list_places(mesh: bpy.types.Mesh) -> dict[int, int]:
-    """Return the place of each id in the list, for sorting."""
+    """Return the index of each wire's entry in the list of names, by the wire's id."""
     return {entry.wire_id: place for place, entry in enumerate(mesh.wirewarp_names)}
 
 
 def names_of(mesh: bpy.types.Mesh, wire_ids: Iterable[int]) -> dict[int, str]:
-    """Return the name of each id."""
+    """Return the name of each wire by its id. Wires without an entry in the list of names get new names."""
     present = dict.fromkeys(wire_ids)
     names = {entry.wire_id: entry.name for entry in mesh.wirewarp_names if entry.wire_id in present}
     taken = set(names.values())
@@ -42,7 +43,8 @@ def names_of(mesh: bpy.types.Mesh, wire_ids: Iterable[int]) -> dict[int, str]:
 
 
 def chain_names(mesh: bpy.types.Mesh, wire_ids: Sequence[int]) -> list[str]:
-    """Return the name of each wire. Wires with the same id or name are named Bust, Bust (2) and so on."""
+    """Return the name of each wire. If several wires have the same id or name, they are named Bust, Bust (2) and so
+    on."""
     names, taken = names_of(mesh, wire_ids), dict[str, None]()
     for wire_id in wire_ids:
         taken[_numbered(names[wire_id], taken)] = None
@@ -50,8 +52,8 @@ def chain_names(mesh: bpy.types.Mesh, wire_ids: Sequence[int]) -> list[str]:
 
 
 def present_names(mesh: bpy.types.Mesh, report: Report) -> dict[int, str]:
-    """Return the present name of each wire of a report, by its own id. Copies have the original's name with a number.
-    mesh: the model's."""
+    """Return the present name of each wire of a report, by the wire's own id. A copy of a wire has the name of the
+    original with a number. mesh: the model's mesh."""
     listed = {entry.wire_id: entry.name for entry in mesh.wirewarp_names}
     names: dict[int, str] = {}
     taken: set[str] = set()
@@ -63,12 +65,12 @@ def present_names(mesh: bpy.types.Mesh, report: Report) -> dict[int, str]:
 
 
 def update_names(mesh: bpy.types.Mesh, wire_ids: Iterable[int]) -> None:
-    """Make one entry in the list of names for each id on the mesh, and remove all other entries."""
+    """Make one entry in the list of names for each of these ids, and remove all other entries."""
     write_names(mesh, names_of(mesh, wire_ids))
 
 
 def write_names(mesh: bpy.types.Mesh, names: Mapping[int, str]) -> None:
-    """Make the list contain these names of these ids and nothing else; entries keep their places."""
+    """Make the list of names contain exactly these names, by id. Entries keep their order."""
     for index in reversed(range(len(mesh.wirewarp_names))):
         if mesh.wirewarp_names[index].wire_id not in names:
             mesh.wirewarp_names.remove(index)
@@ -79,8 +81,8 @@ def write_names(mesh: bpy.types.Mesh, names: Mapping[int, str]) -> None:
 
 
 def _names_elsewhere(mesh: bpy.types.Mesh, wire_ids: Sequence[int]) -> dict[int, str]:
-    """Return the names of wires from joined objects. Joining keeps only one object's list, but the meshes of the others
-    exist until the file is saved."""
+    """Return the names of wires that came from joined objects. Joining keeps only one object's list of names, but the
+    meshes of the other objects exist until the file is saved."""
     return {
         entry.wire_id: entry.name
         for other in bpy.data.meshes
@@ -125,13 +127,13 @@ class WireSummary:
     shares_id: bool  # whether an earlier wire has the same id, because the wire was copied or cut in two
 
     def length(self, linear: np.ndarray) -> float:
-        """Return the length in Blender units, for an object with this linear part."""
+        """Return the length in Blender units. linear (3,3): rotation, scale and shear of the object."""
         return float(np.linalg.norm(self.edge_vectors @ linear.T, axis=1).sum())
 
 
 def wires_of(target: bpy.types.Object) -> list[WireSummary]:
-    """Return the wires in the order of the mesh. Raises ObjectError if others made an attribute with one of our
-    names."""
+    """Return the wires in the order of the mesh, kept until the mesh changes. Raises ObjectError if an attribute of
+    another add-on has one of our names."""
     return kept(target.data, "wires", lambda _: find_wires(target, kept))
 
 
@@ -144,12 +146,12 @@ def listed_wires(target: bpy.types.Object) -> list[tuple[str, WireSummary]]:
 
 
 def editable_name(mesh: bpy.types.Mesh, wire: WireSummary) -> bpy.types.PropertyGroup | None:
-    """Return the entry in the list of names that belongs to this wire alone."""
+    """Return the entry in the list of names that belongs to this wire alone; None if there is none."""
     return None if wire.shares_id else find_name(mesh, wire.wire_id)
 
 
 def find_wires(target: bpy.types.Object, take: Take = read_anew) -> list[WireSummary]:
-    """Return the wires like wires_of. take: read_anew, or kept."""
+    """Return the wires in the order of the mesh. take: read_anew or kept. Raises ObjectError like wires_of."""
     mesh, seen, wires = marked_mesh(target, take), set(), []
     places = mesh.places.astype(np.float64)
     for chain in chains_of_marks(mesh.edges, mesh.marks, places):
@@ -161,7 +163,8 @@ def find_wires(target: bpy.types.Object, take: Take = read_anew) -> list[WireSum
 
 
 def repair_names(target: bpy.types.Object) -> dict[int, int]:
-    """Write the names in either mode. Return the ids that must still be written, one per edge."""
+    """Write the names of all wires to the list of names, in either mode. Wires that share an id with an earlier wire
+    need a new id: return the new ids, by edge, which the caller must write."""
     wires, mesh = find_wires(target), target.data
     ids = [wire.wire_id for wire in wires]
     own = own_ids(ids)
@@ -170,21 +173,22 @@ def repair_names(target: bpy.types.Object) -> dict[int, int]:
 
 
 def piece_names(source: bpy.types.Object) -> dict[int, str]:
-    """Return the names by id, in the order of the last report."""
+    """Return the names of the pieces by id, in the order of the last report."""
     return {entry.piece_id: entry.name for entry in source.wirewarp_pieces}
 
 
 def known_pieces(
     source: bpy.types.Object, arrays: MeshArrays, flat: bpy.types.Object | None, model_name: str
 ) -> KnownPieces:
-    """Return the pieces by the ids on the model or, if given, on its flat pieces, which always have the ids of the last
-    run. model_name: the model's name in that run."""
+    """Return the pieces of the last run, with the ids on the faces of the model. If flat pieces are given, their ids
+    are used. model_name: the model's name in the last run."""
     ids = _ids_of_flat_pieces(flat.data, len(arrays.piece_ids)) if flat else arrays.piece_ids
     return KnownPieces(ids if ids.any() else arrays.piece_ids, piece_names(source), model_name)
 
 
 def _ids_of_flat_pieces(mesh: bpy.types.Mesh, face_count: int) -> np.ndarray:
-    """Return the ids (face_count,) for the model; zeros if its faces are not those of the flattened model."""
+    """Return the piece ids (face_count,) of the model's faces, from the flat mesh; zeros if the number of faces has
+    changed."""
     ids, record = np.zeros(face_count, dtype=np.int32), read_record(mesh)
     if record and record.source_faces == face_count and has_attributes(mesh, SOURCE_FACE, PIECE):
         faces = find_values(mesh, SOURCE_FACE)
@@ -208,8 +212,8 @@ def write_pieces(
     identities: Sequence[PieceIdentity],
     on_model: bool,
 ) -> None:
-    """Write ids and names of pieces. on_model: whether the arrays belong to the base mesh, so that it may be
-    written."""
+    """Write ids and names of the pieces. on_model: whether the arrays were read from the base mesh, so that ids can be
+    written to it."""
     source.wirewarp_pieces.clear()
     for identity in identities:
         entry = source.wirewarp_pieces.add()
@@ -224,14 +228,15 @@ def seam_names(source: bpy.types.Object) -> dict[int, str]:
 
 
 def known_seams(source: bpy.types.Object, arrays: MeshArrays, flat: bpy.types.Object | None) -> KnownSeams:
-    """Return the seams by the ids on the model or, if given, on its flat pieces, which always have the ids of the last
-    run."""
+    """Return the seams of the last run, with the ids on the seam edges of the model. If flat pieces are given, their
+    ids are used."""
     ids = _seam_ids_of_flat_pieces(flat.data, arrays) if flat else arrays.seam_ids
     return KnownSeams(ids if ids.any() else arrays.seam_ids, seam_names(source))
 
 
 def _seam_ids_of_flat_pieces(mesh: bpy.types.Mesh, arrays: MeshArrays) -> np.ndarray:
-    """Return the ids (k,) of the model's seam edges; zeros if its faces are not those of the flattened model."""
+    """Return the seam ids (k,) of the model's seam edges, from the flat mesh; zeros if the number of faces has
+    changed."""
     ids, found = np.zeros(len(arrays.seams), dtype=np.int32), find_values(mesh, SEAM)
     record = read_record(mesh)
     is_same = record is not None and record.source_faces == len(arrays.polygon_starts)
@@ -249,8 +254,8 @@ def _seam_ids_of_flat_pieces(mesh: bpy.types.Mesh, arrays: MeshArrays) -> np.nda
 def write_seams(
     source: bpy.types.Object, arrays: MeshArrays, identities: Sequence[SeamIdentity], on_model: bool
 ) -> None:
-    """Write ids and names of seams. Keep names that the user has changed since the model was read. arrays: the model
-    with the new ids; on_model: whether the arrays belong to the base mesh, so that it may be written."""
+    """Write ids and names of the seams. Keep names that the user has changed. arrays: the model with the new ids;
+    on_model: whether the arrays were read from the base mesh, so that ids can be written to it."""
     places = {entry.seam_id: place for place, entry in enumerate(source.wirewarp_seams)}
     for identity in identities:  # accessed by index, because add() moves the entries in memory
         place = places.get(identity.seam_id)

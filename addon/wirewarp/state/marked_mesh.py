@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Reads a mesh with its wires and ids as arrays, in either mode: everything that flat pieces depend on."""
+"""Reads the data of a mesh on which flat pieces depend as arrays, in either mode, and writes wires and ids."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -33,13 +33,13 @@ def check_attributes(mesh: bpy.types.Mesh) -> None:
 
 
 def has_marks(mesh: bpy.types.Mesh) -> bool:
-    """Return whether our attributes exist with our types."""
+    """Return whether the mesh has wires, and our attributes have our types and domains."""
     present = [each for each in OF_WIRES if each.name in mesh.attributes]
     return WIRE in present and has_attributes(mesh, *present)
 
 
 def read_marks(mesh: bpy.types.Mesh) -> EdgeMarks:
-    """Return the marks of a mesh that is not in Edit Mode."""
+    """Return the marks of a mesh that is not in Edit Mode. Raises ObjectError like check_attributes."""
     check_attributes(mesh)
     return EdgeMarks(*(read_values(mesh, each) for each in OF_WIRES))
 
@@ -53,14 +53,14 @@ def write_marks(mesh: bpy.types.Mesh, marks: EdgeMarks) -> None:
 
 
 def wires_on(mesh: bpy.types.Mesh) -> list[int]:
-    """Return the ids of a mesh that is not in Edit Mode, in its order."""
+    """Return the wire ids on a mesh that is not in Edit Mode, in the order of the edges."""
     marks = read_marks(mesh)
     return list(dict.fromkeys(marks.wire_ids[marks.rows].tolist()))
 
 
 def own_ids(wire_ids: Sequence[int]) -> list[int]:
-    """Return an id for each wire. Copied or cut wires share an id: the first wire keeps it. The others get the next
-    unused numbers, so that the result is deterministic."""
+    """Return a separate id for each wire. Of copied or cut wires, which share an id, the first wire keeps it. The other
+    wires get the next unused numbers, so that the result is deterministic."""
     taken, own = set(wire_ids), dict[int, None]()
     for wire_id in wire_ids:
         free = wire_id
@@ -77,25 +77,27 @@ def check_id_room(target: bpy.types.Object) -> None:
 
 
 def read_ids(mesh: bpy.types.Mesh, attribute: Attribute) -> np.ndarray:
-    """Return the ids of a mesh that is not in Edit Mode: PIECE (f,), SEAM (e,), int32, 0 none. Raises ObjectError."""
+    """Return the ids on a mesh that is not in Edit Mode, int32, 0 for none: PIECE (f,) or SEAM (e,). Raises ObjectError
+    if the attribute has another type or domain."""
     check_attribute(mesh, attribute)
     return read_values(mesh, attribute)
 
 
 @dataclass(frozen=True)
 class MarkedMesh:
-    places: np.ndarray  # (n,3) float32, in the mesh's own space
-    edges: np.ndarray  # (e,2) int32
-    corner_vertices: np.ndarray  # (l,) int32
-    corner_edges: np.ndarray  # (l,) int32, the edge from each corner to the next of its face
-    face_sizes: np.ndarray  # (f,) int32
-    seams: np.ndarray  # (e,) bool
+    places: np.ndarray  # (n,3) float32, places of the vertices in the mesh's own space
+    edges: np.ndarray  # (e,2) int32, vertices of the edges
+    corner_vertices: np.ndarray  # (l,) int32, the vertex of each corner
+    corner_edges: np.ndarray  # (l,) int32, the edge from each corner to the next corner of its face
+    face_sizes: np.ndarray  # (f,) int32, number of corners of each face
+    seams: np.ndarray  # (e,) bool, whether each edge is a seam
     marks: EdgeMarks  # (e,)
-    side_eases: np.ndarray  # (l,) float32, of the edge that begins at each corner, on the side of its face; 0 none
+    # (l,) float32, ease of the edge that begins at each corner, on the side of the corner's face; 0 none
+    side_eases: np.ndarray
 
 
 def read_marked(mesh: bpy.types.Mesh) -> MarkedMesh:
-    """Read a mesh that is not in Edit Mode. Raises ObjectError if others made an attribute with one of our names."""
+    """Return the data of a mesh that is not in Edit Mode. Raises ObjectError like check_attributes."""
     return MarkedMesh(
         vertex_places(mesh),
         edge_vertices(mesh),
@@ -109,11 +111,11 @@ def read_marked(mesh: bpy.types.Mesh) -> MarkedMesh:
 
 
 def marked_mesh(target: bpy.types.Object, take: Take = read_anew) -> MarkedMesh:
-    """Return the object's own mesh as read_marked does, but in either mode. take: read_anew, or kept."""
+    """Return the data of the object's own mesh like read_marked, but in either mode. take: read_anew or kept."""
 
     def gather(_mesh: bpy.types.Mesh) -> MarkedMesh:
         with current_mesh(target) as mesh:
             return read_marked(mesh)
 
-    # Outside Edit Mode reading is fast, so nothing is kept.
+    # Outside Edit Mode, reading is fast, so nothing is kept.
     return take(target.data, "marked mesh", gather) if target.data.is_editmode else gather(target.data)

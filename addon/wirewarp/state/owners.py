@@ -12,8 +12,8 @@ from ..blender.objects import name_with
 from ..issues import object_error
 
 DELETED = (
-    'Their model "{}" was deleted: bring it back with Ctrl+Z, or select another one. It stays in the file until its '
-    "pieces are deleted too."
+    'You deleted their model "{}". Press Ctrl+Z to get it back, or select another model. The file keeps a hidden copy '
+    "until you delete these pieces, too."
 )
 
 
@@ -25,19 +25,20 @@ def model_of(target: bpy.types.Object) -> bpy.types.Object | None:
 
 
 def model_or_self(target: bpy.types.Object) -> bpy.types.Object:
-    """Return the model of flat pieces; return any other object itself."""
+    """Return the model if the object has flat pieces, otherwise the object itself."""
     return model_of(target) or target
 
 
 def is_deleted(model: bpy.types.Object) -> bool:
-    """Return whether the user has deleted this model of flat pieces; it stays in the file while they point to it."""
+    """Return whether the user has deleted this model of flat pieces. It stays in the file while its pieces exist."""
     return not model.users_scene
 
 
 def find_flat_object(source: bpy.types.Object) -> bpy.types.Object | None:
-    """Return the object that points to `source`. Of several copies, the one with the add-on's name comes first."""
+    """Return the flat object of this model; None if there is none. If there are copies, the object with the add-on's
+    name is preferred."""
     named = bpy.data.objects.get(flat_name(source.name))
-    if named and model_of(named) == source:  # found by name first, because checking all objects may mean thousands
+    if named and model_of(named) == source:  # the name is tried first, because a file may have thousands of objects
         return named
     return next((candidate for candidate in bpy.data.objects if model_of(candidate) == source), None)
 
@@ -53,26 +54,27 @@ def has_flat_object(source: bpy.types.Object) -> bool:
 
 
 def is_earlier(target: bpy.types.Object) -> bool:
-    """Return whether these are flat pieces that the next run does not change: a copy, or separated parts."""
+    """Return whether the object has flat pieces that the next run does not change: it is a copy, or pieces that were
+    separated from the flat object."""
     model = model_of(target)
     return model is not None and target != find_flat_object(model) and bool(target.users_scene)
 
 
 def earlier_sentence(target: bpy.types.Object) -> str:
     flat = find_flat_object(model_of(target))
-    return f'"{target.name}" is a copy of earlier pieces, or belongs to them. Use "{flat.name}" and delete the others.'
+    return f'"{target.name}" is a copy or a part of earlier pieces. Use "{flat.name}", and delete "{target.name}".'
 
 
 def check_not_edited(target: bpy.types.Object, handled: Collection[bpy.types.Mesh] = ()) -> None:
     """Raises ObjectError if the mesh of the model or of its pieces is in Edit Mode, which hides attributes.
 
-    in_object_mode leaves only the Edit Mode of one view layer, and other scenes and windows have their own. handled:
-    meshes that the caller reads and writes in Edit Mode.
+    in_object_mode leaves Edit Mode only in one view layer. Meshes may be in Edit Mode in other scenes and windows, too.
+    handled: meshes that the caller reads and writes in Edit Mode.
     """
     for each in filter(None, [target, find_flat_object(target)]):
         if each.data.is_editmode and each.data not in handled:
             raise object_error(
                 "edited_elsewhere",
-                f'The mesh "{each.data.name}" is being edited in another scene or view layer: leave Edit Mode there '
+                f'The mesh "{each.data.name}" is being edited in another scene or view layer. Leave Edit Mode there '
                 "first.",
             )

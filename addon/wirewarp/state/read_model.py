@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Reads an object's mesh with its seams, wires and regions into arrays, and examines its modifiers."""
+"""Reads an object's mesh with its seams, wires and regions into arrays, and checks, adds and applies modifiers."""
 
 from dataclasses import replace
 
@@ -27,30 +27,34 @@ from .allowances import SIDE_EASES, corner_widths, widest_allowance
 from .identities import chain_names
 from .marked_mesh import MarkedMesh, own_ids, read_ids, read_marked
 
-LEVELS = 2  # two levels divide a turn of 60 degrees, the largest that counts as a curve, into four turns of 15 degrees
-MOST_LEVELS = 4  # each level has four times as many faces
-ROUNDING = 1e-5  # as a share of the model's size: error of single-precision matrices of an armature at rest
+# levels of a new modifier: two levels divide a turn of 60 degrees, the largest of a curve, into turns of 15 degrees
+LEVELS = 2
+MOST_LEVELS = 4  # maximum number of levels, because each level has four times as many faces
+ROUNDING = 1e-5  # rounding error of places with an armature at rest, as a share of the model's size
 
 
 def left_out(source: bpy.types.Object, arrays: MeshArrays | None, use_modifiers: bool) -> list[Note]:
+    """Return notes about data of the model that the run does not use or change."""
     notes = []
     if use_modifiers and UV_LAYER in source.data.uv_layers:
         text = f'The UV map "{UV_LAYER}" is from an earlier run without Modifiers. It does not show these pieces.'
         notes.append(Note(text))
     if arrays and arrays.loose_marks:
-        ignored = counted(arrays.loose_marks, "marked edge ignored: it has", "marked edges ignored: they have")
-        notes.append(Note(f"{ignored} no face.", is_warning=True))
+        ignored = counted(arrays.loose_marks, "marked edge has no face and was", "marked edges have no face and were")
+        notes.append(Note(f"{ignored} ignored.", is_warning=True))
     if arrays and arrays.loose_eases:
         edges = counted(
-            arrays.loose_eases, "edge has an ease but is not a wire", "edges have an ease but are not wires"
+            arrays.loose_eases,
+            "edge has an ease but is not a wire, so the ease was not used. Select it",
+            "edges have an ease but are not wires, so the ease was not used. Select them",
         )
-        notes.append(Note(f"{edges}: it was not used. Mark them with Ease.", is_warning=True))
+        notes.append(Note(f"{edges} and press All Sides.", is_warning=True))
     return notes
 
 
 def shaped_by(source: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> list[str]:
-    """Return "modifiers" and "shape keys" if these make the object differ from its base mesh. The object is in Object
-    Mode. Only the evaluated shape counts, so an armature at rest or a modifier of normals does not matter."""
+    """Return "modifiers" and "shape keys" if these change the shape of the object, which is in Object Mode. Only the
+    evaluated shape counts, so an armature at rest or a modifier of normals does not matter."""
     makers = ["modifiers"] if any(modifier.show_viewport for modifier in source.modifiers) else []
     makers += ["shape keys"] if source.data.shape_keys else []
     if not makers:
@@ -59,7 +63,8 @@ def shaped_by(source: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> list[
 
 
 def subdivide(source: bpy.types.Object, is_used: bool) -> None:
-    """Add a level of subdivision with a modifier. Keep corners of outlines. is_used: the last run had modifiers."""
+    """Add a Subdivision Surface modifier that keeps corners of outlines, or one more level if the model has such a
+    modifier. is_used: whether the last run used modifiers; if not, an existing modifier keeps its level."""
     found = [modifier for modifier in source.modifiers if modifier.type == "SUBSURF" and modifier.show_viewport]
     if found and is_used:
         found[-1].levels = max(found[-1].levels, min(found[-1].levels + 1, MOST_LEVELS))
@@ -70,8 +75,8 @@ def subdivide(source: bpy.types.Object, is_used: bool) -> None:
 
 
 def outline_change(source: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> float:
-    """Return the relative change of the outlines' length by modifiers, below 0 if they become shorter. The object is in
-    Object Mode."""
+    """Return the relative change of the outlines' length by modifiers, below 0 if outlines become shorter. The object
+    is in Object Mode."""
     before = _outline_length(source.data)
     with evaluated_mesh(source, depsgraph) as mesh:
         return _outline_length(mesh) / before - 1 if before else 0.0
@@ -83,10 +88,11 @@ def _outline_length(mesh: bpy.types.Mesh) -> float:
 
 
 def check_modifiers(source: bpy.types.Object) -> None:
-    """Raises ObjectError if Blender cannot apply them."""
+    """Raises ObjectError if Blender cannot apply the modifiers of the object."""
     if source.data.shape_keys or source.data.users > 1:
         why = "has shape keys" if source.data.shape_keys else "shares its mesh with other objects"
-        raise object_error("modifiers", f'"{source.name}" {why}, so modifiers cannot be applied.')
+        remedy = "Delete the shape keys" if source.data.shape_keys else "Use Object > Relations > Make Single User"
+        raise object_error("modifiers", f'"{source.name}" {why}, so modifiers cannot be applied. {remedy} first.')
 
 
 def apply_modifiers(source: bpy.types.Object) -> None:
@@ -99,7 +105,7 @@ def apply_modifiers(source: bpy.types.Object) -> None:
 
 
 def _is_same_shape(base: bpy.types.Mesh, seen: bpy.types.Mesh) -> bool:
-    """Return whether the shapes are the same, even if a modifier has split edges, which repeats places."""
+    """Return whether the two meshes have the same shape, even if a modifier has split edges and so repeated places."""
     if len(base.polygons) != len(seen.polygons):
         return False
     places, seen_places = (vertex_places(mesh) for mesh in (base, seen))
@@ -109,14 +115,15 @@ def _is_same_shape(base: bpy.types.Mesh, seen: bpy.types.Mesh) -> bool:
     return bool(np.allclose(places, seen_places, rtol=0, atol=ROUNDING * size, equal_nan=True))
 
 
-LARGEST = 1e18  # Blender units
-SAMPLE = 5_000  # maximum number of faces: Blender lists groups only vertex by vertex, which is slow on large meshes
+LARGEST = 1e18  # largest coordinate, in Blender units
+SAMPLE = 5_000  # maximum number of faces whose regions are read, because reading groups vertex by vertex is slow
 NO_REGIONS = {NO_SEAM, "sharp_face"}  # boolean face attributes that do not name a part of a model
-CARRIED = 0.5  # least weight of a vertex that counts as in its group
+CARRIED = 0.5  # least weight at which a vertex counts as in the group
 
 
 def object_to_arrays(source: bpy.types.Object, base: MarkedMesh, depsgraph: bpy.types.Depsgraph | None) -> MeshArrays:
-    """Return the object's base mesh as arrays or, with a depsgraph, the mesh with modifiers. Raises ObjectError."""
+    """Return the object's base mesh as arrays, or with a depsgraph the mesh with modifiers. Raises ObjectError if the
+    mesh or its marks are unusable. base: data already read from the base mesh."""
     linear = linear_part(source)
     if depsgraph is None:
         with current_mesh(source) as mesh:
@@ -126,18 +133,21 @@ def object_to_arrays(source: bpy.types.Object, base: MarkedMesh, depsgraph: bpy.
 
 
 def _check_size(source: bpy.types.Object, vertices: np.ndarray) -> None:
-    """Raises ObjectError unless areas are finite in single precision. The core reports vertices that are not finite."""
+    """Raises ObjectError if areas are not finite in single precision. The core reports coordinates that are not
+    finite."""
     if LARGEST < np.abs(vertices).max(initial=0) < np.inf:
         raise object_error(
             "too_large",
-            f'"{source.name}" is more than {LARGEST:.0e} Blender units wide, too large for true areas: scale it down.',
+            f'"{source.name}" is more than {LARGEST:.0e} Blender units wide, so its areas cannot be computed. '
+            "Scale it down.",
         )
 
 
 def _to_arrays(
     mesh: bpy.types.Mesh, marked: MarkedMesh, source: bpy.types.Object, linear: np.ndarray, *, has_modifiers: bool
 ) -> MeshArrays:
-    """Return the arrays. marked: data already read from the mesh; has_modifiers: modifiers made the mesh."""
+    """Return the mesh as arrays. marked: data already read from the mesh; linear (3,3): see linear_part; has_modifiers:
+    whether modifiers made the mesh."""
     mirrored = bool(np.linalg.det(linear) < 0)
     mesh.calc_loop_triangles()
     # Faces of a mirrored object still face outward in Blender, but the order of their corners is reversed.
@@ -151,12 +161,12 @@ def _to_arrays(
     edges = marked.edges
     face_count = np.bincount(marked.corner_edges, minlength=len(edges))
     in_face = face_count > 0
-    seams = np.flatnonzero(marked.seams & in_face)  # leaves out loose edges, which do not cut faces
+    seams = np.flatnonzero(marked.seams & in_face)  # without loose edges, which do not cut faces
     return MeshArrays(
         vertices=vertices,
         triangles=marked.corner_vertices[loops],
         triangle_loops=loops,
-        # Blender stores triangles in the order of their polygons, n - 2 for each polygon.
+        # Blender stores triangles in the order of their polygons: n - 2 triangles for a polygon of n corners.
         triangle_polygons=np.repeat(np.arange(len(sizes), dtype=np.int32), sizes - 2),
         loop_vertices=marked.corner_vertices,
         loop_edges=marked.corner_edges,
@@ -184,8 +194,8 @@ def _to_arrays(
 
 
 def own_uv_map(mesh: bpy.types.Mesh) -> bpy.types.MeshUVLoopLayer | None:
-    """Return the user's active UV map; None if there is only the map of the flat pieces. If that map is active, as
-    after Flatten, return the user's map that is active for rendering, or the first one."""
+    """Return the user's active UV map; None if there is only the map of the flat pieces. If this map is active, as
+    after Flatten, return the user's map that is active for rendering, or else the user's first map."""
     active, others = mesh.uv_layers.active, [each for each in mesh.uv_layers if each.name != UV_LAYER]
     if active is None or active.name != UV_LAYER:
         return active
@@ -193,7 +203,7 @@ def own_uv_map(mesh: bpy.types.Mesh) -> bpy.types.MeshUVLoopLayer | None:
 
 
 def _name_wires(named: bpy.types.Mesh, chains: list[WireChain]) -> list[NamedWire]:
-    """Assign a name and an id of its own to each wire."""
+    """Return the wires, each with a separate name and id. named: the mesh with the list of names."""
     ids = [chain.wire_id for chain in chains]
     return [
         NamedWire(name, replace(chain, wire_id=own), chain.wire_id)
@@ -216,7 +226,7 @@ def _slots(mesh: bpy.types.Mesh) -> np.ndarray:
 
 
 def _groups(source: bpy.types.Object, mesh: bpy.types.Mesh, sample: np.ndarray) -> list[Region]:
-    """Return the vertex groups of each face, to which all its vertices belong."""
+    """Return a region for each vertex group: the sampled faces whose vertices all belong to the group."""
     if not source.vertex_groups:
         return []
     groups_of: dict[int, set[int]] = {}
@@ -235,7 +245,7 @@ def _groups(source: bpy.types.Object, mesh: bpy.types.Mesh, sample: np.ndarray) 
 
 
 def _face_attributes(mesh: bpy.types.Mesh, sample: np.ndarray) -> list[Region]:
-    """Return boolean face attributes, which replace face maps. Names with a dot are Blender's own."""
+    """Return a region for each boolean face attribute. Attributes whose names begin with a dot belong to Blender."""
     found = []
     for attribute in mesh.attributes:
         if (attribute.data_type, attribute.domain) != ("BOOLEAN", "FACE") or attribute.name in NO_REGIONS:

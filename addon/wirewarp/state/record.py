@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writes the layout of the pieces, and the measures as maps, on a flat mesh, and reads them."""
+"""Writes the record of the layout and the measures (as maps) on a flat mesh, and reads the record."""
 
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, fields
@@ -45,8 +45,8 @@ def _write_colors(mesh: bpy.types.Mesh, flat: FlatMesh, measures: Mapping[ColorM
     sums = np.bincount(ends, np.repeat(flat.length_variation, 2), minlength=len(mesh.vertices))
     at_vertex = sums / edges_at  # the mean over the edges of the vertex
     face = np.repeat(np.arange(len(flat.face_sizes)), flat.face_sizes)  # face of each corner
-    # A color of four float32 has the size of one complex number, and taking these is far faster than taking rows. All
-    # maps use the same memory, because new memory is slower still.
+    # A color of four float32 has the size of one complex number. Taking complex numbers is far faster than taking rows.
+    # All maps use one array, because allocating new arrays would be slow, too.
     taken = np.empty(len(face), dtype=np.complex128)
     for color_map, values, at_corner in (
         *((color_map, values, face) for color_map, values in measures.items() if color_map != LENGTH_VARIATION),
@@ -63,21 +63,24 @@ UPRIGHT = np.array([0.0, 1.0])
 
 @dataclass(frozen=True)
 class FlatRecord:
+    """Data about the layout of the flat pieces, stored on the flat mesh."""
+
     layout: dict[str, Any]  # options that change the layout
-    up: list[float]  # (3,) upward direction of that run, in the model's own space
-    away: list[list[float]]  # places of pieces without a shape, see solve.places.NONE_AWAY
+    up: list[float]  # (3,) upward direction in the model's own space when the pieces were laid out
+    away: list[list[float]]  # places of pieces without a flat shape, see solve.places.NONE_AWAY
     # for each piece: its index, two vertices, and the grain relative to the line between them; see grains
     grain: list[list[float]]
     counts: list[int]  # numbers of vertices, edges and faces
     areas: list[float]  # signed area of each piece
-    source_faces: int  # faces of the flattened mesh
+    source_faces: int  # number of faces of the flattened mesh
     ranges: dict[str, list[float]]  # the smallest and the largest value of each map, by its attribute
 
 
 def new_record(
     options: dict, up: np.ndarray, away: np.ndarray, upright: FlatMesh, placed: FlatMesh, arrays: MeshArrays
 ) -> FlatRecord:
-    """Return the record. upright: the pieces as laid out; placed: the pieces where they are now."""
+    """Return the record of a layout. upright: the pieces as the library has laid them out; placed: the pieces in their
+    final places."""
     return FlatRecord(
         layout=layout_of(options),
         up=up.tolist(),
@@ -108,10 +111,10 @@ def read_record(mesh: bpy.types.Mesh) -> FlatRecord | None:
 
 
 def grains(mesh: bpy.types.Mesh, vertices: np.ndarray) -> dict[int, np.ndarray]:
-    """Return unit vectors (2,) along the present grain of the pieces, by index of the piece. vertices (n,2).
+    """Return unit vectors (2,) along the present grain of the pieces, by index of the piece. vertices (n,2): places.
 
-    The grain rotates with its piece: it is stored as an angle from the line between two vertices. Pieces without these
-    vertices have no grain.
+    The grain is stored as an angle from the line between two vertices, so that it rotates with its piece. Pieces
+    without these vertices have no grain.
     """
     record, found = read_record(mesh), {}
     for piece, first, last, cosine, sine in record.grain if record else ():
@@ -122,7 +125,8 @@ def grains(mesh: bpy.types.Mesh, vertices: np.ndarray) -> dict[int, np.ndarray]:
 
 
 def _grain_rows(flat: FlatMesh) -> list[list[float]]:
-    """Return for each piece the cosine and sine of the angle, counterclockwise, from a line in it to upright."""
+    """Return a row for each piece: its index, two of its vertices, and cosine and sine of the counterclockwise angle
+    from the line between these vertices to upright."""
     rows = []
     sums, begins = flat.vertices.sum(axis=1), np.flatnonzero(np.diff(flat.vertex_piece, prepend=-1))
     for begin, end in zip(begins.tolist(), [*begins[1:].tolist(), len(sums)], strict=True):

@@ -2,9 +2,8 @@
 """Stores two reports of each object: of the run that made its flat pieces, and of a later run that wrote nothing.
 
 A run that wrote pieces stores its report on the object, so that the file keeps it. A run that wrote nothing does not
-change the file. Its report stays in memory until the next such run or file, and counts as the last report while the
-stored one is unchanged. A report that something else has changed is not shown, because it may be wrong or unsafe to
-read.
+change the file. Its report is kept in memory, and is the last report until another report is stored on the object. A
+stored report that another program has changed is not shown, because it may be wrong or unsafe to read.
 """
 
 import json
@@ -19,12 +18,12 @@ from ..solve.report import ObjectReport, failure_report
 from .identities import piece_names, present_names, seam_names
 from .memory import all_states, note, state_of
 
-# name of the stored answer whether the model has changed, which is valid until another report is stored
+# name of the kept drawing that says whether the model has changed, which is valid until another report is stored
 HAS_CHANGED = "has changed"
 
 
 def store(source: bpy.types.Object, report: ObjectReport) -> None:
-    """Keeps the report of a run that wrote results."""
+    """Stores the report of a run that wrote pieces on the object."""
     note(source)
     text = json.dumps(to_dict(report))
     state_of(source).drawings.pop(HAS_CHANGED, None)
@@ -32,7 +31,8 @@ def store(source: bpy.types.Object, report: ObjectReport) -> None:
 
 
 def remember(source: bpy.types.Object, report: ObjectReport) -> None:
-    """Keeps the report of a run that wrote nothing for this object. It is hidden while a later report is stored."""
+    """Keeps the report of a run that wrote nothing for this object in memory. It is hidden while a later report is
+    stored."""
     note(source)
     state = state_of(source)
     state.failure, state.failed_after = report, stored_text(source, REPORT)
@@ -40,7 +40,7 @@ def remember(source: bpy.types.Object, report: ObjectReport) -> None:
 
 
 def last_report(source: bpy.types.Object) -> ObjectReport | None:
-    """Return the report of the last run, with the present names of its pieces and wires. None if there was none."""
+    """Return the report of the last run, with the present names of pieces, seams and wires; None without a run."""
     return with_names(source, _failure(source)) or pieces_report(source)
 
 
@@ -68,8 +68,8 @@ def with_names(source: bpy.types.Object, report: ObjectReport | None) -> ObjectR
 
 
 def _failure(source: bpy.types.Object) -> ObjectReport | None:
-    """Return the report of the last run, if it had no results. Undo of a later run makes it the last one again. Before
-    Blender 4.1, counts detect a later object at its address."""
+    """Return the report of the last run if this run wrote nothing, otherwise None. After a later run is undone, the
+    report is returned again. Before Blender 4.1, numbers of elements detect another object with the same key."""
     state = state_of(source)
     failure = state.failure if state.failed_after == stored_text(source, REPORT) else None
     if failure and not hasattr(source, "session_uid") and failure.counts != element_counts(source.data):
@@ -82,7 +82,7 @@ def _read(source: bpy.types.Object) -> ObjectReport | None:
         return None
     stored, state = (stored_text(source, REPORT), stored_text(source, REPORT_SEAL)), state_of(source)
     if state.parsed is None or state.parsed[0] != stored:
-        state.parsed = stored, _parse(*stored)  # done here, so that drawing the panel does not have to do it
+        state.parsed = stored, _parse(*stored)  # kept, because drawing panels reads the report often
     return state.parsed[1]
 
 
@@ -95,7 +95,8 @@ def _parse(text: str, seal: str) -> ObjectReport:
 
 
 def forget_incomparable(*_: object) -> None:
-    """Forget reports after undo, except those that describe the present model."""
+    """Forget reports of failed runs that have no state of the model, because after undo nothing can show whether they
+    are outdated."""
     for state in all_states():
         if state.failure and state.failure.model_state is None:
             state.failure = None

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Converts the settings of a run and of a search, from the scene or the operator, for the solver."""
+"""Declares the settings of a run and of a search, and converts them to the solver's options."""
 
 import math
 from collections.abc import Callable
@@ -14,7 +14,8 @@ from ..solve.suggest import Target
 
 
 def number(name: str, description: str, values: tuple[float, ...], **others: Any) -> Any:  # noqa: ANN401
-    """Return a number with one decimal. values: minimum, default, end of the slider, and maximum if any."""
+    """Return a property for a number with one decimal. values: minimum, default, end of the slider, and maximum if
+    any."""
     known = dict(zip(("min", "default", "soft_max", "max"), values, strict=False))
     return FloatProperty(**{"name": name, "description": description, "precision": 1} | known | others)
 
@@ -35,13 +36,13 @@ METHODS = [
         "REFINED",
         "Refined: least distortion",
         "Lay out lines and fabric together, with the least distortion that these lengths allow. Elastic wires stay "
-        "within their tolerance; free wires get the best length. Recommended",
+        "within their tolerance, and free wires get the best length. Recommended",
     ),
     (
         "WIREWARP_PLUS_PLUS",
         "WireWarping++: lines first",
         "The paper's method: lay out the lines first, bent as on the model, and let the fabric follow. More "
-        "distortion, and faces may flip. Elastic wires stay within their tolerance; free wires get the best length",
+        "distortion, and faces may flip. Elastic wires stay within their tolerance, and free wires get the best length",
     ),
     (
         "WIREWARPING",
@@ -55,7 +56,7 @@ LIBRARY_ORIENTATIONS = {"WIRE": "grain", "BEST": "best", "BOUNDARY": "boundary",
 
 MARK_AND_PULL = "mark 10 cm on it and pull until it resists: 12 cm is 20%"
 MEASURE = f"The percentage is the maximum stretch. To measure yours, {MARK_AND_PULL}"
-CUSTOM = 1000  # Files store this number, or the index of a preset in the library's table, so new presets come last.
+CUSTOM = 1000  # number of Custom Fabric in files, above the numbers of present and future presets of the library
 
 
 STRETCHES = "gives_across", "gives_along"
@@ -83,8 +84,8 @@ class FlattenSettings:
     )
     fairness: number(
         "Smooth Outlines",
-        "Smooth out wiggles shorter than this fraction of the piece's size. Lengths stay exact. Higher: "
-        "smoother lines; lower: less distortion of the fabric, but lines may be wavy",
+        "Smooth out wiggles shorter than this fraction of the piece's size. Lengths stay exact. Higher values make "
+        "smoother lines. Lower values distort the fabric less, but lines may be wavy",
         (0.001, 0.05, 0.5, 10.0),
         soft_min=0.02,
         precision=3,
@@ -126,7 +127,7 @@ class FlattenSettings:
     )
     cloth_shear: number(
         "Shear Stiffness",
-        "Resistance to shear, which turns the threads away from a right angle; small for wovens",
+        "Resistance to shear, which turns the threads away from a right angle. It is small for woven fabrics",
         (0.001, 0.5, 1000.0, 1000.0),
         precision=3,
     )
@@ -148,7 +149,7 @@ class FlattenSettings:
     worn_across: number(
         "Negative Ease Across",
         "How far the fabric is stretched across the grain when it is worn, as in swimwear. "
-        "Pieces are cut that much smaller, with both sides of seams equally long. Below 0: cut larger, to fit loosely",
+        "Pieces are cut smaller by as much, with both sides of seams equally long. Below 0: larger, to fit loosely",
         (-50.0, 0.0, 50.0, 100.0),
         subtype="PERCENTAGE",
         soft_min=0.0,
@@ -163,7 +164,7 @@ class FlattenSettings:
     thickness: number(
         "Thickness (mm)",
         "Thickness of foam, neoprene or leather. Bent material keeps its length in the "
-        "middle of its thickness: that surface is flattened, and lengths on the model are measured on it",
+        "middle of its thickness, so WireWarp flattens this middle surface and measures lengths on it",
         (0.0, 0.0, 20.0, 1000.0),
         precision=2,
         step=10,
@@ -197,7 +198,7 @@ class FlattenSettings:
             ),
             ("BEST", "Best for the Fabric", "Turn each piece so that the fabric must stretch least. Needs a fabric"),
             ("BOUNDARY", "Longest Straight Edge", "The longest straight section of the outline"),
-            ("UP", "World Up", "The direction that is up (Z) on the model; for level pieces, their first wire"),
+            ("UP", "World Up", "The direction that is up (Z) on the model, or the first wire of a level piece"),
         ],
     )
     grain_angle: number(
@@ -217,9 +218,9 @@ class FlattenSettings:
     )
     keep_places: BoolProperty(
         name="Keep Places",
-        description="Pieces stay where you have moved and turned them; new pieces go beside them. A change of Layout, "
-        "Upright, grain wire, Gap or Mirrored moves them all; turning the model does not. Off: all pieces are laid out "
-        "again each time",
+        description="Keep pieces where you have moved and rotated them, and place new pieces beside them. A change of "
+        "Layout, Upright, grain wire, Gap or Mirrored moves all pieces, but a rotation of the model does not. Off: all "
+        "pieces are laid out again each time",
         default=True,
     )
     mirror: BoolProperty(
@@ -251,13 +252,13 @@ class Setting:
 
     name: str  # name of the property
     choice: str = ""  # name of the field of FlattenChoices; "": no field
-    # returns the value, from all settings and the meters in a unit
+    # returns the value of this field, from all settings and the meters in a Blender unit
     to_choice: Callable[[FlattenSettings, float], Any] | None = None
-    is_advanced: bool = False  # rarely needed
-    is_in_front: Callable[[FlattenSettings], bool] = lambda _: False  # shown above Flatten
+    is_advanced: bool = False  # whether the setting is rarely needed
+    is_in_front: Callable[[FlattenSettings], bool] = lambda _: False  # whether the setting is above Flatten
     is_wide: bool = False  # whether the name is too long for half a narrow sidebar
     is_shown: Callable[[FlattenSettings], bool] = lambda _: True
-    # whether the setting has an effect; it is gray otherwise
+    # whether the setting has an effect; otherwise, it is gray
     is_used: Callable[[FlattenSettings], bool] = lambda _: True
 
     def part(self, settings: FlattenSettings) -> str:
@@ -276,13 +277,14 @@ class Setting:
 
 
 def _setting(name: str, choice: str = "", **others: Any) -> Setting:  # noqa: ANN401
-    """Return a setting that passes the value of its field to the library, texts in lower case."""
+    """Return a setting that passes its value to the library, texts in lower case. choice: see Setting; the default is
+    the name."""
     as_it_is = lambda settings, _: value.lower() if isinstance(value := getattr(settings, name), str) else value  # noqa: E731
     return Setting(name, choice or name, **{"to_choice": as_it_is} | others)
 
 
 def _in_units(name: str) -> Callable[[FlattenSettings, float], float]:
-    """Return a function that converts millimeters to the model's units."""
+    """Return a function that converts this setting from millimeters to Blender units."""
     return lambda settings, meters: getattr(settings, name) / (1000 * meters)
 
 
@@ -335,8 +337,8 @@ class TargetSettings:
     )
     aim_stretch: number(
         "Max Stretch",
-        "Target: the stretch that 99% of a piece may have. A piece that meets it gets no further cuts",
-        (0.0, 5.0, 25.0, 100.0),  # default: that of the library
+        "Target: the stretch that 99% of a piece may have. A piece that meets the target gets no further cuts",
+        (0.0, 5.0, 25.0, 100.0),  # the default of 5% is the library's
         subtype="PERCENTAGE",
     )
     aim_cuts: IntProperty(
@@ -362,7 +364,7 @@ def choices_of(settings: FlattenSettings, meters: float) -> FlattenChoices:
 
 
 def target_of(settings: TargetSettings) -> Target | None:
-    """Return the target; None to suggest each cut alone."""
+    """Return the target; None if cuts are suggested as alternatives."""
     if not settings.suggest_together:
         return None
     return Target(settings.aim_stretch / 100, settings.aim_cuts, settings.aim_length or None)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Keeps the suggested cuts of each object until it changes, and reads areas without cuts."""
+"""Keeps the suggested cuts of each object until it changes, and reads the painted areas where no cut is suggested."""
 
 from dataclasses import dataclass, replace
 from typing import Literal
@@ -20,12 +20,12 @@ OTHER_KIND = (
     'The attribute "{}" of mesh "{}" is not of type BOOLEAN, INT8, INT or FLOAT on faces. '
     "Rename or delete it under Object Data > Attributes."
 )
-LEAST_WEIGHT = 0.5  # least weight of a vertex that counts as painted: half the full strength
+LEAST_WEIGHT = 0.5  # least weight at which a vertex counts as painted, half of the full strength
 
 
 def read_no_seam(source: bpy.types.Object, modified: bpy.types.Mesh | None = None) -> NoSeam:
-    """Return the areas without cuts, on the object's own mesh in Object Mode, or on the mesh with modifiers. Raises
-    ObjectError for an attribute of another type or domain."""
+    """Return the painted areas of the object's own mesh in Object Mode, or of the mesh with modifiers. Raises
+    ObjectError if the attribute has another type or domain."""
     mesh = modified or source.data
     group = source.vertex_groups.get(NO_SEAM)
     found = (read_attribute(mesh, NO_SEAM, kind, "FACE") for kind in NUMBERS)
@@ -49,18 +49,19 @@ Place = Literal["FLATTEN", "PIECES"]  # panel with the button that was pressed, 
 @dataclass(frozen=True)
 class Suggestions:
     kind: str  # DARTS, SEAMS or FEWER
-    cuts: list[Cut]  # for a target, each cut includes all earlier ones
+    cuts: list[Cut]  # with a target, each cut includes all earlier cuts
     target: Target | None
     names: list[str]  # name of the piece that contains each cut
     choices: FlattenChoices  # settings of the search
-    grain_wire: int  # id on the mesh; 0 for none
+    grain_wire: int  # id of the grain wire on the mesh; 0 for none
     wire_ids: set[int]  # ids of the wires during the search
-    state: dict  # state of the model, see model_state
-    no_seam: NoSeam  # faces and vertices where the user wants no cut, on the model's own mesh
-    chosen: int  # index in cuts
-    with_modifiers: bool = False  # whether modifiers made the edges of the cuts; they are applied when a cut is marked
+    state: dict  # state of the model during the search, see model_state
+    no_seam: NoSeam  # painted faces and vertices of the model's own mesh
+    chosen: int  # index of the chosen cut in cuts
+    # whether the cuts are on the mesh with modifiers, which are applied when a cut is marked
+    with_modifiers: bool = False
     place: Place = "FLATTEN"
-    other_pieces: int = 0  # number of pieces beside the one that a cut set divides
+    other_pieces: int = 0  # number of pieces, without the piece that a cut set divides
 
     def pieces_after(self, cut: Cut) -> int:
         """Return the number of pieces of the model with this set of seams."""
@@ -89,13 +90,13 @@ def suggestions_of(source: bpy.types.Object) -> Suggestions | None:
 
 
 def current_suggestions(source: bpy.types.Object, take: Take = kept) -> Suggestions | None:
-    """Return the last suggestions, if the model is unchanged. take: kept, or read_anew."""
+    """Return the last suggestions if the model is unchanged, otherwise None. take: kept or read_anew."""
     found = suggestions_of(source)
     return found if found and are_current(source, found, take) else None
 
 
 def are_current(source: bpy.types.Object, found: Suggestions, take: Take = kept) -> bool:
-    """Return whether the model and its areas without cuts are unchanged. In Edit Mode, the areas are not checked."""
+    """Return whether the model and its painted areas are unchanged. In Edit Mode, painted areas are not checked."""
     if has_changed(source, found.state, take):
         return False
     if source.data.is_editmode:

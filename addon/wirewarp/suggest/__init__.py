@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Suggested cuts, and lines cut into the mesh.
+"""Operators and panels that suggest cuts, and operators that cut lines into the mesh.
 
 May import: flatten, marks, ui, state, solve, blender, properties, core, issues, names.
 """

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Suggest Darts, Suggest Seams and Simplify Seams: cuts of a model or seams to clear, each with its effect."""
+"""The operators Suggest Darts, Suggest Seams and Simplify Seams, which find cuts and seams to clear with their
+effects.
+"""
 
 from dataclasses import dataclass, replace
 
@@ -44,31 +46,32 @@ from ..ui.window_run import WindowSteps, fault_sentence
 STOPPED = "Canceled early"
 CHOOSE_FABRIC = "Choose a fabric that stretches more."
 SET_TARGET = "Set a larger target."
-# Maximum stretches if the fabric is unknown: for plush and knits, from which most closed models are sewn, and for
-# jersey, the softest fabric that is not made for swimming.
+# Maximum stretches as fractions if the fabric is unknown: of plush and knits, from which most closed models are sewn,
+# and of jersey, the softest fabric that is not made for swimming.
 SOFT = 0.2, 0.5
 
 
 @dataclass(frozen=True)
 class Search:
-    """A search in progress for one model, as it was read."""
+    """A search in progress for one model."""
 
     options: SearchOptions
-    model: Model
+    model: Model  # the model as it was read
     choices: FlattenChoices
     no_seam: NoSeam  # painted areas of the model's own mesh
-    with_modifiers: bool  # whether modifiers make another mesh
+    with_modifiers: bool  # whether the search uses the mesh with modifiers, which differs from the base mesh
     steps: Steps[list[Cut]]
     names: dict[int, str]  # known names of pieces, by index
 
     @property
     def is_of_model(self) -> bool:
-        """Return whether the cuts may be in several pieces, so that the indices of pieces change."""
+        """Return whether the cuts may be in several pieces. They are then listed under the model's name."""
         return self.options.kind == "FEWER" or (self.options.target is not None and self.options.piece is None)
 
 
 def begin_search(context: bpy.types.Context, source: bpy.types.Object, kind: str, piece: int | None) -> Search:
-    """Return the search. piece: index in the report of the flat pieces; None for any. Raises ObjectError."""
+    """Return the search for this model. kind: DARTS, SEAMS or FEWER; piece: index in the report of the flat pieces,
+    None for any piece. Raises ObjectError if nothing can be searched."""
     settings = context.scene.wirewarp
     check_local(source, source.data)
     (model,) = read_models(context, [source], settings)
@@ -101,7 +104,8 @@ def begin_search(context: bpy.types.Context, source: bpy.types.Object, kind: str
     names = {each.piece_id: each.name for each in pieces if each.piece_id}
     limits = known_stretch(used.cloth)
     is_for_sets = not is_known or _lacks_seams(known, piece)
-    # softer fabrics need no less than the library's sets; for swim knit, a ball would become two pieces that need 71%
+    # The library's default is for soft fabrics. With the limit of swim knit, a ball would become two pieces that need a
+    # stretch of 71%.
     strain = limits[0] if limits and limits[0] < SOFT[0] and is_for_sets else None
     options = SearchOptions(kind, piece, target, strain, is_smooth, names)
     if kind == "FEWER":
@@ -120,7 +124,8 @@ def begin_search(context: bpy.types.Context, source: bpy.types.Object, kind: str
 
 
 def _lacks_seams(report: ObjectReport, piece: int | None) -> bool:
-    """Return whether the search is for cut sets. A piece that is flat gets cuts even if its fabric suffices."""
+    """Return whether a piece has no usable flat shape, so that the search is for cut sets. Usable pieces get single
+    cuts, even if their fabric stretches far enough."""
     pieces = report.pieces if piece is None else report.pieces[piece : piece + 1]
     return not pieces or any(not each.ok or each.needed > ANY_LIMIT for each in pieces)
 
@@ -133,7 +138,8 @@ def _names_of(search: Search, cuts: list[Cut]) -> list[str]:
 
 
 def _shown_first(search: Search, cuts: list[Cut]) -> int:
-    """Return the index of the cut to show: the last for a target, the set for the fabric, or else the best cut."""
+    """Return the index of the cut to show first: with a target the last cut, of sets the set for the fabric, otherwise
+    the best cut."""
     if search.options.target:
         return len(cuts) - 1
     if not cuts[0].is_set:
@@ -142,7 +148,8 @@ def _shown_first(search: Search, cuts: list[Cut]) -> int:
 
 
 def keep_found(search: Search, cuts: list[Cut], place: Place = "FLATTEN") -> Suggestions:
-    """Keep the cuts for the panel and the overlay, in any mode. Raises ObjectError if the model has changed since."""
+    """Keep the cuts for the panel and the overlay, in any mode. Raises ObjectError if the model has changed during the
+    search."""
     model = search.model
     wire_ids = {wire.chain.wire_id for wire in model.arrays.wires}
     found = Suggestions(
@@ -162,7 +169,7 @@ def keep_found(search: Search, cuts: list[Cut], place: Place = "FLATTEN") -> Sug
     )
     source = find_source(model)
     if not (is_current(model) and are_current(source, found, read_anew)):
-        raise object_error("changed", f'"{model.facts.object}" changed during the search. Suggest again.')
+        raise object_error("changed", f'"{model.facts.object}" changed during the search. Search again.')
     keep(source, found)
     return found
 
@@ -218,11 +225,11 @@ class SuggestCuts(OnMesh, WindowSteps):
             self._search: Search = begin_search(context, source, self.kind, self._piece())
 
     def _piece(self) -> int | None:
-        """Return the piece to cut; None for any."""
+        """Return the index of the piece to cut; None for any piece."""
         return None
 
     def _keep(self, context: bpy.types.Context, cuts: list[Cut], remark: str = "") -> set[str]:
-        """Keep and report the cuts. remark: comes before the figures. Raises ObjectError.
+        """Keep the cuts and report them. remark: text before the figures. Raises ObjectError like keep_found.
 
         This works in any mode, because leaving Edit Mode while a tool runs would crash Blender. The name of the piece
         comes last, because the status bar cuts off long texts.
@@ -244,11 +251,11 @@ class SuggestCuts(OnMesh, WindowSteps):
 
 
 class SuggestForPiece(SuggestCuts):
-    """Mixin of operators that suggest cuts of one piece, or of any piece."""
+    """Mixin of operators that suggest cuts for one piece or for any piece."""
 
     piece: IntProperty(
         name="Piece",
-        description="Piece to cut, by its index in the report from 0; -1: whichever piece gains most",
+        description="Index of the piece to cut in the report, from 0, or -1 for the piece that gains most",
         default=-1,
         min=-1,
         options={"HIDDEN", "SKIP_SAVE"},
@@ -267,7 +274,7 @@ class OBJECT_OT_wirewarp_suggest_darts(SuggestForPiece, bpy.types.Operator):
 
 
 class OBJECT_OT_wirewarp_suggest_seams(SuggestForPiece, bpy.types.Operator):
-    """Find the seams that lower the stretch of this piece most, or the first ones of a closed model"""
+    """Find the seams that lower the stretch of this piece most, or the first seams of a closed model"""
 
     bl_idname = "object.wirewarp_suggest_seams"
     bl_label = "Suggest Seams"
@@ -275,7 +282,7 @@ class OBJECT_OT_wirewarp_suggest_seams(SuggestForPiece, bpy.types.Operator):
 
 
 class OBJECT_OT_wirewarp_simplify_seams(SuggestCuts, bpy.types.Operator):
-    """Find the seams that this model can do without, so that it has fewer and larger pieces"""
+    """Find the seams that this model does not need, so that it has fewer and larger pieces"""
 
     bl_idname = "object.wirewarp_simplify_seams"
     bl_label = "Simplify Seams"

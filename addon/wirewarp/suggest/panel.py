@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Draws the buttons that suggest darts and seams, and the list of results. The views show the chosen one."""
+"""Draws the buttons that suggest darts and seams, and the list of suggestions. The views show the chosen suggestion."""
 
 from collections.abc import Sequence
 from itertools import pairwise
@@ -22,7 +22,7 @@ from ..ui.window_run import SUGGEST, is_running
 KINDS = ("darts", "seams")
 LABELS = {"DARTS": "Suggested Darts", "SEAMS": "Suggested Seams", "FEWER": "Fewer Seams"}
 TARGET_LABELS = {"DARTS": "Stretch with Darts", "SEAMS": "Stretch with Seams"}
-COLUMNS = "Pieces, stretch, length of {}."
+COLUMNS = "Each row: pieces, stretch, length of {}."
 FROM_FEW = "Above: fewer pieces. Below: less stretch."
 ALL_PIECES = "All Pieces up to a Target"
 WIDTH = "Narrowest place of a piece: {}."
@@ -45,10 +45,10 @@ def draw_suggest(
     *,
     has_seams: bool,
 ) -> None:
-    """Draw the buttons and the target. During a search, the progress is where the buttons were, and nothing moves.
+    """Draw the buttons and the target. During a search, the progress replaces the buttons, so that nothing moves.
 
-    place: the panel with the results; piece: index in the report, -1 for any piece. Below Flatten, a target is for
-    all pieces.
+    place: panel in which the suggestions appear; piece: index in the report, -1 for any piece. In the panel Flatten, a
+    target is for all pieces.
     """
     row, options, is_of_all = layout.row(align=True), layout.column(), place == "FLATTEN"
     options.enabled = not draw_progress(row, SUGGEST, "object.wirewarp_suggest_darts")
@@ -68,7 +68,7 @@ def draw_suggest(
 
 
 def draw_simplify(layout: bpy.types.UILayout, settings: TargetSettings, place: Place) -> None:
-    """Draw the button Simplify Seams and its target, like draw_suggest. The piece needs no cut."""
+    """Draw the button Simplify Seams and its target, like draw_suggest, for a piece that needs no cut."""
     row, options = layout.row(align=True), layout.column()
     options.enabled = not draw_progress(row, SUGGEST, "object.wirewarp_simplify_seams")
     if options.enabled:
@@ -79,20 +79,20 @@ def draw_simplify(layout: bpy.types.UILayout, settings: TargetSettings, place: P
 
 
 def draw_suggestions(context: bpy.types.Context, layout: bpy.types.UILayout, place: Place) -> None:
-    """Draw the list of results below the buttons of this place, if the search was started there.
+    """Draw the list of suggestions below the buttons of this place, if the search was started there.
 
-    A list above the buttons, or in its own panel, would push them away from under the mouse.
+    A list above the buttons, or in its own panel, would move the buttons away from the mouse.
     """
     found = _shown(context)
     if found is None or found.place != place:
         return
-    if is_running(SUGGEST):  # the rows come back if the search ends without a result
+    if is_running(SUGGEST):  # the rows are gray; they can be used again if the search ends without a result
         draw_sentence(context, layout, EARLIER, "INFO")
         layout = layout.column()
         layout.enabled = False
     lengths, labels = length_text(context.scene), TARGET_LABELS if found.target else LABELS
     cut = found.cuts[found.chosen]
-    take = layout.row(align=True)  # above the rows and the sentences, whose number depends on the chosen row
+    take = layout.row(align=True)  # above the rows, and above the sentences, whose number depends on the chosen row
     take.scale_y = 1.2
     text = "Clear and Flatten" if cut.cleared else "Mark and Flatten"
     take.operator("object.wirewarp_mend", text=text, icon="EDGESEL").what = "SUGGESTION"
@@ -130,12 +130,13 @@ def draw_suggestions(context: bpy.types.Context, layout: bpy.types.UILayout, pla
         new = counted(len(cut.diagonals), "edge")
         draw_sentence(context, layout, f"Marking it adds {new} across faces of the model.", "INFO")
     if found.with_modifiers:
-        taking = "Clearing them" if cut.cleared else "Marking it"
+        taking = "Clearing these seams" if cut.cleared else "Marking it"
         draw_sentence(context, layout, f"{taking} applies the modifiers of the model.", "INFO")
 
 
 def _beyond_fabric(found: Suggestions) -> str:
-    """Return why the fabric may not suffice for the chosen set, and the next step; empty if it suffices."""
+    """Return sentences that say why the fabric may not suffice for the chosen set, and what to do; empty if it
+    suffices."""
     cut, limits = found.cuts[found.chosen], known_stretch(found.choices.cloth)
     if not (cut.is_set and limits):
         return ""
@@ -152,21 +153,23 @@ def _beyond_fabric(found: Suggestions) -> str:
 
 
 def _explained(cuts: Sequence[Cut]) -> str:
-    """Return the sentence that explains the rows of cut sets; empty for other cuts."""
+    """Return sentences that explain the rows of cut sets; empty for other cuts."""
     if not cuts[0].is_set:
         return ""
     columns = COLUMNS.format("cleared seams" if cuts[0].cleared else "seams")
-    is_falling = all(few.strain > more.strain for few, more in pairwise(cuts))  # rows with narrow pieces may need more
+    # a row with narrow pieces may have more stretch than the row above
+    is_falling = all(few.strain > more.strain for few, more in pairwise(cuts))
     return f"{columns} {FROM_FEW}" if len(cuts) > 1 and is_falling else columns
 
 
 def are_shown(context: bpy.types.Context) -> bool:
-    """Return whether a list of cuts to mark is in the sidebar."""
+    """Return whether the sidebar shows a list of suggestions."""
     return _shown(context) is not None
 
 
 def _shown(context: bpy.types.Context) -> Suggestions | None:
-    """Return the suggestions for the active model or the model of active flat pieces; None if the model has changed."""
+    """Return the suggestions for the active model, or for the model of active flat pieces; None if there are none, or
+    if the model has changed."""
     source = shown_source(context)
     found = suggestions_of(source) if source else None
     if found is None:

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Cuts lines into the mesh: suggested lines, and smooth lines instead of seams along edges.
+"""Cuts lines into the mesh: suggested lines, and smooth lines that replace seams along edges.
 
-The surface does not change, and marks, maps and attributes stay: new elements get the attributes of the faces and edges
-that they divide.
+The surface does not change. Marks, maps and attributes stay, because new elements get the attributes of the faces and
+edges that they divide.
 """
 
 from collections.abc import Iterator, Sequence
@@ -34,10 +34,10 @@ from ..ui.editing import OnModel, reporting_refusals
 
 
 def take_lines(source: bpy.types.Object, paths: Sequence[SurfacePath], with_modifiers: bool) -> int:
-    """Cut the lines into the mesh as edges, and mark these as seams. Return the number of new seams.
+    """Cut the lines into the mesh as edges, and mark these edges as seams. Return the number of new seams.
 
-    with_modifiers: whether the lines are on the mesh with modifiers, which are then applied. Raises
-    ObjectError, with nothing changed.
+    with_modifiers: whether the lines are on the mesh with modifiers, which are then applied. Raises ObjectError, with
+    nothing changed, if the lines cannot be cut.
     """
     depsgraph = bpy.context.evaluated_depsgraph_get() if with_modifiers else None
     division = _divided(object_to_arrays(source, marked_mesh(source), depsgraph), paths)
@@ -47,9 +47,10 @@ def take_lines(source: bpy.types.Object, paths: Sequence[SurfacePath], with_modi
 
 
 def take_away(source: bpy.types.Object, seams: Pairs, with_modifiers: bool) -> int:
-    """Clear these seams and return their number. Raises ObjectError, with nothing changed.
+    """Clear these seams and return their number. Raises ObjectError, with nothing changed, if modifiers cannot be
+    applied.
 
-    with_modifiers: as in take_lines.
+    with_modifiers: whether the seams are on the mesh with modifiers, which are then applied.
     """
     if with_modifiers:
         apply_modifiers(source)
@@ -66,12 +67,12 @@ def _divided(arrays: MeshArrays, paths: Sequence[SurfacePath]) -> Division:
 
 
 def cut_lines(mesh: bpy.types.Mesh, division: Division) -> Pairs:
-    """Divide the faces of a mesh. Vertices keep their indices. Returns the edges of the lines."""
+    """Divide the faces of a mesh. Vertices keep their indices. Returns the edges of the lines as vertex pairs."""
     if not division.polygons:
         return division.lines
     with _edited(mesh) as edited:
         vertices, faces = dict(enumerate(edited.verts)), list(edited.faces)
-        filled = []  # parts of the divided faces, each with the triangles that replace it
+        filled = []  # parts of the divided faces, each with the triangle whose parts replace it
         for polygon, divided in division.polygons.items():
             parts = [faces[polygon]]
             _split_along(edited, parts, divided.diagonals, vertices)
@@ -114,13 +115,14 @@ def _split_along(
     pairs: Pairs,
     vertices: dict[int, bmesh.types.BMVert],
 ) -> None:
-    """Split a face along new edges, which do not cross. parts: the face, to which its new parts are added."""
+    """Split a face along new edges, which do not cross. parts: a list of the face, to which its new parts are added;
+    pairs: vertices of the new edges."""
     for a, b in pairs:
         first, second = vertices[a], vertices[b]
         face = next(each for each in parts if {first, second} <= set(each.verts))
         new, corner = bmesh.utils.face_split(face, first, second)
         parts.append(new)
-        for loop in corner.edge.link_loops:  # Blender has copied the values from corners at which other edges begin
+        for loop in corner.edge.link_loops:  # Blender has copied these values from corners at which other edges begin
             for side in _side_layers(edited):
                 loop[side] = 0.0
 
@@ -131,7 +133,8 @@ def _replace(
     triangle: DividedTriangle,
     vertices: dict[int, bmesh.types.BMVert],
 ) -> None:
-    """Replace a face with the parts of its triangle. Attributes are the same, and linear at points inside."""
+    """Replace a face with the parts of its triangle. Corners keep their attributes, and points inside get interpolated
+    attributes."""
     corners = [vertices[corner] for corner in triangle.corners]
     sides, values = set(face.edges), {loop.vert: loop for loop in face.loops}
     aside: list[bmesh.types.BMVert] = []
@@ -147,7 +150,7 @@ def _replace(
         new = edited.faces.new([vertices[v] for v in (part[::-1] if is_reversed else part)], face)
         for loop in new.loops:
             loop.copy_from(values[loop.vert])
-        for loop in new.loops:  # from here on, because copy_from makes the former Python object invalid
+        for loop in new.loops:  # a second pass, because copy_from makes earlier Python objects of corners invalid
             if loop.edge not in sides:
                 for side in _side_layers(edited):
                     loop[side] = 0.0
@@ -157,7 +160,8 @@ def _replace(
 
 
 def _interpolated(face: bmesh.types.BMFace, place: Vector) -> bmesh.types.BMLoop:
-    """Return a corner with the attributes of a face at a place inside. It belongs to a temporary copy.
+    """Return a corner with the attributes of a face at a place inside. The corner belongs to a temporary copy of the
+    face.
 
     BMLoop.copy_from_face_interp would be simpler, but fails in Blender 3.4.
     """
@@ -175,23 +179,24 @@ def _split_edge(
     for index, share in line[1:-1]:
         edge = edited.edges.get((vertices[first], vertices[last]))
         _, vertex = bmesh.utils.edge_split(edge, vertices[first], (share - start) / (1 - start))
-        for loop in vertex.link_loops:  # at this corner, the second half of the divided edge begins
+        for loop in vertex.link_loops:  # the second part of the divided edge begins at this corner
             for side in _side_layers(edited):
                 loop[side] = loop.link_loop_prev[side]
         vertices[index], first, start = vertex, index, share
 
 
 def _side_layers(edited: bmesh.types.BMesh) -> list[bmesh.types.BMLayerItem]:
+    """Return the layers with marks of one side, which are stored on corners."""
     layers = edited.loops.layers.float
     return [layers[mark.name] for mark in MARKS if mark.domain == "CORNER" and mark.name in layers]
 
 
 def cut_smooth_lines(source: bpy.types.Object, edges: Pairs) -> Pairs:
-    """Replace each line of these seam edges with a smooth seam with the same ends.
+    """Replace each line of these seam edges with a smooth seam that has the same ends.
 
-    The new lines meet each other, other seams and wires at the same places as before, and do not enter painted faces.
-    Vertices keep their indices. Returns the edges of the smooth lines. Raises ObjectError, perhaps after changes: see
-    unchanged_on_error.
+    The new lines meet each other, other seams and wires at the same places as the old lines, and do not enter painted
+    faces. Vertices keep their indices. Returns the edges of the smooth lines. Raises ObjectError, perhaps after
+    changes: see unchanged_on_error.
     """
     mesh, seams = source.data, []
     places = object_to_arrays(source, marked_mesh(source), None).vertices
@@ -199,7 +204,7 @@ def cut_smooth_lines(source: bpy.types.Object, edges: Pairs) -> Pairs:
     for path in paths:
         _check_ends(source, path)
     for index, path in enumerate(paths):
-        clear_seams(mesh, list(pairwise(path)))  # done now, because the line cuts some of these edges in two
+        clear_seams(mesh, list(pairwise(path)))  # before the cut, because the line cuts some of these edges in two
         arrays = object_to_arrays(source, marked_mesh(source), None)
         kept = [pair for other in paths[index + 1 :] for pair in pairwise(other)]
         line = _smooth_line(arrays, path, kept, read_no_seam(source))
@@ -210,17 +215,21 @@ def cut_smooth_lines(source: bpy.types.Object, edges: Pairs) -> Pairs:
 
 
 def _check_ends(source: bpy.types.Object, path: list[int]) -> None:
+    """Raises ObjectError if the path of vertices meets itself."""
     again = [vertex for index, vertex in enumerate(path) if vertex in path[:index]]
     if again:
-        sentence = f'A line of "{source.name}" meets itself at vertex {again[0]}: smooth it in parts with two ends.'
+        sentence = (
+            f'A line of "{source.name}" meets itself at vertex {again[0]}. Select only a part of it, and smooth each '
+            "part separately."
+        )
         raise ObjectError(Issue("line_meets_itself", sentence, vertices=again))
 
 
 def _smooth_line(arrays: MeshArrays, path: list[int], kept: Pairs, no_seam: NoSeam) -> SurfacePath:
     """Return a smooth line beside a path of vertices inside a piece, with the same ends.
 
-    It crosses kept edges at the same places, and enters only painted faces that the path enters. Edges of the path must
-    not be seams. Raises ObjectError.
+    The line crosses kept edges at the same places as the path, and enters only painted faces that the path enters.
+    Edges of the path must not be seams. Raises ObjectError if the library finds no line.
     """
     painted = (painted_at_edges(arrays, no_seam) > 0) | no_seam.vertices[arrays.edges].all(axis=1)
     painted &= ~are_among(arrays.edges, list(pairwise(path)))
@@ -270,12 +279,12 @@ class MESH_OT_wirewarp_smooth_seam(OnModel, bpy.types.Operator):
         for target in targets:
             select_edges_in_edit_mode(target.data, smooth.get(target, []))
         before, after = (sum(map(len, each.values())) for each in (selected, smooth))
-        self.report({"INFO"}, f"A smooth line of {counted(after, 'edge')} instead of {before}")
+        self.report({"INFO"}, f"The smooth line has {counted(after, 'edge')} instead of {before}")
         return {"FINISHED"}
 
 
 def _selected_seams(target: bpy.types.Object) -> Pairs:
-    """Return the selected seams between two faces. Raises ObjectError if smoothing would lose marks."""
+    """Return the selected seam edges between two faces. Raises ObjectError if smoothing would lose marks."""
     mesh = target.data
     rows = read_selected_edges(mesh) & read_seams(mesh) & (faces_at_edges(mesh) == 2)
     pairs = edge_vertices(mesh)
@@ -283,7 +292,7 @@ def _selected_seams(target: bpy.types.Object) -> Pairs:
     if len(marked):
         sentence = (
             f'{counted(len(marked), "selected edge")} of "{target.name}" would lose a mark: a wire, an ease or an '
-            "allowance. Clear it first, and mark it on the smooth line again."
+            "allowance. Clear this mark first, and mark it on the smooth line again."
         )
         raise ObjectError(Issue("marks_lost", sentence, edges=[tuple(pair) for pair in marked.tolist()]))
     return [tuple(pair) for pair in pairs[np.flatnonzero(rows)].tolist()]

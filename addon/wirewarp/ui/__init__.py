@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Shared parts of the rooms' panels and operators: layout, settings, progress and runs in the window; and the menus.
+"""Shared parts of panels and operators: layout, settings, progress, runs in the window, and menus.
 
 May import: state, solve, blender, properties, core, issues.
 """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Common parts of operators that change models: refusing flat pieces, reporting refusals, planning before writing."""
+"""Common parts of operators that change models: they refuse flat pieces, report errors, and plan before they write."""
 
 from collections.abc import Callable
 from functools import wraps
@@ -21,7 +21,7 @@ class OnMesh:
     """Mixin of operators and panels that need an active mesh."""
 
     modes = frozenset[str]()  # modes in which the operator or panel works; empty: all modes
-    refusal = ""  # reason shown if there is no such mesh
+    refusal = ""  # reason shown if there is no active mesh in one of these modes
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
@@ -34,10 +34,9 @@ class OnMesh:
 
 
 class OnModel(OnMesh):
-    """Mixin of operators that refuse flat pieces. A subclass's `on_model` names the action that is possible on the
-    model."""
+    """Mixin of operators that refuse flat pieces."""
 
-    on_model = ""
+    on_model = ""  # the action that is possible on the model, such as "mark the wire"
     modes = frozenset({"EDIT_MESH"})
 
     @classmethod
@@ -68,8 +67,9 @@ def reporting_refusals(execute: Execute) -> Execute:
 
 
 def change_edited(context: bpy.types.Context, plan: Callable[[bpy.types.Object], Callable[[], T]]) -> list[T]:
-    """Plan changes for each object in Edit Mode, then write all of them. If one object is refused, none is changed.
-    plan() and its results are called in Object Mode. If no edge is selected, nothing is planned. Raises ObjectError."""
+    """Plan changes for each object in Edit Mode, then write all changes, and return their results. If plan() raises
+    ObjectError for an object, no object is changed. plan() and its results are called in Object Mode. If no edge is
+    selected, nothing is planned."""
     targets = list(context.objects_in_mode_unique_data)
     for target in targets:
         check_local(target, target.data)

@@ -13,11 +13,11 @@ import numpy as np
 from ..core import Level
 from .window_run import Task, shown_progress
 
-WIDE = 330  # pixels at interface scale 1; a new sidebar is half as wide
+WIDE = 330  # width of a wide sidebar, in pixels at interface scale 1; a new sidebar is half as wide
 BESIDE_TEXT = 90  # pixels of the sidebar's width that icon, margins and tabs take
 FONT = 0  # Blender's number of the interface font
-SIZE, THICKNESS = 64, 0.08  # size of a mark in pixels; half the width of its strokes as a share of the size
-Stroke = list[tuple[float, float]]  # y up
+SIZE, THICKNESS = 64, 0.08  # size of a mark in pixels; half the width of its strokes, as a share of the size
+Stroke = list[tuple[float, float]]  # points from 0 to 1, with y upward
 # Strokes and colors of the marks in verdicts. Blender has such marks in gray only.
 MARKS: dict[str, tuple[list[Stroke], tuple[float, float, float]]] = {
     "TICK": ([[(0.16, 0.50), (0.40, 0.25), (0.86, 0.76)]], (0.30, 0.78, 0.33)),
@@ -68,7 +68,8 @@ def broken(context: bpy.types.Context, text: str, reserved: int = 0) -> list[str
 
 @lru_cache(maxsize=1000)
 def _lines(text: str, width: float, size: float) -> list[str]:
-    """Return the text, broken only at spaces. width and font size: pixels of the screen."""
+    """Return the lines of the text, which is broken only at spaces. width, size: width of the lines and size of the
+    font, in pixels of the screen."""
     blf.size(FONT, size)
     first, *words = text.split(" ")
     lines = [first]
@@ -89,9 +90,10 @@ def draw_sentence(
     reserved: int = 0,
     as_high_as: str = "",
 ) -> None:
-    """Draw a sentence in lines that fit the region minus the reserved pixels, because Blender cuts long labels off.
+    """Draw a sentence in lines that fit the region, because Blender cuts long labels off.
 
-    icon: one of Blender's names, or of MARKS. as_high_as: a text with at least as many lines, for which room is left.
+    icon: a name of Blender or of MARKS; reserved: see broken(); as_high_as: a text with at least as many lines, for
+    which room is left.
     """
     column = layout.column(align=True)
     column.scale_y = 0.8
@@ -110,7 +112,8 @@ def mark_icon(name: str) -> int:
 
 
 def mark_of(ok: bool, is_strained: bool = False) -> dict:
-    """Return label arguments for the mark: a cross for a failure, a warning for strained fabric, or a tick."""
+    """Return label arguments for a mark: a cross for a failure, a warning sign for strained fabric, otherwise a
+    tick."""
     if not ok:
         return {"icon": "CANCEL"}
     return {"icon_value": mark_icon("AMBER" if is_strained else "TICK")}
@@ -133,7 +136,8 @@ def _detach() -> None:
 
 
 def _pixels(strokes: list[Stroke], color: tuple[float, float, float]) -> np.ndarray:
-    """Return RGBA (SIZE, SIZE, 4) with the colors times alpha, as Blender draws icons; the lowest row first."""
+    """Return the pixels (SIZE, SIZE, 4) of a mark, the lowest row first. As in Blender's icons, colors are multiplied
+    by alpha."""
     x, y = np.meshgrid(*2 * [(np.arange(SIZE) + 0.5) / SIZE])
     points = np.stack([x, y], axis=-1)
     lines = [np.array(line) for stroke in strokes for line in pairwise(stroke)]
@@ -143,14 +147,14 @@ def _pixels(strokes: list[Stroke], color: tuple[float, float, float]) -> np.ndar
 
 
 def _distance(points: np.ndarray, a: np.ndarray, b: np.ndarray) -> np.ndarray:
-    """Return the distance of points (..., 2) from the line between a and b."""
+    """Return the distances of points (..., 2) from the segment between a and b."""
     share = np.clip((points - a) @ (b - a) / ((b - a) @ (b - a)), 0, 1)
     return np.linalg.norm(points - a - share[..., None] * (b - a), axis=-1)
 
 
 def draw_progress(row: bpy.types.UILayout, task: Task, operator: str) -> bool:
-    """Draw progress, and return whether a run of this kind is in progress. operator: operator of the button that
-    started the run. Before Blender 4.0 there is no progress bar, and the button is drawn gray."""
+    """Draw the progress of a run of this kind, and return whether there is such a run. operator: operator that started
+    the run; its gray button shows the progress before Blender 4.0, which lacks progress bars."""
     done = shown_progress(task)
     if done is None:
         return False

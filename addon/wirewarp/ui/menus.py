@@ -10,7 +10,7 @@ from ..state.owners import model_of
 
 
 class VIEW3D_MT_wirewarp(bpy.types.Menu):
-    """Flat pieces"""
+    """Flatten models, check their meshes, and export flat pieces"""
 
     bl_label = "WireWarp"
 
@@ -25,7 +25,7 @@ class VIEW3D_MT_wirewarp(bpy.types.Menu):
 
 
 class VIEW3D_MT_wirewarp_edges(bpy.types.Menu):
-    """Marks of the selected edges; on flat pieces, marks of the selected side"""
+    """Mark the selected edges, or the selected side on flat pieces"""
 
     bl_label = "WireWarp"
 
@@ -56,19 +56,19 @@ def _draw_marks_of_sides(layout: bpy.types.UILayout) -> None:
 
 
 def draw_edge_menu(menu: bpy.types.Menu, _context: bpy.types.Context) -> None:
-    """Draw the menu Edge (Ctrl+E)."""
+    """Add our menu to the menu Edge (Ctrl+E)."""
     menu.layout.separator()
     menu.layout.menu(VIEW3D_MT_wirewarp_edges.__name__)
 
 
 def draw_context_menu(menu: bpy.types.Menu, context: bpy.types.Context) -> None:
-    """Draw the context menu (right mouse button) of selected edges."""
+    """Add our menu to the context menu (right mouse button), if edges can be selected."""
     if context.tool_settings.mesh_select_mode[1]:
         draw_edge_menu(menu, context)
 
 
 def draw_pieces_menu(menu: bpy.types.Menu, _context: bpy.types.Context) -> None:
-    """Draw the menu Object, and in Edit Mode the menu UV."""
+    """Add our menu to the menu Object, and in Edit Mode to the menu UV."""
     menu.layout.separator()
     menu.layout.menu(VIEW3D_MT_wirewarp.__name__)
 
@@ -78,7 +78,7 @@ def draw_export_entry(menu: bpy.types.Menu, _context: bpy.types.Context) -> None
 
 
 def _asking_layout(menu: bpy.types.Menu) -> bpy.types.UILayout:
-    """Return a layout that invokes its operators. Blender's own entries above may execute theirs, without a dialog."""
+    """Return the menu's layout, after making it invoke operators. Otherwise, operators may run without their dialog."""
     menu.layout.operator_context = "INVOKE_DEFAULT"
     return menu.layout
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The settings of Flatten in the sidebar and after a run, and whether they match the report."""
+"""Draws the settings of Flatten in the sidebar and after a run, and compares them with reports and suggestions."""
 
 from dataclasses import asdict, replace
 
@@ -19,12 +19,13 @@ from ..state.reports import HAS_CHANGED, last_report
 from ..state.settings import PARTS, SETTINGS, FlattenChoices, FlattenSettings, Setting, choices_of, usual_stretch
 from ..state.suggestions import Suggestions
 
-WAYS = ("Across", "Along")  # of the grain; two settings have one heading, because their labels would be cut off
-CHANGED = "The model has changed since. Flatten again."
+# directions of the grain: the two settings of a pair have one heading, because their full labels would be cut off
+WAYS = ("Across", "Along")
+CHANGED = "The model has changed since it was flattened. Flatten again."
 
 
 def shown_report(context: bpy.types.Context) -> ObjectReport | None:
-    """Return the report of the active object, or of the source of active flat pieces."""
+    """Return the report of the active model, or of the model of active flat pieces; None if there is none."""
     source = shown_source(context)
     return last_report(source) if source else None
 
@@ -37,7 +38,7 @@ def shown_source(context: bpy.types.Context) -> bpy.types.Object | None:
 
 
 def untrue_sentence(active: bpy.types.Object, source: bpy.types.Object, report: ObjectReport) -> str:
-    """Return why the report does not match the displayed model; "" if it does."""
+    """Return a sentence that says why the report does not match the displayed model; "" if it matches."""
     if has_changed_since(source, report):
         return CHANGED
     if report.flat_object is not None and not has_flat_object(source):
@@ -46,8 +47,8 @@ def untrue_sentence(active: bpy.types.Object, source: bpy.types.Object, report: 
 
 
 def has_changed_since(source: bpy.types.Object, report: ObjectReport) -> bool:
-    """Return whether the model has changed since its report. A large model with modifiers is not read at every redraw
-    while it changes, because that takes as long as drawing."""
+    """Return whether the model has changed since its report. While a large model with modifiers changes, it is not read
+    at every redraw, because reading takes as long as drawing."""
     place = source.mode, source.visible_get(), source.matrix_world.copy()
     seen = stamp(source), stamp(source.data), place, Same(report)
     return kept_drawing(source, HAS_CHANGED, seen, lambda: has_changed(source, report.model_state))
@@ -73,7 +74,7 @@ def draw_settings(layout: bpy.types.UILayout, settings: FlattenSettings, *parts:
             row.use_property_split = not setting.is_wide
             row.use_property_decorate = False
             row.enabled = setting.is_used(settings)
-            # without a label, because the items of the menu are long and explain themselves
+            # the fabric has no label, because the items of its menu are long and clear without one
             if setting.name == "cloth" and parts:
                 row.use_property_split = False
                 row.prop(settings, setting.name, text="", icon="MATCLOTH")
@@ -82,8 +83,8 @@ def draw_settings(layout: bpy.types.UILayout, settings: FlattenSettings, *parts:
 
 
 def _label(settings: FlattenSettings, setting: Setting, way: str) -> str:
-    """Return the label of a setting. If one heading is above two directions, it is the direction `way`. The label of a
-    maximum stretch of 0 has the usual value of the fabric."""
+    """Return the label of a setting. way: the direction if a heading names the rest, otherwise "". If a maximum stretch
+    is 0, its label has the usual value of the fabric."""
     usual = usual_stretch(settings).get(setting.name)
     note = "" if usual is None or getattr(settings, setting.name) else f" (0 = {percent_text(usual)})"
     return (way or setting.full_label) + note
@@ -97,7 +98,8 @@ def known_choices(settings: WIREWARP_PG_settings) -> FlattenChoices | None:
 
 
 def settings_sentence(source: bpy.types.Object, report: ObjectReport, settings: WIREWARP_PG_settings) -> str:
-    """Return a sentence about changed settings; empty if a run with the panel's settings would make the same pieces."""
+    """Return a sentence about settings that changed after the run; empty if a run with the present settings would make
+    the same pieces."""
     choices = known_choices(settings)
     if report.options is None or choices is None:
         return ""
@@ -105,11 +107,12 @@ def settings_sentence(source: bpy.types.Object, report: ObjectReport, settings: 
     changed = _changed_choices(source, settings, choices, report.options, wire_ids, set())
     if report.with_modifiers != settings.use_modifiers and report.shaped_by:
         changed.append("Modifiers")
-    return f"Settings changed since ({', '.join(changed)}). Flatten again to apply." if changed else ""
+    return f"Settings changed after Flatten: {', '.join(changed)}. Flatten again to use them." if changed else ""
 
 
 def figures_sentence(source: bpy.types.Object, found: Suggestions, settings: WIREWARP_PG_settings) -> str:
-    """Return a sentence about changed settings; empty if a search with them would give the same cuts and figures."""
+    """Return a sentence about settings that changed after the search; empty if a search with the present settings would
+    find the same cuts and figures."""
     choices = known_choices(settings)
     if choices is None:
         return ""
@@ -118,7 +121,7 @@ def figures_sentence(source: bpy.types.Object, found: Suggestions, settings: WIR
     upright = {"orientation", "grain_angle", "grain_wire"} if choices.cloth else set()
     ignored = set(LAYOUT_OPTIONS) - upright
     changed = _changed_choices(source, settings, _of_strain(choices), then, found.wire_ids, ignored)
-    return f"Settings changed since ({', '.join(changed)}). Suggest again." if changed else ""
+    return f"Settings changed after the search: {', '.join(changed)}. Search again." if changed else ""
 
 
 def _of_strain(choices: FlattenChoices) -> FlattenChoices:
@@ -135,12 +138,12 @@ def _changed_choices(
     wire_ids: set[int],
     ignored: set[str],
 ) -> list[str]:
-    """Return the labels of changed settings that are used. then: the options of a report; wire_ids: ids of the wires at
-    that time."""
+    """Return the labels of changed settings that are used. then: options of the earlier run or search; wire_ids: ids of
+    the wires in it; ignored: names of options that are not compared."""
     now = asdict(choices) | {"grain_wire": source.data.wirewarp_grain}
     had_grain = then["grain_wire"] in wire_ids
     if (now["orientation"], then["orientation"]) == ("grain", "up") and not had_grain:
-        # wires do not matter: without a grain wire, pieces are upright as on the model
+        # without a grain wire, "grain" has the same effect as "up"
         ignored = ignored | {"orientation"}
     compared = [each for each in SETTINGS if each.choice and each.choice not in ignored and each.is_used(settings)]
     changed = [each.label for each in compared if now[each.choice] != then[each.choice]]

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The one task that may run in the window, with its steps, timer and progress.
+"""Runs one task at a time in the window, with steps, a timer and progress.
 
-Every run ends in stop(): when it is finished or canceled, when another file is opened, or when the add-on is disabled.
+Every run ends in stop(): when the run is finished or canceled, when another file is opened, or when the add-on is
+disabled.
 """
 
 import math
@@ -17,17 +18,17 @@ from ..blender.views import redraw_sidebars, send_mouse_move
 from ..solve.steps import CanceledError, Steps, T, in_one_go
 
 POLL_SECONDS = 0.02
-UNSEEN_SECONDS = 0.3  # seconds before the bar appears, because a line that disappears immediately would only flicker
+UNSEEN_SECONDS = 0.3  # seconds before the progress bar appears, because it would only flicker during short runs
 
 
 @dataclass(frozen=True)
 class Task:
-    """The names of a kind of run: in sentences, and on the progress bar during the run and at its end."""
+    """Words for a kind of run."""
 
-    name: str
-    doing: str
-    finishing: str
-    escape: str = "cancel"  # what Esc does
+    name: str  # in sentences
+    doing: str  # on the progress bar during the run
+    finishing: str  # on the progress bar at the end of the run
+    escape: str = "cancel"  # effect of Esc, in the status bar
 
 
 FLATTEN = Task("Flatten", "Flattening", "Measuring")
@@ -37,36 +38,37 @@ _current: "WindowRun | None" = None
 
 
 def is_running(task: Task | None = None) -> bool:
-    """Return whether a run is in progress. task: considers only runs of this kind."""
+    """Return whether a run of this kind is in progress, or any run if task is None."""
     return _current is not None and task in {None, _current.task}
 
 
 def busy_sentence() -> str:
-    """Return why no other run can start now; empty if one can."""
+    """Return a sentence that says why no run can start now; empty if a run can start."""
     return f"{_current.task.name} is still running. Wait, or press Esc." if _current else ""
 
 
 def shown_progress(task: Task) -> float | None:
-    """Return the progress of the current run, from 0 to 1. Returns None without a run of this kind, and before the
-    progress is worth showing."""
+    """Return the progress of the current run, from 0 to 1. Return None if there is no run of this kind, or in its first
+    UNSEEN_SECONDS."""
     return _current.shown if is_running(task) else None
 
 
 def cancel() -> None:
-    """End the work of the current run, if there is one. Its operator then ends the run."""
+    """Cancel the work of the current run, if there is a run. Its operator then ends the run."""
     if _current:
         _current.cancel()
 
 
 def begin(context: bpy.types.Context, task: Task, what: str, steps: Steps[T]) -> "WindowRun[T]":
-    """Start the work, if none is running. what: name of its object or objects in the status bar."""
+    """Return a new run of this work, which becomes the current run. No other run may be in progress. what: name of the
+    object or objects in the status bar."""
     global _current
     _current = run = WindowRun(context, task, what, steps)
     return run
 
 
 def stop(*_: object) -> None:
-    """Stop the current run, if there is one."""
+    """Stop the current run, if there is a run. Discard its work."""
     if _current:
         _current.stop()
 
@@ -82,10 +84,10 @@ class WindowRun(Generic[T]):
         self._result: T | None = None
         self._error: Exception | None = None
         self.is_done = self._is_cancelled = False
-        self.was_stopped = False  # whether the user pressed Esc; there may be a result
+        self.was_stopped = False  # whether the user has canceled the run, which may have a result anyway
 
     def cancel(self) -> None:
-        """End the work. If optional work is canceled, the earlier result remains."""
+        """Cancel the work. If only optional work was left, the run has a result."""
         self.was_stopped = True
         if self.is_done:
             self._is_cancelled = True
@@ -93,7 +95,7 @@ class WindowRun(Generic[T]):
             self._do(lambda: self._steps.throw(CanceledError()))
 
     def go_on(self) -> None:
-        """Do one step, and show the progress."""
+        """Do one step of the work, and show the progress."""
         if not self.is_done:
             self._do(lambda: next(self._steps))
 
@@ -116,7 +118,8 @@ class WindowRun(Generic[T]):
             redraw_sidebars()
 
     def result(self) -> T:
-        """Return the result of a finished run. Raises CanceledError after cancel(), and errors of the work."""
+        """Stop the finished run, and return its result. Raises CanceledError if the run was canceled without a result,
+        and errors of the work."""
         self.stop()
         if self._is_cancelled:
             raise CanceledError
@@ -137,12 +140,12 @@ class WindowRun(Generic[T]):
 
 
 class WindowSteps:
-    """Mixin of operators that start a run with begin(), follow it in modal() and end it in finish_run()."""
+    """Mixin of operators that start a run with begin(), continue it in modal() and end it in finish_run()."""
 
     ends_on = "TIMER"  # type of the event that finishes a completed run
 
     def begin(self, context: bpy.types.Context, task: Task, what: str, steps: Steps[object]) -> set[str]:
-        """Start the steps, which modal() continues. what: names the object or the number of objects."""
+        """Start a run with these steps, which modal() continues. what: name of the object, or number of objects."""
         self._run: WindowRun = begin(context, task, what, steps)
         context.window_manager.modal_handler_add(self)
         return {"RUNNING_MODAL"}
@@ -163,12 +166,12 @@ class WindowSteps:
         stop()
 
     def lets_pass(self, event: bpy.types.Event) -> bool:
-        """Return whether Blender may handle this event during the run. All events but Esc may pass, because all data
+        """Return whether Blender may handle this event during the run. All events except Esc may pass, because all data
         have been read."""
         return event.type != "ESC"
 
     def wait_for(self, context: bpy.types.Context, steps: Steps[T]) -> T:
-        """Do all steps without a pause, while Blender waits."""
+        """Do all steps while Blender waits, and return the result. The mouse pointer shows the progress."""
         manager = context.window_manager
         manager.progress_begin(0.0, 1.0)
         try:
@@ -178,7 +181,8 @@ class WindowSteps:
 
 
 def fault_sentence(error: Exception, what: str) -> str:
-    """Return the sentence for an unexpected error. what: the failed work, and the state of the file."""
+    """Return the sentence about an unexpected error, and print its traceback. what: a text about the failed work and
+    the state of the file."""
     traceback.print_exc()
     return (
         f"{what}: {str(error) or type(error).__name__}. This is a bug in WireWarp. Please report it, with the text in "
