@@ -3,9 +3,10 @@
 
 python hyperqueue_tasks.py TASKS [--server DIR] IN... --out DIR [options of python -m wirewarp batch]
 
-TASKS is the number of tasks that share the models: several for each core, so that all cores end at about the same time.
---server is the folder of a running server, whose workers may be jobs of Slurm or PBS; without it, a server and a worker
-are started here. Prints the lines of all models, and ends with the code of the worst, like batch.
+TASKS is the number of tasks that share the models. Use several tasks for each core, so that all cores finish at about
+the same time. --server is the folder of a running server, whose workers may be jobs of Slurm or PBS. Without --server,
+this program starts a server and a worker. Like batch, it prints the lines of all models, and its exit code is that of
+the worst model.
 """
 
 import argparse
@@ -19,7 +20,7 @@ from hyperqueue import Client, Job, LocalCluster
 from hyperqueue.cluster import WorkerConfig
 
 BATCH = (sys.executable, "-m", "wirewarp", "batch")
-TRIES = 3  # number of tries of a task whose worker is lost; it continues where it stopped
+TRIES = 3  # number of lost workers after which a task fails; until then, another worker continues it
 
 
 def main() -> int:
@@ -34,7 +35,7 @@ def main() -> int:
     with connected(given.server) as client:
         # A task fails if a model is not ready to cut. The others continue.
         client.wait_for_jobs([client.submit(job)], raise_on_error=False)
-    # Prints all lines, and repeats models that were refused, stopped or lost.
+    # print the lines of all models, and flatten those again that were refused, stopped or lost
     return subprocess.call([*BATCH, *words])
 
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A job type of Flamenco 3: each task flattens a part of the models in a folder that all workers share.
-// Copy this file to the folder `scripts` beside flamenco-manager. {python} is a variable of flamenco-manager.yaml: on each
-// platform, the Python with wirewarp[command].
+// A job type of Flamenco 3. Each task flattens some of the models in a folder that all workers share.
+// Copy this file to the folder `scripts` beside flamenco-manager. In flamenco-manager.yaml, set the variable {python}
+// to a Python with wirewarp[command] on each platform.
 
 const JOB_TYPE = {
     label: "WireWarp Patterns",
@@ -12,7 +12,7 @@ const JOB_TYPE = {
         { key: "patterns", type: "string", subtype: "dir_path", required: true,
           description: "Folder for reports and patterns" },
         { key: "options", type: "string", required: false, default: "--seams uv",
-          description: "Options of python -m wirewarp batch, separated by spaces; for .blend files with --blender" },
+          description: "Options of python -m wirewarp batch, separated by spaces. For .blend files, add --blender" },
         { key: "parts", type: "int32", required: true, default: 20, propargs: { min: 1, max: 1000 },
           description: "Number of tasks that share the models" },
     ],

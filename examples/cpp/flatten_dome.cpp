@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Flattens a shallow dome over a square, in meters, and prints how long its lines are on the dome and flat. One line
-// across its middle must keep its length, the other may change by 1%.
+// Flattens a shallow dome over a square of 1 m, and prints the lengths of its lines on the dome and in the flat piece.
+// Two lines cross its middle: one must keep its length, and the other may change its length by 1%.
 #include <wirewarp/flatten.h>
 
 #include <cmath>
@@ -8,7 +8,7 @@
 
 namespace {
 
-constexpr int kCells = 20;  // along each side
+constexpr int kCells = 20;  // number of cells along each side
 
 int vertex(int row, int column) { return row * (kCells + 1) + column; }
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Imported first, to raise ImportError if the compiled module does not fit this Python or system."""
+"""Raises ImportError if the compiled module does not fit this Python or system. The package imports it first."""
 
 import sys
 import sysconfig
@@ -7,6 +7,6 @@ from importlib.util import find_spec
 
 if find_spec(f"{__package__}._wirewarp") is None:
     raise ImportError(
-        f"this copy of wirewarp is made for another Python or system than this Python {sys.version_info.major}."
-        f"{sys.version_info.minor} on {sysconfig.get_platform()}. Install the wheel for it with its own pip"
+        f"this copy of wirewarp does not fit Python {sys.version_info.major}."
+        f"{sys.version_info.minor} on {sysconfig.get_platform()}. Run this Python with -m pip install wirewarp"
     )

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The one exception type and its codes, made from the table of the compiled core."""
+"""The only exception type of wirewarp, and its codes, which are made from the table of the compiled core."""
 
 import copy
 from collections.abc import Iterable, Mapping
@@ -29,25 +29,25 @@ ErrorCode = _DescribedCode(
     [(name, (name, *description)) for name, description in error_descriptions().items()],
     module=__package__,
 )
-ErrorCode.__doc__ = """The kind of an error. Each code has a meaning and a remedy, one sentence each.
+ErrorCode.__doc__ = """The kind of an error. `meaning` and `remedy` are one sentence each.
 
-`arguments` documents the keys of `FlattenError.arguments`: "name: meaning" of each, separated by semicolons.
+`arguments` documents the keys of `FlattenError.arguments` as "name: meaning", separated by semicolons.
 """
 
 
 class FlattenError(ValueError):
-    """Bad input (raised), or a fault of a piece (stored in the piece).
+    """An error of the input (raised), or a fault of one piece (stored as `Piece.error`).
 
-    `str(error)` is one sentence with the fault, its place and a remedy. `vertices`, `edges` (vertex pairs) and `faces`
-    are the faulty elements, as indices of the input. `has_layout` is true if the piece has coordinates to look at.
+    `str(error)` describes the fault, its place and a remedy. `vertices`, `edges` (vertex pairs) and `faces` are the
+    faulty elements, as indices of the input. `has_layout` is true if the piece still has flat coordinates to inspect.
 
-    `proposed_seams` are vertex pairs that fix the piece: flatten again with `[*seams, *error.proposed_seams]`.
-    `proposed_tolerances` are pairs of the index of a wire and a tolerance with which its length can be kept. Both are
-    empty if there is no proposal.
+    `proposed_seams` are edges (vertex pairs) that fix the piece if they become seams: flatten again with
+    `[*seams, *error.proposed_seams]`. `proposed_tolerances` are pairs of the index of a wire and a tolerance within
+    which the wire can keep its length. Both are empty if there is no proposal.
 
-    `arguments` are the other values in the sentence, such as lengths, limits and names, as bool, int, float, str or a
-    list of one of these. `code.arguments` documents their names. Use them, the code and the elements to write sentences
-    of your own.
+    `arguments` are the other values in the sentence, such as lengths, limits and names. Each value is a bool, int,
+    float, str or a list of one of these types. `code.arguments` documents their names. With the code, the elements and
+    the arguments, you can write your own sentence, for example in another language.
     """
 
     __module__ = __package__

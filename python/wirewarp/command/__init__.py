@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The command line: from files of models to reports and patterns. docs/command.md describes it."""
+"""The command line, which makes reports and patterns from files of models. docs/command.md describes it."""

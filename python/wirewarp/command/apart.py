@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs every model in its own process. One that crashes, hangs or uses too much memory does not affect the others.
 
-The pools of the standard library and of pebble share a pipe and a lock between their workers, so a worker that is
-killed at the wrong moment breaks the whole pool. psutil measures and ends the processes that a process has started.
+It does not use the pools of the standard library or of pebble. Their workers share a pipe and a lock, so a worker that
+is killed at the wrong moment breaks the whole pool. psutil measures and ends the children of a process.
 """
 
 import itertools
@@ -21,16 +21,16 @@ from typing import Generic, TypeVar
 
 import psutil
 
-# A server with the libraries forks a process in milliseconds; Windows has no fork and loads them each time. This
-# process is never forked, because threads of libraries do not survive a fork.
+# A fork server that has loaded the libraries starts a process in milliseconds. Windows has no fork, so each process
+# loads the libraries. The main process is never forked, because threads of libraries do not survive a fork.
 if sys.platform == "win32":
     CONTEXT = multiprocessing.get_context("spawn")
-    MOST = 60  # number of processes: Windows can wait for at most 63 at once
+    MOST = 60  # largest number of processes, because Windows can wait for at most 63 at once
 else:
     CONTEXT = multiprocessing.get_context("forkserver")
     MOST = sys.maxsize
 OFTEN = 0.5  # seconds between checks of time and memory; a check takes milliseconds
-LEAVE = 5.0  # seconds until a process must have ended after its result or a kill
+LEAVE = 5.0  # seconds that a process may need to end after its result or after a kill
 Item = TypeVar("Item")
 Result = TypeVar("Result")
 
@@ -38,29 +38,29 @@ Result = TypeVar("Result")
 @dataclass(frozen=True)
 class Limits:
     seconds: float
-    memory: int  # bytes, including Blender's
+    memory: int  # bytes, including the memory of Blender
 
 
 @dataclass(frozen=True)
 class Stopped:
-    """A process without a result."""
+    """The reason why a process ended without a result."""
 
     code: str  # "time_limit", "memory_limit" or "crashed"
     sentence: str
-    seconds: float  # duration
+    seconds: float  # duration of the process
 
 
 def each_apart(
     work: Callable[[Item], Result], items: Iterable[Item], jobs: int, limits: Limits, modules: list[str]
 ) -> Generator[tuple[int, Result | Stopped], None, None]:
-    """Yield the index and the result of each item as it ends. At most this many jobs run at a time.
+    """Yield the index and the result of each item as soon as its work ends. jobs: number of processes at a time.
 
-    work is a function of a module that other processes can import; modules are preloaded. All processes end if the
-    caller stops asking for results or is killed.
+    work must be a function of a module that other processes can import. modules: names of modules to load once for all
+    processes. All processes end if the caller closes the generator or is killed.
     """
     CONTEXT.set_forkserver_preload(modules)
     if sys.platform != "win32":
-        resource_tracker.ensure_running()  # started now, because its start unblocks Ctrl+C
+        resource_tracker.ensure_running()  # started before Ctrl+C is blocked, because its start unblocks Ctrl+C
     waiting = enumerate(items)
     running: list[_Run[Result]] = []
     looked = time.monotonic()
@@ -89,8 +89,8 @@ def each_apart(
 
 @contextmanager
 def _ctrl_c_waits() -> Iterator[None]:
-    """Delay Ctrl+C until the end. Otherwise, a process that is just starting or ending could be left behind. The server
-    must ignore Ctrl+C: it starts with the first process, and inherits the mask."""
+    """Delay Ctrl+C until the end of the block. Otherwise, a process that is just starting or ending could be left
+    behind. The fork server starts inside the first block, so it inherits the mask that blocks Ctrl+C."""
     pressed: list[int] = []
     before = signal.signal(signal.SIGINT, lambda number, _: pressed.append(number))
     masked = None if sys.platform == "win32" else signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGINT])
@@ -100,7 +100,7 @@ def _ctrl_c_waits() -> Iterator[None]:
         if masked is not None:
             signal.pthread_sigmask(signal.SIG_SETMASK, masked)
         signal.signal(signal.SIGINT, before)
-    if pressed and callable(before):  # Ctrl+C stays ignored if it was, as in the background of a shell
+    if pressed and callable(before):  # not callable if Ctrl+C was ignored before, as in the background of a shell
         before(signal.SIGINT, None)
 
 
@@ -110,14 +110,14 @@ class _Run(Generic[Result]):
         self.results, sender = CONTEXT.Pipe(duplex=False)
         self._process = CONTEXT.Process(target=_do, args=(work, item, sender))
         self._process.start()
-        sender.close()  # closed in this process, so that the pipe ends with the other process
+        sender.close()  # only the other process keeps this end, so the pipe closes when that process ends
 
     def ended(self) -> tuple[Result | Stopped] | None:
         try:
             if not self.results.poll():
                 return None
             result: Result | Stopped = self.results.recv()
-        except (EOFError, OSError):  # the other end of the pipe is gone; on Windows poll() raises it
+        except (EOFError, OSError):  # the other process has closed the pipe; on Windows, poll() raises the error
             self._process.join()
             result = Stopped("crashed", _crash(self._process.exitcode), self._seconds())
         self._close()
@@ -126,11 +126,11 @@ class _Run(Generic[Result]):
     def stopped_by(self, limits: Limits) -> tuple[Stopped] | None:
         seconds = self._seconds()
         if seconds > limits.seconds:
-            sentence = f"It took longer than {limits.seconds:g} seconds: see --time-limit."
+            sentence = f"The model took longer than {limits.seconds:g} seconds: see --time-limit."
             stopped = Stopped("time_limit", sentence, seconds)
         elif _memory(self._process.pid) > limits.memory:
             most = f"{limits.memory / 1e9:.3g} GB"
-            stopped = Stopped("memory_limit", f"It took more than {most} of memory: see --memory-limit.", seconds)
+            stopped = Stopped("memory_limit", f"The model needed over {most} of memory: see --memory-limit.", seconds)
         else:
             return None
         self.kill()
@@ -142,7 +142,7 @@ class _Run(Generic[Result]):
     def kill(self) -> None:
         family = _family(self._process.pid)
         for process in family:
-            with suppress(psutil.Error):  # the process has ended by itself
+            with suppress(psutil.Error):  # raised if the process has already ended
                 process.kill()
         psutil.wait_procs(family[1:], LEAVE)
         self._close()
@@ -163,8 +163,7 @@ def _do(work: Callable[[Item], Result], item: Item, sender: Connection) -> None:
 
 
 def _end_with_parent() -> None:
-    """End this process when its parent ends, because a killed parent cannot send a message. The next run continues
-    unfinished work."""
+    """End this process when its parent ends, because a killed parent cannot send a message."""
     parent = multiprocessing.parent_process()
     if parent:
         parent.join()
@@ -191,7 +190,7 @@ def _memory(pid: int | None) -> int:
 
 def _crash(code: int | None) -> str:
     if code is None or code >= 0:
-        return f"Its process ended with code {code}."
+        return f"The model's process ended with code {code}."
     name = signal.Signals(-code).name if -code in set(signal.Signals) else str(-code)
     hint = ", probably because memory ran out" if name == "SIGKILL" else ""
-    return f"Its process was ended by {name}{hint}."
+    return f"The model's process was ended by {name}{hint}."

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Arguments of the command line."""
+"""Reads the arguments of the command line."""
 
 import argparse
 import os
@@ -35,13 +35,13 @@ STRETCH = re.compile(r"(-?\d+(?:\.\d*)?)%(?:,\s*(-?\d+(?:\.\d*)?)%)?")
 MEMORY = re.compile(r"(\d+(?:\.\d*)?)\s*(MB|GB)")
 T = TypeVar("T")
 BYTES = {"MB": 10**6, "GB": 10**9}
-GRAINS: dict[str, Grain] = {"one-way": "one way", "both-ways": "both ways", "free": "free"}  # as in Pattern.nested
+GRAINS: dict[str, Grain] = {"one-way": "one way", "both-ways": "both ways", "free": "free"}  # for Pattern.nested()
 ORIENTATIONS = get_args(Orientation)
 VERDICTS = (
-    "Prints one line of JSON for each model. The exit code is that of the worst model. 0: every length is exact, and "
-    "some fabric stretches far enough (ready to cut, or needs stretch fabric). 1: a piece failed, or the fabric does "
-    "not stretch far enough (not ready to cut). 2: the model is refused. 3: it was stopped because it crashed or "
-    "exceeded its limit of time or memory."
+    "Prints one line of JSON for each model. The exit code is that of the worst model. 0: no piece failed, and some "
+    "fabric stretches far enough (ready to cut, or needs stretch fabric). 1: a piece failed, or the fabric does not "
+    "stretch far enough (not ready to cut). 2: the model is refused. 3: the model crashed, or exceeded its limit of "
+    "time or memory."
 )
 
 
@@ -53,12 +53,12 @@ class Arguments:
 
 
 def parsed(words: Sequence[str]) -> Arguments:
-    """Return the arguments, or end the program with code 2 and a sentence if they are invalid."""
+    """Return the arguments. If they are invalid, print a sentence and end the program with code 2."""
     parser = argparse.ArgumentParser(prog="python -m wirewarp", description="Flat patterns with exact lengths.")
     commands = parser.add_subparsers(required=True, metavar="flatten|batch|propose")
     flatten = commands.add_parser(
         "flatten",
-        # a separate instance, because its defaults differ
+        # a new instance of the options, because flatten and batch set different defaults
         parents=[_model_options(), _writing_options(), _running_options()],
         help="flatten models, and write reports and patterns",
         description="Flattens models (OBJ, PLY, STL, glTF, Blender) and writes a report and a pattern for each. "
@@ -69,18 +69,18 @@ def parsed(words: Sequence[str]) -> Arguments:
     flatten.set_defaults(command=flatten, jobs=1, part=(1, 1))
     batch = commands.add_parser(
         "batch",
-        # a separate instance, because its defaults differ
+        # a new instance of the options, because flatten and batch set different defaults
         parents=[_model_options(), _writing_options(), _running_options()],
-        help="flatten folders and lists of models; a rerun continues where it stopped",
-        description="Runs flatten --resume on all models of folders and lists: a rerun continues where it stopped, and "
-        "repeats changed models. " + VERDICTS,
+        help="flatten folders and lists of models, and skip finished ones",
+        description="Runs flatten --resume on all models of folders and lists. If you run it again, it skips finished "
+        "models that have not changed. " + VERDICTS,
     )
     batch.add_argument(
         "models",
         nargs="+",
         metavar="IN",
         type=Path,
-        help="a model, a folder with models, or a list: .jsonl, one object per line, with a model and its options",
+        help="a model, a folder with models, or a list (.jsonl with one object per line: a model and its options)",
     )
     batch.add_argument(
         "--part", type=_part, default=(1, 1), metavar="K/N", help="only the K-th of every N models, to share the work"
@@ -93,7 +93,7 @@ def parsed(words: Sequence[str]) -> Arguments:
         description="Evaluates cuts of models (OBJ, PLY, STL, glTF) by flattening, and prints one line of JSON with "
         "the best cuts of each model. With --cut fewer, the line lists the seams to keep. The exit code is "
         "that of the worst model. 0: cuts or seams are proposed. 1: nothing is proposed. 2: the model is refused. "
-        "3: it was stopped because it crashed or exceeded its limit of time or memory.",
+        "3: the model crashed, or exceeded its limit of time or memory.",
     )
     propose.add_argument("models", nargs="+", metavar="MODEL", type=Path)
     propose.set_defaults(command=propose, jobs=1)
@@ -104,7 +104,7 @@ def parsed(words: Sequence[str]) -> Arguments:
         if given.kind == "fewer":
             _check_fewer(propose, given)
         elif given.narrowest is not None and (given.kind == "dart" or given.together):
-            propose.error("--narrowest is for cut sets: use it with --cut seam and without --together")
+            propose.error("--narrowest is for sets of seams: use it with --cut seam and without --together")
         material = _made(MaterialRequest, given)
         cuts = [_made(CutRequest, given, model=model, material=material) for model in given.models]
         return Arguments(cuts, given.jobs, _limits(given))
@@ -133,10 +133,10 @@ def _shape_options() -> argparse.ArgumentParser:
     )
     options.add_argument("--wires", default="", metavar="FILE", help="JSON file with wires and eases")
     options.add_argument(
-        "--cloth", default="", choices=Cloth.presets(), help="fabric of the pieces (without it, the least distortion)"
+        "--cloth", default="", choices=Cloth.presets(), help="fabric of the pieces (none: the least distortion)"
     )
     options.add_argument(
-        "--orientation", default="wire", choices=ORIENTATIONS, help="direction that is up, along the grain (wire)"
+        "--orientation", default="wire", choices=ORIENTATIONS, help="direction that points up, along the grain (wire)"
     )
     options.add_argument("--unit", choices=MILLIMETERS, default="m", help="unit of the coordinates (m)")
     options.add_argument(
@@ -144,7 +144,7 @@ def _shape_options() -> argparse.ArgumentParser:
         type=_stretch,
         default=(0.0, 0.0),
         metavar="WEFT,WARP",
-        help="negative ease, both ways or across and along: 10%%,5%%; positive ease: --stretch=-5%% (0%%)",
+        help="negative ease across and along the grain: 10%%,5%%, or 10%% for both. Positive: --stretch=-5%% (0%%)",
     )
     options.add_argument(
         "--thickness", type=_length, default=0.0, help="thickness of foam, neoprene or leather: 3mm (0)"
@@ -165,25 +165,25 @@ def _cut_options() -> argparse.ArgumentParser:
         dest="kind",
         choices=("dart", "seam", "fewer"),
         default="dart",
-        help="kind of cut, or fewer to leave out some of --seams (dart)",
+        help='kind of cut, or "fewer" to leave out some seams of --seams (dart)',
     )
-    options.add_argument("--piece", type=_count, metavar="N", help="cut only the N-th piece (the one that gains most)")
+    options.add_argument("--piece", type=_count, metavar="N", help="cut only the N-th piece (piece that gains most)")
     options.add_argument(
         "--count", type=_count, metavar="N", help="number of proposals, with mirror images counted once (5)"
     )
     options.add_argument("--longest", type=_length, help="maximum length of a cut on the model: 150mm (any)")
-    options.add_argument("--narrowest", type=_length, help="least width of the pieces of a cut set: 12mm (any)")
+    options.add_argument("--narrowest", type=_length, help="smallest width of the pieces of a set of seams: 12mm (any)")
     options.add_argument(
         "--strain",
         type=_share,
         metavar="5%",
-        help="accepted strain: pieces with less in 99%% of their area are ignored (0.5%%; for cut sets and with "
-        "--together 5%%). With --cut fewer: maximum strain of every piece without the seams that are left out",
+        help="do not cut pieces with less strain in 99%% of their area (0.5%%). For sets of seams and --together: the "
+        "target (5%%). For --cut fewer: maximum strain of each remaining piece (5%%)",
     )
     options.add_argument(
-        "--together", type=_count, metavar="N", help="make up to N cuts one after the other, until --strain is met"
+        "--together", type=_count, metavar="N", help="choose up to N cuts in sequence, until --strain is reached"
     )
-    options.add_argument("--no-seam", default="", metavar="FILE", help="JSON file with lines where no cut may run")
+    options.add_argument("--no-seam", default="", metavar="FILE", help="JSON file with lines where cuts are forbidden")
     return options
 
 
@@ -205,11 +205,11 @@ def _model_options() -> argparse.ArgumentParser:
         "--allowance", default="10mm", type=_length, help="width of seam allowances: 10mm, 1cm, 3/8in (10mm)"
     )
     options.add_argument("--hem", type=_length, help="allowance of edges that are not sewn (as --allowance)")
-    options.add_argument("--pairs", action="store_true", help="draw pieces of one shape once, also mirrored ones")
+    options.add_argument("--pairs", action="store_true", help="draw pieces of equal shape once, even if mirrored")
     options.add_argument("--on-fold", action="store_true", help="draw half of each symmetric piece, to cut on the fold")
     options.add_argument("--imperial", action="store_true", help="use inches in texts and test squares")
     options.add_argument(
-        "--marker", type=_cloth, metavar="WIDTH|WxL", help="nest the pieces on a roll, 1400mm, or on sheets, 60x90cm"
+        "--marker", type=_cloth, metavar="WIDTH|WxL", help="nest the pieces on a roll (1400mm) or on sheets (60x90cm)"
     )
     options.add_argument("--gap", type=_length, default="5mm", help="space between the pieces of a marker (5mm)")
     options.add_argument(
@@ -239,7 +239,7 @@ def _writing_options() -> argparse.ArgumentParser:
 def _running_options() -> argparse.ArgumentParser:
     options = argparse.ArgumentParser(add_help=False)
     options.add_argument("--jobs", type=_count, metavar="N", help="models in parallel (1; batch: all cores)")
-    # One hour is ample: a million triangles take ten seconds.
+    # One hour is enough for any model: a million triangles take about ten seconds.
     options.add_argument(
         "--time-limit", type=_seconds, default=3600.0, metavar="S", help="maximum seconds per model (3600)"
     )
@@ -253,7 +253,7 @@ def _running_options() -> argparse.ArgumentParser:
 
 
 class _Options(argparse.ArgumentParser):
-    """Parses the options of a model in a list. Its errors do not print the usage of the command."""
+    """Parses options that may come from a list of models. Raises InputError instead of printing the usage."""
 
     def error(self, message: str) -> NoReturn:
         raise InputError(message)
@@ -283,21 +283,24 @@ def _request(found: Found, given: argparse.Namespace) -> Request:
 
 
 def _made(kind: type[T], given: argparse.Namespace, **others: object) -> T:
-    """Return a request of this kind from the arguments with the names of its fields, and from the other values."""
+    """Return a request of this kind. Its fields have the values in `others`, or those of arguments with their names."""
     names = [each.name for each in fields(kind)]  # type: ignore[arg-type]
     return kind(**{name: others[name] if name in others else getattr(given, name) for name in names})
 
 
 def _check_fewer(parser: argparse.ArgumentParser, given: argparse.Namespace) -> None:
     if not given.seams:
-        parser.error("--cut fewer leaves out some of the seams of --seams: give --seams")
+        parser.error("--cut fewer leaves out some seams of --seams: give --seams")
     for option in ("together", "piece", "count", "longest", "narrowest", "no_seam"):
         if getattr(given, option) not in (None, ""):
             parser.error(f"--cut fewer makes no cuts: use it without --{option.replace('_', '-')}")
 
 
 def _clashes(requests: Sequence[Request]) -> dict[int, str]:
-    """Return a sentence for each request, by index, that would write a file which another one writes or reads."""
+    """Return a sentence for each request that conflicts with another request, by its index.
+
+    Two requests conflict if one would write a file that the other writes or reads.
+    """
     clashes: dict[int, str] = {}
     writers: dict[Path, int] = {}
     for number, request in enumerate(requests):
@@ -346,7 +349,7 @@ def _formats(text: str) -> tuple[str, ...]:
 
 
 def _cloth(text: str) -> tuple[float, float | None]:
-    """Return the width and, for sheets, the length."""
+    """Return width and length of the fabric in millimeters. The length of a roll is None."""
     match = SHEET.fullmatch(text.strip())
     if match:
         return _length(f"{match[1]}{match[3]}"), _length(f"{match[2]}{match[3]}")
@@ -354,7 +357,7 @@ def _cloth(text: str) -> tuple[float, float | None]:
 
 
 def _stretch(text: str) -> tuple[float, float]:
-    """Return the stretch across and along the grain, as shares."""
+    """Return the stretch across and along the grain, as fractions."""
     match = STRETCH.fullmatch(text.strip())
     if not match:
         raise argparse.ArgumentTypeError(f"{text!r} is not a stretch: give 10% or, across and along the grain, 10%,5%")
@@ -381,7 +384,7 @@ def _seconds(text: str) -> float:
 
 
 def _memory(text: str) -> int:
-    """Return bytes."""
+    """Return the amount of memory in bytes."""
     match = MEMORY.fullmatch(text.strip())
     if not match or not float(match[1]):
         raise argparse.ArgumentTypeError(f"{text!r} is not an amount of memory: give 500MB or 4GB")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Figures for comparing thousands of models. A figure is None if there is no layout to measure."""
+"""Calculates figures for comparing thousands of models. A figure is None if a piece has no layout to measure."""
 
 import math
 from collections.abc import Sequence
@@ -10,7 +10,7 @@ Figures = dict[str, float | int | None]
 
 
 def figures_of(reports: Sequence[Report]) -> Figures:
-    """Return the figures of the objects in one file."""
+    """Return the figures of all objects in one file together."""
     pieces = [(report, piece) for report in reports for piece in report.pieces]
     areas = [_number(piece.area_3d) * report.meters**2 for report, piece in pieces]
     area = sum(areas)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Flattens one model, writes its files, and returns its line."""
+"""Flattens one model, writes its files, and returns the line to print for it."""
 
 import hashlib
 import json
@@ -22,16 +22,16 @@ from .request import BLEND, FROM_MODEL, MILLIMETERS, InputError, MaterialRequest
 from .staged import staged_folder, take_places
 from .verdicts import REFUSED, STOPPED, Line, finished, unfinished, with_faults_answered
 
-# Only the names and contents of these files matter.
+# Fields of a request that are not in the digest. The digest has names and contents of files instead of their paths.
 WHEREABOUTS = ("blender", "folder", "model", "refusal", "resume", "seams", "wires")
 
 
 @with_faults_answered
 def flatten_model(request: Request) -> Line:
-    """Return the line. Faults of the model, of the folder or of a written file do not raise: they are in the line."""
+    """Return the line to print. It contains faults of the model, the folder or a written file, which do not raise."""
     try:
         return _line(request)
-    except RuntimeError as error:  # the file, read again, differs from the pattern
+    except RuntimeError as error:  # raised if the written file differs from the pattern
         return unfinished(REFUSED, "read_back", str(error))
     except BlenderError as error:
         return unfinished(STOPPED, "crashed", str(error))
@@ -58,7 +58,7 @@ def _line(request: Request) -> Line:
 
 
 def _done_before(request: Request, made_of: str) -> Line | None:
-    """Return the previous line, if nothing has changed since and all its files exist."""
+    """Return the line of the previous run, if the model and the request have not changed and all files exist."""
     path = request.report_path
     if not request.resume or not path.is_file():
         return None
@@ -66,13 +66,13 @@ def _done_before(request: Request, made_of: str) -> Line | None:
         line: Line = json.loads(path.read_text(encoding="utf-8"))["line"]
         is_same = line["made_of"] == made_of and all((request.folder / name).is_file() for name in line["files"])
     except (ValueError, KeyError, TypeError):
-        return None  # not one of our reports, so it is not replaced
+        return None  # the file is not one of our reports
     return {**line, "skipped": True} if is_same else None
 
 
 def _made_of(request: Request, model: Model | None) -> str:
-    """Return a digest of the version, the settings, all files of the model, and the lines. Of a Blender file, the
-    digest covers the whole content."""
+    """Return a digest of the version, the settings, the model, and the files with seams and wires. For a Blender file,
+    the digest covers the whole file."""
     settings = {key: str(value) for key, value in asdict(request).items() if key not in WHEREABOUTS}
     names = [request.model.name, *(name if name in FROM_MODEL else Path(name).name for name in request.lines)]
     digest = hashlib.blake2b(json.dumps([__version__, names, settings], sort_keys=True).encode(), digest_size=16)
@@ -92,7 +92,7 @@ def _made_of(request: Request, model: Model | None) -> str:
 
 
 def _flattened(request: Request, model: Model, folder: Path) -> tuple[Line, dict[str, Any]]:
-    """Write patterns and picture to the folder. Return the line and the rest of the report."""
+    """Write the patterns and the picture to the folder. Return the line to print, and the rest of the report."""
     repairs: list[str] = []
     lines = lines_of(request.wires)
     if request.repair:
@@ -136,20 +136,20 @@ def _flattened(request: Request, model: Model, folder: Path) -> tuple[Line, dict
             marker = pattern.nested(**asdict(request.marker))
             laid = pattern.laid_on(marker)
             for kind in request.formats:
-                # a PDF is on a roll of the necessary width
+                # without the option paper, a PDF is a roll as wide as the marker
                 _note(laid.write(folder / request.marker_path(kind).name), line)
             line["marker"], report["marker"] = marker.sentence(laid.units), marker.to_dict()
     return line, report | _timeless(result.to_dict())
 
 
 def _translated(lines: Lines, found: Repaired) -> Lines:
-    """Return wires and eases of the file for the repaired mesh."""
+    """Return the wires and eases of a file, with the vertices of the repaired mesh."""
     wires = [Wire(found.chain(wire.vertices), wire.tolerance, wire.name, wire.ease) for wire in lines.wires]
     return Lines(wires, [Ease(found.sides(ease.half_edges), ease.ratio) for ease in lines.eases])
 
 
 def material_options(material: MaterialRequest, unit: str) -> Options:
-    """Return the options. unit: the unit of the model."""
+    """Return the options for this material. unit: unit of the model."""
     thickness = material.thickness / MILLIMETERS[unit]
     cloth = Cloth.preset(material.cloth) if material.cloth else None
     if any(material.stretch):
@@ -167,7 +167,7 @@ def material_options(material: MaterialRequest, unit: str) -> Options:
 
 
 def _timeless(result: dict[str, Any]) -> dict[str, Any]:
-    """Return the data without durations, so that the same model gives the same bytes again."""
+    """Remove the durations, so that the same model always gives the same file."""
     for each in (result, *result["pieces"]):
         del each["report"]["seconds"]
     return result

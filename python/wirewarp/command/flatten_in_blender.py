@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs in Blender on the open file: flattens the marked objects, and exports them by the settings in the file.
+"""Runs in Blender on the open file: flattens the marked objects, and exports them with the settings in the file.
 
-Its last argument is a job as JSON; blend.py starts it and reads the answer.
+blend.py starts this script with a job in JSON as the last argument, and reads the answer.
 """
 
 import json
@@ -19,14 +19,14 @@ NOTHING_MARKED = "No visible mesh of the file has a seam or a wire: mark where t
 
 
 def end_with_caller() -> None:
-    """End Blender when its caller ends. Nobody writes to the standard input; it closes when the process that started
+    """End Blender when its caller ends. Nobody writes to the standard input. It closes when the process that started
     Blender ends."""
     sys.stdin.read()
     os._exit(1)
 
 
 def is_marked(target: bpy.types.Object) -> bool:
-    """Return whether an object has marks; flat pieces of an earlier run do not count."""
+    """Return whether an object is a visible mesh with a seam or a wire. Flat pieces of an earlier run do not count."""
     if target.type != "MESH" or not target.visible_get() or "source_vertex" in target.data.attributes:
         return False
     edges = target.data.edges
@@ -40,7 +40,7 @@ def is_marked(target: bpy.types.Object) -> bool:
 
 
 def settings_of(operator: Any) -> dict[str, Any]:  # noqa: ANN401 (bpy.ops has no types)
-    """Return the settings of the file's scene for the operator's own properties."""
+    """Return the scene's settings for the properties of the operator, by name."""
     scene = bpy.context.scene.wirewarp
     names = set(operator.get_rna_type().properties.keys()) & set(scene.bl_rna.properties.keys()) - {"rna_type", "name"}
     return {name: getattr(scene, name) for name in names if getattr(scene, name) != ""}
@@ -51,11 +51,11 @@ def file_name(text: str) -> str:
 
 
 def clash_sentence(models: list[bpy.types.Object]) -> str:
-    """Return a sentence if two models would write one file, even if only because names ignore case; otherwise ""."""
+    """Return a sentence if two models would write the same file, otherwise "". Case in names is ignored."""
     owners: dict[str, bpy.types.Object] = {}
     for model in models:
         other = owners.setdefault(file_name(model.name).casefold(), model)
-        if other != model:  # an object of a library may have the same name
+        if other != model:  # an object of a linked library may have the same name
             return f'The patterns of "{other.name_full}" and "{model.name_full}" would be one file: rename one of them.'
     return ""
 
@@ -78,7 +78,7 @@ def flatten(job: dict[str, Any]) -> dict[str, Any]:
     report_path = folder / "report.part"
     try:
         bpy.ops.object.wirewarp_flatten(report_path=str(report_path), **settings_of(bpy.ops.object.wirewarp_flatten))
-    except RuntimeError as error:  # the report contains pieces that failed
+    except RuntimeError as error:  # raised if a piece failed, even if there is a report
         if not report_path.is_file():
             return {"refusal": str(error).strip().removeprefix("Error: ")}
     report = json.loads(report_path.read_text(encoding="utf-8"))
@@ -90,7 +90,10 @@ def flatten(job: dict[str, Any]) -> dict[str, Any]:
 
 
 def export(job: dict[str, Any], models: list[bpy.types.Object], folder: Path) -> tuple[list[str], list[str]]:
-    """Return warnings and the names of the files: STEM.pdf for one model, STEM-OBJECT.pdf for each of several."""
+    """Write the patterns. Return the names of the files, and warnings.
+
+    A file is named STEM.pdf if there is one model, and STEM-OBJECT.pdf if there are several.
+    """
     files: list[str] = []
     warnings: list[str] = []
     report_path = folder / "export.part"
@@ -103,15 +106,15 @@ def export(job: dict[str, Any], models: list[bpy.types.Object], folder: Path) ->
             bpy.ops.object.wirewarp_export(**paths, **settings_of(bpy.ops.object.wirewarp_export))
             warnings += json.loads(report_path.read_text(encoding="utf-8"))["warnings"]
             report_path.unlink()
-    return files, list(dict.fromkeys(warnings))  # without duplicates, because most apply to every format
+    return files, list(dict.fromkeys(warnings))  # without duplicates, because most warnings are about every format
 
 
 threading.Thread(target=end_with_caller, daemon=True).start()
 job = json.loads(sys.argv[-1])
 try:
     answer = flatten(job)
-except RuntimeError as error:  # the export failed, with a sentence
+except RuntimeError as error:  # raised with a sentence if the export failed
     answer = {"refusal": str(error).strip().removeprefix("Error: ")}
 (Path(job["folder"]) / job["answer"]).write_text(json.dumps(answer), encoding="utf-8")
 sys.stdout.flush()
-os._exit(0)  # the file is not saved, and the waiting thread is not needed
+os._exit(0)  # ends Blender without saving the file and without waiting for the thread

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Finds the models of folders and lists, and the output folder of each."""
+"""Finds the models of folders and lists, and the output folder of each model."""
 
 import json
 import os
@@ -17,12 +17,12 @@ Options = dict[str, str | int | float | bool]
 class Found:
     model: Path
     folder: Path  # relative to the output folder
-    options: Options = field(default_factory=dict)  # as on the command line, without "--"
-    source: str = ""  # the list and the line with the options
+    options: Options = field(default_factory=dict)  # by their names on the command line, without "--"
+    source: str = ""  # the path of the list, and the number of the line with the options
 
 
 def found_models(inputs: Iterable[Path]) -> list[Found]:
-    """Return the given models and the models in folders and lists, in a fixed order. Raises InputError."""
+    """Return the given models, and the models in given folders and lists, in a fixed order. Raises InputError."""
     models: list[Found] = []
     for path in inputs:
         if path.is_dir():
@@ -30,9 +30,9 @@ def found_models(inputs: Iterable[Path]) -> list[Found]:
         elif path.suffix.lower() == LIST:
             found = list(_in_list(path))
         else:
-            found = [Found(path, Path())]  # if the file does not exist, the line of the model says so
+            found = [Found(path, Path())]  # a missing file is reported in the line of the model
         if not found:
-            raise InputError(f'there is no model in "{path}": none of {", ".join(SUFFIXES)}')
+            raise InputError(f'there is no model in "{path}": models end in {", ".join(SUFFIXES)}')
         models += found
     return models
 
@@ -49,7 +49,7 @@ def _in_folder(top: Path) -> Iterator[Found]:
 
 
 def _in_list(path: Path) -> Iterator[Found]:
-    """Yield the models of a list. Paths in a list and its outputs are relative to the list."""
+    """Yield the models of a list. Paths in the list are relative to the folder of the list."""
     try:
         lines = path.read_text(encoding="utf-8").splitlines()
     except (OSError, ValueError) as error:
@@ -68,6 +68,6 @@ def _in_list(path: Path) -> Iterator[Found]:
                 entry[option] = str(path.parent / str(entry[option]))
         if not isinstance(model, str) or not all(isinstance(value, str | int | float) for value in entry.values()):
             raise InputError(f"{source}: a model and its options are texts, numbers or true")
-        # within the folder of the list, the model keeps its folder
+        # a model below the folder of the list keeps its subfolder in the output
         is_inside = not Path(model).is_absolute() and ".." not in Path(model).parts
         yield Found(path.parent / model, Path(model).parent if is_inside else Path(), entry, source)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Reads seams, wires and eases of a model: from its UV map, from its sharp edges, or from JSON files."""
+"""Finds the seams, wires and eases of a model in its UV map, at its sharp edges, or in JSON files."""
 
 import json
 import math
@@ -17,11 +17,11 @@ from .request import InputError
 SHARP = math.radians(30)  # as in Blender's Select Sharp Edges
 KEYS = {"vertices": {"vertices", "tolerance", "name", "ease"}, "side": {"side", "ease"}}
 LARGEST = np.iinfo(np.int64).max
-SAME_UV = 1e-6  # share of the unit square; files have about six decimals
+SAME_UV = 1e-6  # largest difference of equal UV coordinates, because files have about six decimals
 
 
 def seams_of(model: Model, wanted: str) -> np.ndarray:
-    """Return the wanted edges (k,2) as pairs of vertices. wanted: "uv", "sharp", a path, or "". Raises InputError."""
+    """Return the seams (k,2) as pairs of vertices. wanted: "uv", "sharp", a path, or "" for none. Raises InputError."""
     if not wanted:
         return np.empty((0, 2), dtype=np.int64)
     if wanted == "uv":
@@ -34,7 +34,7 @@ def seams_of(model: Model, wanted: str) -> np.ndarray:
 
 
 def edges_of(path: str) -> np.ndarray:
-    """Return edges (k,2) of the lines in a file; none for "". Raises InputError."""
+    """Return the edges (k,2) of the lines in a file, or no edges for "". Raises InputError."""
     chains = _read(Path(path)) if path else []
     if not isinstance(chains, list) or not all(_is_chain(chain) for chain in chains):
         raise InputError(f'"{path}" must be a JSON list of lines of vertices, such as [[0, 1, 2], [5, 6]].')
@@ -49,7 +49,7 @@ class Lines:
 
 
 def lines_of(path: str) -> Lines:
-    """Return wires, and eases of one side. Raises InputError."""
+    """Return the wires and the eases of one side in a file. Raises InputError."""
     if not path:
         return Lines()
     entries = _read(Path(path))
@@ -76,8 +76,7 @@ def _add_wire(lines: Lines, entry: dict[str, Any]) -> None:
 
 
 def _add_ease(lines: Lines, entry: dict[str, Any]) -> None:
-    """Add the ease. Each step of the list is an edge, in the direction in which the triangle on that side contains
-    it."""
+    """Add the ease. Each step of the list is an edge, in the direction of the triangle on the eased side."""
     lines.eases.append(Ease(list(pairwise(entry["side"])), entry.get("ease", 0.0)))
 
 
@@ -93,12 +92,15 @@ def _is_chain(value: object) -> bool:
 
 
 def _is_vertex(value: object) -> bool:
-    """Return whether the value may be a vertex: numbers in JSON have no limit."""
+    """Return whether the value may be a vertex. The size is checked, because numbers in JSON have no limit."""
     return type(value) is int and abs(value) <= LARGEST
 
 
 def _sides_at_edges(faces: np.ndarray) -> np.ndarray:
-    """Return corners (k,2,2), indices into the raveled faces: the ends of edges of two faces, in both in one order."""
+    """Return the corners (k,2,2) at the ends of each edge between two faces, as indices into the raveled faces.
+
+    Axis 1 is the face, axis 2 the end of the edge. Both faces list the ends in the same order.
+    """
     starts = np.arange(faces.size)
     ends = starts - starts % 3 + (starts + 1) % 3
     corners, vertices = np.column_stack([starts, ends]), faces.ravel()
@@ -110,7 +112,7 @@ def _sides_at_edges(faces: np.ndarray) -> np.ndarray:
 
 
 def _island_borders(model: Model, corner_uv: np.ndarray) -> np.ndarray:
-    """Return edges (k,2) whose ends have different places on the map in the two faces."""
+    """Return the edges (k,2) at which the UV coordinates of the two faces differ."""
     sides = _sides_at_edges(model.faces)
     places = corner_uv.reshape(-1, 2)[sides]
     apart = np.abs(places[:, 0] - places[:, 1]).max(axis=(1, 2)) > SAME_UV
@@ -118,7 +120,7 @@ def _island_borders(model: Model, corner_uv: np.ndarray) -> np.ndarray:
 
 
 def _sharp_edges(model: Model) -> np.ndarray:
-    """Return the sharp edges (k,2) as pairs of vertices."""
+    """Return the edges (k,2) between faces whose normals differ by more than SHARP, as pairs of vertices."""
     sides = _sides_at_edges(model.faces)
     a, b, c = model.vertices[model.faces].transpose(1, 0, 2)
     normals = np.cross(b - a, c - a)

@@ -12,39 +12,39 @@ import numpy as np
 
 from .request import READ_BY_TRIMESH, SUFFIXES, InputError
 
-# Lines with names, comments and materials in text formats, which are removed. Names may have any encoding; in Shift-JIS
-# a letter may end in a backslash, which joins two lines. trimesh would sort the faces by materials and renumber the
-# vertices.
+# Text to remove from files in text formats: lines with materials, and non-ASCII names and comments. With materials,
+# trimesh would sort the faces and renumber the vertices. Names may have any encoding, and in Shift-JIS a letter may end
+# in a backslash, which would join two lines.
 UNUSED = re.compile(rb"^[ \t]*(?:mtllib|usemtl)\b[^\r\n]*|[\x80-\xff][^\r\n]*", re.MULTILINE)
-STL_HEADER, STL_FACE = 84, 50  # bytes of a binary STL file before the faces, and of each face
+STL_HEADER, STL_FACE = 84, 50  # bytes of a binary STL file: before the faces, and for each face
 STL_END = 1000  # bytes at the end of a text STL file, enough for "endsolid" and a long name
 
 
 @dataclass(frozen=True)
 class Model:
-    vertices: np.ndarray  # (n,3) in the order of the file; vertices at one place are merged
+    vertices: np.ndarray  # (n,3) in the order of the file; vertices at the same place are merged
     faces: np.ndarray  # (m,3)
-    corner_uv: np.ndarray | None  # (m,3,2)
+    corner_uv: np.ndarray | None  # (m,3,2) UV coordinates of the corners of the faces
 
 
 def read_model(path: Path) -> Model:
     """Return the model of a file. Raises InputError."""
     if path.suffix.lower() not in READ_BY_TRIMESH:
-        raise InputError(f'"{path.name}" is not a model of a kind that can be read: {", ".join(SUFFIXES)}.')
+        raise InputError(f'"{path.name}" cannot be read: names of models end in {", ".join(SUFFIXES)}.')
     if not path.is_file():
         raise InputError(f'There is no file "{path}".')
     try:
         import trimesh
     except ModuleNotFoundError as error:
         raise InputError("Models are read by trimesh, which is missing: pip install wirewarp[command]") from error
-    logging.getLogger("trimesh").setLevel(logging.CRITICAL)  # an InputError has the sentence
+    logging.getLogger("trimesh").setLevel(logging.CRITICAL)  # errors are reported by InputError instead
     kind = path.suffix.lower()[1:]
     is_gltf = kind in ("gltf", "glb")  # trimesh reads the files beside a glTF file
     try:
         mesh = trimesh.load_mesh(path if is_gltf else _contents(path, kind), file_type=kind, process=False)
     except (InputError, MemoryError, OSError):
         raise
-    except Exception as error:  # trimesh raises any error for a damaged file, in the words of programmers
+    except Exception as error:  # trimesh raises many kinds of errors for damaged files, with sentences for programmers
         raise InputError(f'"{path.name}" is damaged or is not {kind.upper()}. Export the model again.') from error
     if len(mesh.faces) == 0:
         raise InputError(f'"{path.name}" has no faces.')
@@ -73,7 +73,10 @@ def _contents(path: Path, kind: str) -> io.BytesIO:
 
 
 def _joined(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Merge vertices at the same place, because files repeat them for each UV or normal, and STL for each face."""
+    """Return the vertices, merged if they are at the same place, and the faces.
+
+    Files repeat a vertex for each UV coordinate or normal, and STL files repeat it for each face.
+    """
     _, first, inverse = np.unique(vertices, axis=0, return_index=True, return_inverse=True)
     order = np.argsort(first)
     rank = np.empty_like(order)

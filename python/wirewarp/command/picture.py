@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A picture of a flattening: the pieces in their places, colored by stretch, with wires and numbers."""
+"""Draws a picture of a flattening: the pieces in their places, colored by strain, with wires and numbers."""
 
 from pathlib import Path
 
@@ -11,18 +11,18 @@ from ..pattern.files import replaced_file
 from ..pattern.make.outline import FlatPiece, flat_piece
 from ..pattern.sheet.drawing import LOOKS, WIRES
 
-LONGEST = 2000  # pixels, of the longer side
-SMOOTH = 2  # scale while drawing, for soft edges
-MARGIN = 60  # pixels
-LEAST = 0.01  # smallest strain that may have the strongest color, because less strain is invisible
-# colors from no strain to the largest
+LONGEST = 2000  # pixels along the longer side of the pieces, including margins
+SMOOTH = 2  # scale of the drawing before it is reduced, for soft edges
+MARGIN = 60  # pixels around the pieces
+LEAST = 0.01  # least strain that has the strongest color, because less strain is invisible on fabric
+# red, green and blue of the colors, from no strain to the largest strain
 COLORS = np.array([[255, 255, 255], [255, 221, 140], [235, 120, 50], [160, 20, 30]], dtype=float)
-LEGEND = 24  # pixels: height of its letters; numbers of pieces are twice as high
+LEGEND = 24  # pixels: height of the letters in the legend; numbers of pieces are twice as high
 Point = tuple[float, float]
 
 
 def write_picture(path: Path, result: FlattenResult, millimeters: float) -> bool:
-    """Write a PNG; False if no piece has a layout. millimeters: length of the model's unit."""
+    """Write a PNG file. Return False if no piece has a layout. millimeters: length of the model's unit."""
     pieces = {number: piece for number, piece in enumerate(result.pieces, start=1) if len(piece.vertices)}
     if not pieces:
         return False
@@ -71,7 +71,7 @@ def _draw_lines(draw: ImageDraw.ImageDraw, piece: FlatPiece, at: list[Point]) ->
 
 
 def _draw_legend(draw: ImageDraw.ImageDraw, corner: Point, most: float, hundred: float) -> None:
-    """Draw the legend. corner: upper left; most: strain of the strongest color; hundred: 100 mm in pixels."""
+    """Draw the legend. corner: its upper left; most: strain of the strongest color; hundred: 100 mm in pixels."""
     x, y = corner
     long, high = 100 * SMOOTH, LEGEND * SMOOTH
     for column, color in enumerate(_colors(np.linspace(0, 1, long))):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Marks the proposals for pieces that failed, and flattens again, until there are no more."""
+"""Applies the proposals for failed pieces and flattens again, until there are no new proposals."""
 
 from dataclasses import replace
 
@@ -10,13 +10,14 @@ from ..report import counted
 from .lines import Lines
 from .model import Model
 
-MOST_ROUNDS = 10  # closed parts need one round, handles another, short outlines a third; few models need four
+# Closed parts need one round, handles a second one, and short outlines a third. Few models need four rounds.
+MOST_ROUNDS = 10
 
 
 def with_proposals(
     model: Model, result: FlattenResult, seams: np.ndarray, lines: Lines, options: Options
 ) -> tuple[FlattenResult, Lines, list[str]]:
-    """Return the last result with its lines, and sentences about the applied proposals. Raises FlattenError."""
+    """Return the last result, its wires and eases, and sentences about the applied proposals. Raises FlattenError."""
     marked = {(int(min(a, b)), int(max(a, b))) for a, b in seams}
     before, tolerances = len(marked), [wire.tolerance for wire in lines.wires]
     for _ in range(MOST_ROUNDS):
@@ -44,7 +45,7 @@ def with_proposals(
 
 
 def _widened(wire: Wire, tolerance: float) -> Wire:
-    """Return the wire with this tolerance, or the wire itself if it has it already."""
+    """Return a copy of the wire with this tolerance. If its own tolerance is at least as large, return the wire."""
     if tolerance <= wire.tolerance:
         return wire
     return Wire(wire.vertices, tolerance, wire.name, wire.ease)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Reads one model and returns the cuts proposed for it."""
+"""Reads one model and returns the cuts that are proposed for the model."""
 
 import math
 from typing import Any
@@ -21,7 +21,7 @@ IN_BLENDER = "propose reads OBJ, PLY, STL or glTF. For .blend files, use the add
 
 @with_faults_answered
 def propose_for(request: CutRequest) -> Line:
-    """Return the line. Never raises for faults of the model."""
+    """Return the line to print. It contains faults of the model, which do not raise."""
     if request.model.suffix.lower() == BLEND:
         raise InputError(IN_BLENDER)
     model = read_model(request.model)
@@ -63,7 +63,7 @@ def propose_for(request: CutRequest) -> Line:
 
 
 def _width_of_set(mesh: dict[str, Any], cut: DartProposal, meters: float) -> dict[str, Any]:
-    """Return the key and the narrowest width of the pieces that a cut set makes; nothing for another cut."""
+    """Return {"narrowest_width_m": width} for the pieces that a set of seams makes, or {} for a single cut."""
     if math.isfinite(cut.strain_before):
         return {}
     seams = np.concatenate([np.reshape(mesh["seams"], (-1, 2)), cut.edges])
@@ -71,13 +71,13 @@ def _width_of_set(mesh: dict[str, Any], cut: DartProposal, meters: float) -> dic
 
 
 def _narrowest(mesh: dict[str, Any], seams: np.ndarray, changed: np.ndarray, meters: float) -> float | None:
-    """Return the narrowest width in meters of the flat pieces that have changed edges; None if there are none."""
+    """Return the narrowest width in meters of the flat pieces that contain changed edges; None without such pieces."""
     own = pieces_along(flatten(**mesh | {"seams": seams}).pieces, changed)
     return min((piece_width(piece) * meters for piece in own if not piece.error), default=None)
 
 
 def _fewer(mesh: dict[str, Any], proposal: SeamProposal, meters: float) -> Line:
-    """Return the line for seams that can be left out."""
+    """Return the line to print, with the seams that can be left out."""
     if len(proposal.opened) == 0:
         return unfinished(NOTHING, "no_proposal", ALL_NEEDED if len(proposal.edges) else NO_SEAMS)
     described = {
@@ -103,8 +103,10 @@ def _fewer(mesh: dict[str, Any], proposal: SeamProposal, meters: float) -> Line:
 
 
 def _proposal(cut: DartProposal, meters: float, has_mirror_image: bool) -> dict[str, Any]:
-    """Return a proposal with its lines as --seams reads them. meters: length of a unit of the model; has_mirror_image:
-    whether another proposal, which the result names, is the mirror image."""
+    """Return a proposal, with lines in the form that --seams reads. meters: length of the model's unit.
+
+    has_mirror_image: whether to add the keys for the mirror image, which is another proposal.
+    """
     described: dict[str, Any] = {
         "piece": cut.piece + 1,
         "lines": _lines_along(cut.edges.tolist()),
@@ -125,7 +127,7 @@ def _proposal(cut: DartProposal, meters: float, has_mirror_image: bool) -> dict[
 
 
 def _lines_along(edges: list[list[int]]) -> list[list[int]]:
-    """Return the edges as lines of vertices: an edge continues the line at whose end it begins."""
+    """Return the edges as lines of vertices. An edge that begins at the end of the last line continues that line."""
     lines: list[list[int]] = []
     for start, end in edges:
         if lines and lines[-1][-1] == start:
@@ -136,5 +138,6 @@ def _lines_along(edges: list[list[int]]) -> list[list[int]]:
 
 
 def _if_finite(figure: float) -> float | None:
-    """Return None for infinity, which JSON lacks: infinity means a piece without a flat shape."""
+    """Return the figure, or None if it is infinite, because JSON has no infinity. A piece without a flat shape has
+    infinite figures."""
     return figure if math.isfinite(figure) else None

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Repairs a triangle mesh, with a sentence about each repair. Vertices keep their numbers.
+"""Repairs a triangle mesh, and describes each repair in a sentence. Vertices keep their numbers.
 
-Lines that contain a merged vertex or a divided edge are converted. Unlike Check and Repair of the add-on, this keeps
-interior faces. Loose edges do not exist in files of triangles.
+Lines that contain a merged vertex or a divided edge are converted. Check and Repair in the add-on also removes interior
+faces, which are kept here, and loose edges, which do not exist in files of triangles.
 """
 
 from collections import defaultdict
@@ -14,21 +14,21 @@ import numpy as np
 from ..report import counted
 from .model import Model
 
-CLOSE = 1e-5  # share of the model's size; files store coordinates with five or six digits
-OBLIQUE = np.array([0.3, 0.5, 0.81])  # a direction along which hardly any model has many vertices at the same position
+CLOSE = 1e-5  # distance as a fraction of the model's size; files store coordinates with five or six digits
+OBLIQUE = np.array([0.3, 0.5, 0.81])  # a direction in which few vertices of a model have equal positions
 
 
 @dataclass(frozen=True)
 class Repaired:
     model: Model
     seams: np.ndarray  # (k,2) edges with three or more faces, which must be seams
-    done: list[str]
-    labels: np.ndarray  # (n,) the new number of each vertex
+    done: list[str]  # a sentence about each repair
+    labels: np.ndarray  # (n,) the vertex with which each vertex was merged, or the vertex itself
     divided: dict[frozenset[int], int]  # divided edges, and the vertex that divides each
     reversed: set[tuple[int, int]]  # directed edges of faces that were flipped
 
     def chain(self, vertices: np.ndarray) -> list[int]:
-        """Return the line of the repaired mesh along a line of vertices of the file."""
+        """Return a line of vertices of the file as vertices of the repaired mesh."""
         found: list[int] = []
         for vertex in vertices.tolist():
             own = int(self.labels[vertex]) if 0 <= vertex < len(self.labels) else vertex
@@ -38,12 +38,12 @@ class Repaired:
         return found
 
     def pairs(self, edges: np.ndarray) -> np.ndarray:
-        """Return the edges (k,2) of the repaired mesh along edges of the file."""
+        """Return the edges (k,2) of the repaired mesh that replace these edges of the file."""
         steps = [step for edge in edges for step in pairwise(self.chain(edge))]
         return np.array(steps, dtype=np.int64).reshape(-1, 2)
 
     def sides(self, half_edges: np.ndarray) -> np.ndarray:
-        """Return the edges (k,2) of the repaired mesh along directed edges of the file, on the same side."""
+        """Return the directed edges (k,2) that replace directed edges of the file, on the same side of the mesh."""
         return np.array([step[::-1] if step in self.reversed else step for step in map(tuple, self.pairs(half_edges))])
 
     def _between(self, a: int, b: int) -> list[int]:
@@ -52,7 +52,7 @@ class Repaired:
 
 
 def repaired(model: Model) -> Repaired:
-    """Merge vertices, remove faces without area and duplicates, then make neighbors face the same way."""
+    """Return the mesh with merged vertices, without zero-area and duplicate faces, and with consistent directions."""
     close = CLOSE * float(np.ptp(model.vertices, axis=0).max())
     done: list[str] = []
     labels = _labels(model.vertices, close)
@@ -92,7 +92,7 @@ def _with_flipped(model: Model, rows: np.ndarray) -> Model:
 
 
 def _labels(vertices: np.ndarray, close: float) -> np.ndarray:
-    """Return for each vertex (n,) the first vertex that is close to it."""
+    """Return for each vertex (n,) the vertex with the lowest number in its chain of close vertices."""
     labels = np.arange(len(vertices))
     pairs = _close_pairs(vertices, close)
     while True:  # follow chains of close vertices
@@ -105,7 +105,7 @@ def _labels(vertices: np.ndarray, close: float) -> np.ndarray:
 
 
 def _with_merged_vertices(model: Model, labels: np.ndarray) -> tuple[Model, int]:
-    """Return the mesh, and the number of used vertices that were merged."""
+    """Return the mesh, and the number of vertices of faces that were merged into others."""
     faces = labels[model.faces]
     merged = len(np.unique(model.faces)) - len(np.unique(faces))
     a, b, c = faces.T
@@ -114,7 +114,7 @@ def _with_merged_vertices(model: Model, labels: np.ndarray) -> tuple[Model, int]
 
 
 def _close_pairs(vertices: np.ndarray, close: float) -> np.ndarray:
-    """Return pairs (k,2) of vertices within this distance."""
+    """Return all pairs (k,2) of vertices whose distance is at most `close`."""
     heights = vertices @ (OBLIQUE / np.linalg.norm(OBLIQUE))
     order = np.argsort(heights, kind="stable")
     rows, found = np.arange(len(order)), [np.empty((0, 2), dtype=np.int64)]
@@ -129,9 +129,9 @@ def _close_pairs(vertices: np.ndarray, close: float) -> np.ndarray:
 
 
 def _without_flat_faces(model: Model, close: float) -> tuple[Model, int, dict[frozenset[int], int]]:
-    """Remove each face with a vertex on its opposite edge, and cut the face on the other side of that edge there.
+    """Remove each flat face, which has a vertex on its longest edge, and cut other faces with this edge at the vertex.
 
-    Faces are treated one after the other, because the parts of a cut flat face are flat, too. Returns the number of
+    Faces are treated one after the other, because cutting a flat face makes flat parts. Returns the mesh, the number of
     flat faces, and the vertices that divide the cut edges.
     """
     faces = [tuple(face) for face in model.faces.tolist()]
@@ -171,14 +171,14 @@ def _without_flat_faces(model: Model, close: float) -> tuple[Model, int, dict[fr
 
 
 def _height(vertices: np.ndarray, face: tuple[int, ...]) -> float:
-    """Return the height above the longest edge."""
+    """Return the height of a face above its longest edge."""
     a, b, c = vertices[list(face)]
     longest = max(np.linalg.norm(b - a), np.linalg.norm(c - b), np.linalg.norm(a - c))
     return float(np.linalg.norm(np.cross(b - a, c - a)) / longest) if longest > 0 else 0.0
 
 
 def _longest_edge(vertices: np.ndarray, face: tuple[int, ...]) -> tuple[tuple[int, int], int]:
-    """Return the longest edge and the opposite vertex."""
+    """Return the longest edge of a face, and the opposite vertex."""
     a, b, c = face
     sides = [((a, b), c), ((b, c), a), ((c, a), b)]
     return max(sides, key=lambda side: float(np.linalg.norm(vertices[side[0][0]] - vertices[side[0][1]])))
@@ -187,7 +187,7 @@ def _longest_edge(vertices: np.ndarray, face: tuple[int, ...]) -> tuple[tuple[in
 def _cut_at(
     vertices: np.ndarray, face: tuple[int, ...], uv: np.ndarray | None, edge: tuple[int, int], tip: int
 ) -> list[tuple[tuple[int, int, int], np.ndarray | None]]:
-    """Return the two parts of a face whose edge the tip divides, with their places on the map."""
+    """Return the two parts of a face whose edge is divided by the vertex tip, each with its UV coordinates."""
     first = next(k for k in range(3) if {face[k], face[(k + 1) % 3]} == set(edge))
     a, b, c = (face[(first + k) % 3] for k in range(3))
     parts = ((a, tip, c), (tip, b, c))
@@ -201,8 +201,11 @@ def _cut_at(
 
 
 def _opposed_faces(model: Model) -> np.ndarray:
-    """Return the faces (k,) to flip: in each connected part, the side with the smaller area. For a part with only one
-    side, such as a Möbius strip, return none: no flip makes it consistent."""
+    """Return the faces (k,) to flip, so that neighbors have the same direction.
+
+    In each connected part, these are the faces of the direction with the smaller area. No face is returned for a part
+    with only one side, such as a Möbius strip, because no flips make it consistent.
+    """
     neighbors: dict[int, list[tuple[int, bool]]] = defaultdict(list)
     at_edge: dict[tuple[int, int], list[tuple[int, bool]]] = defaultdict(list)
     for row, face in enumerate(model.faces.tolist()):
@@ -239,7 +242,7 @@ def _opposed_faces(model: Model) -> np.ndarray:
 
 
 def _edges_of_many_faces(faces: np.ndarray) -> np.ndarray:
-    """Return edges (k,2) with three or more faces."""
+    """Return the edges (k,2) with three or more faces."""
     edges = np.sort(faces[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1)
     found, counts = np.unique(edges, axis=0, return_counts=True)
     return found[counts > 2]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The request for one model, and faults of its input."""
+"""The request for one model, and the error for faulty input."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -8,7 +8,8 @@ from typing import Literal
 from ..pattern.nest.items import Grain
 
 MILLIMETERS = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "in": 25.4}
-Orientation = Literal["wire", "boundary", "up", "best"]  # as in Options, except "grain", which needs a chosen wire
+# values of Options.orientation, except "grain", which needs a chosen wire
+Orientation = Literal["wire", "boundary", "up", "best"]
 FROM_MODEL = ("uv", "sharp")
 BLEND = ".blend"
 READ_BY_TRIMESH = (".obj", ".ply", ".stl", ".gltf", ".glb")
@@ -16,12 +17,12 @@ SUFFIXES = (*READ_BY_TRIMESH, BLEND)
 
 
 class InputError(Exception):
-    """A fault of the input. str() is a sentence."""
+    """Raised for a fault of the input. str() is a sentence."""
 
 
 @dataclass(frozen=True)
 class MarkerRequest:
-    """The material to cut from, in millimeters, and its use; see Pattern.nested."""
+    """The arguments of Pattern.nested(). Lengths are in millimeters."""
 
     width: float
     length: float | None
@@ -33,18 +34,18 @@ class MarkerRequest:
 
 @dataclass(frozen=True)
 class MaterialRequest:
-    """The material of the pieces and its direction; see Options. The thickness is in millimeters."""
+    """The material of the pieces and its direction, as in Options. The thickness is in millimeters."""
 
     cloth: str  # a name for Cloth.preset, or "" for none
     orientation: Orientation
-    stretch: tuple[float, float]  # across and along the grain, as shares
+    stretch: tuple[float, float]  # across and along the grain, as fractions
     thickness: float
     surface: Literal["inside", "middle", "outside"]
 
 
 @dataclass(frozen=True)
 class ModelRequest:
-    """One model, and everything its flat pieces depend on."""
+    """One model, and all settings that change its flat pieces."""
 
     model: Path
     seams: str  # "uv", "sharp", a path, or "" for none
@@ -55,21 +56,21 @@ class ModelRequest:
 
 @dataclass(frozen=True)
 class CutRequest(ModelRequest):
-    """Where to cut. Lengths are in millimeters."""
+    """A request for proposals of cuts. Lengths are in millimeters."""
 
-    no_seam: str  # a path, or "" for no such edges
+    no_seam: str  # path of a file with lines along which no cut may run, or ""
     kind: Literal["dart", "seam", "fewer"]
-    piece: int | None  # from 1; None for any
-    count: int | None  # None: the library's number
-    strain: float | None  # None: the library's value
+    piece: int | None  # number of the piece, from 1; None for any piece
+    count: int | None  # number of proposals; None for the library's default
+    strain: float | None  # as a fraction; None for the library's default
     longest: float | None
-    narrowest: float | None  # None: any
-    together: int | None  # largest number of cuts made together; None: each cut is proposed alone
+    narrowest: float | None  # smallest width of the pieces of a set of seams; None for any width
+    together: int | None  # largest number of cuts to make together; None if each cut is proposed alone
 
 
 @dataclass(frozen=True)
 class Request(ModelRequest):
-    """The files to write, and their places. Lengths are in millimeters."""
+    """A request to flatten a model and write files. Lengths are in millimeters."""
 
     folder: Path
     formats: tuple[str, ...]
@@ -85,7 +86,7 @@ class Request(ModelRequest):
     resume: bool
     repair: bool
     take_proposals: bool
-    refusal: str = ""  # why this request conflicts with others
+    refusal: str = ""  # a sentence if this request conflicts with others
 
     @property
     def report_path(self) -> Path:
@@ -96,7 +97,7 @@ class Request(ModelRequest):
 
     @property
     def picture_path(self) -> Path:
-        """Return the path. It is not NAME.png, because many models have a texture of that name."""
+        """Return the path. Its name is not NAME.png, because many models have a texture with that name."""
         return self.folder / f"{self.model.stem}-strain.png"
 
     def marker_path(self, kind: str) -> Path:
@@ -104,13 +105,13 @@ class Request(ModelRequest):
 
     @property
     def all_paths(self) -> list[Path]:
-        """Return all possible output files, except those of several objects, which only the Blender file names."""
+        """Return all possible output files. Files for several objects are missing, because only Blender knows them."""
         drawn = [path(kind) for kind in self.formats for path in (self.pattern_path, self.marker_path)]
         return [*drawn, self.picture_path, self.report_path]
 
     @property
     def line_files(self) -> list[Path]:
-        """Return the files with seams and wires."""
+        """Return the paths of the files with seams and wires."""
         return [Path(name) for name in self.lines if name not in ("", *FROM_MODEL)]
 
     @property

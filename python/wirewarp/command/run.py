@@ -22,17 +22,17 @@ MODULES = ["trimesh", __name__]
 
 
 class PrintError(Exception):
-    """Lines cannot be written to the standard output. str() is a sentence."""
+    """Raised if lines cannot be written to the standard output. str() is a sentence."""
 
 
 def run(arguments: Arguments) -> int:
-    """Print one line of JSON for each model, in their order. Return the exit code of the worst. Raises PrintError."""
-    # Matrices are small and models many, so threads for each matrix would only slow the run down.
+    """Print a line of JSON for each model, in the given order. Return the worst exit code. Raises PrintError."""
+    # Matrices are small and there are many models, so threads for each matrix would only slow the run down.
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     for request in with_left([each for each in arguments.requests if isinstance(each, Request)]):
-        _remove_staged(request)  # done now, because finished models are skipped below
+        _remove_staged(request)  # done here, because models that are skipped below would keep their remains
     worst = 0
-    # The bar is drawn where standard error is a terminal.
+    # with disable=None, the bar is drawn only if standard error is a terminal
     with (
         tqdm(total=len(arguments.requests), unit="model", file=sys.stderr, disable=None) as bar,
         closing(_in_order(arguments, bar)) as lines,
@@ -71,7 +71,7 @@ def _in_order(arguments: Arguments, bar: "tqdm[None]") -> Generator[Line, None, 
                 following += 1
     finally:
         results.close()
-        for request in begun.values():  # those that are unfinished because the run was stopped
+        for request in begun.values():  # requests that are unfinished because the run was stopped
             _remove_staged(request)
 
 
@@ -90,5 +90,5 @@ def _line(request: AnyRequest, result: Line | Stopped) -> Line:
 
 def _remove_staged(request: AnyRequest) -> None:
     if isinstance(request, Request):
-        with suppress(OSError):  # the next run of this model tries again, and its line reports the fault
+        with suppress(OSError):  # the next run of this model tries again and reports the fault
             remove_staged(request)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Moves all files of a model to their places together, so that a refused or stopped run changes nothing."""
+"""Moves all files of a model to their places together, so that a refused or stopped run changes no files."""
 
 import hashlib
 import json
@@ -17,7 +17,7 @@ EARLIER = ".earlier"  # folder in the staged folder for the files of the previou
 
 @contextmanager
 def staged_folder(request: Request) -> Iterator[Path]:
-    """Yield a hidden folder beside the future files, and remove it afterward."""
+    """Yield a hidden folder in the output folder, and remove the hidden folder afterward."""
     request.folder.mkdir(parents=True, exist_ok=True)
     remove_staged(request)
     folder = Path(tempfile.mkdtemp(prefix=_prefix(request), dir=request.folder))
@@ -28,32 +28,32 @@ def staged_folder(request: Request) -> Iterator[Path]:
 
 
 def remove_staged(request: Request) -> None:
-    """Remove the remains of a killed run of this model. Raises OSError if files cannot be put back."""
+    """Remove the hidden folder of a killed run of this model. Raises OSError if earlier files cannot be put back."""
     for left in request.folder.glob(f"{_prefix(request)}*"):
         _remove(left, request)
 
 
 def with_left(requests: Sequence[Request]) -> list[Request]:
-    """Return the requests whose models have a folder left behind by a killed run."""
+    """Return the requests for which a killed run left a hidden folder behind."""
     left = {folder: {path.name for path in folder.glob(f"{HIDDEN}*")} for folder in {r.folder for r in requests}}
     return [r for r in requests if any(name.startswith(_prefix(r)) for name in left[r.folder])]
 
 
 def listed_files(report: Path) -> list[str]:
-    """Return the files that our report lists, including itself; none if it is not our report."""
+    """Return the names of files that our report lists, including itself. Return none if the file is not our report."""
     try:
         names = json.loads(report.read_text(encoding="utf-8"))["line"]["files"]
-        # accepts only names of files beside the report, because others may have written it
+        # only names of files beside the report are accepted, because another program may have written the report
         return [name for name in names if Path(name).name == name]
     except (FileNotFoundError, ValueError, KeyError, TypeError):
         return []
 
 
 def take_places(staged: Path, request: Request) -> None:
-    """Move the files to their places, and the earlier files into the staged folder, which is removed.
+    """Move the new files to their places, and the earlier files into the staged folder, which is removed later.
 
-    The report is removed first and placed last, so that all files belong to it whenever it exists. Raises InputError if
-    a file is not ours.
+    The earlier report is moved first and the new report last, so that all files belong to a report whenever one exists.
+    Raises InputError if a new file would replace a file that the earlier report does not list.
     """
     earlier = listed_files(request.report_path)
     made = sorted((path.name for path in staged.iterdir()), key=lambda name: name == request.report_path.name)
@@ -72,15 +72,17 @@ def take_places(staged: Path, request: Request) -> None:
 
 
 def _remove(staged: Path, request: Request) -> None:
-    """Remove the folder. After an error or a kill during take_places, put the earlier files back first."""
+    """Remove the folder. If take_places() was interrupted, put the earlier files back first."""
     if (staged / EARLIER).is_dir() and (staged / request.report_path.name).exists():
         _put_back(staged, request)
     shutil.rmtree(staged, ignore_errors=True)
 
 
 def _put_back(staged: Path, request: Request) -> None:
-    """Put the earlier files back. This can be repeated after a kill: a new file is in place once it has left the
-    folder."""
+    """Move new files back into the staged folder, and earlier files back to their places.
+
+    If this function is killed, it can be repeated: a new file that is not in the staged folder is in its place.
+    """
     for name in listed_files(staged / request.report_path.name):
         if not (staged / name).exists() and (request.folder / name).exists():
             (request.folder / name).replace(staged / name)
@@ -91,5 +93,5 @@ def _put_back(staged: Path, request: Request) -> None:
 
 
 def _prefix(request: Request) -> str:
-    """Use a digest, because the name of a model may already have the maximum length of the file system."""
+    """Return the prefix of the staged folder. It contains a digest, because names of models may be very long."""
     return f"{HIDDEN}{hashlib.blake2b(request.model.stem.encode(), digest_size=8).hexdigest()}-"

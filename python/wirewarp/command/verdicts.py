@@ -13,8 +13,7 @@ from .request import AnyRequest, InputError
 READY, NEEDS_STRETCH = "ready to cut", "needs stretch fabric"
 FAILED, REFUSED, STOPPED = "not ready to cut", "refused", "stopped"
 PROPOSED, NOTHING = "proposed", "nothing to propose"
-# Exit codes: the command ends with the code of the worst model. 0: every length is exact, and some fabric stretches far
-# enough.
+# The command ends with the exit code of the worst model. 0: no piece failed, and some fabric stretches far enough.
 EXIT_CODES = {READY: 0, NEEDS_STRETCH: 0, PROPOSED: 0, FAILED: 1, NOTHING: 1, REFUSED: 2, STOPPED: 3}
 Line = dict[str, Any]
 R = TypeVar("R", bound=AnyRequest)
@@ -23,7 +22,7 @@ R = TypeVar("R", bound=AnyRequest)
 def finished(
     reports: Sequence[Report], problems: Sequence[tuple[str, str]], warnings: list[str], files: list[str]
 ) -> Line:
-    """Return the line of a model for which files were written. problems: sentences with their codes."""
+    """Return the line of a model whose files were written. problems: pairs of a sentence and its code."""
     found = verdict(*reports)
     return {
         "verdict": _word_of(found),
@@ -38,19 +37,19 @@ def finished(
 
 
 def _word_of(found: Verdict) -> str:
-    """Return the word for the report's verdict in the printed line."""
+    """Return the word for this verdict in the printed line."""
     if found.is_ready:
         return READY
     return NEEDS_STRETCH if found.kind is Kind.NEEDS_STRETCH else FAILED
 
 
 def unfinished(word: str, code: str, problem: str) -> Line:
-    """Return the line of a model for which no files were written."""
+    """Return the line of a model whose files were not written. word: the verdict."""
     return {"verdict": word, "problems": [problem], "codes": [code]}
 
 
 def with_faults_answered(work: Callable[[R], Line]) -> Callable[[R], Line]:
-    """Return a function that does the work and returns a line, even if the model or a file has a fault."""
+    """Return a function that calls work, and returns a line with the fault if work raises one."""
 
     @wraps(work)
     def answer(request: R) -> Line:

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Turns flat pieces into patterns for the cutting table: allowances, notches, and files to print, plot and cut.
+"""Turns flat pieces into sewing patterns with allowances and notches, and writes files to print, plot and cut.
 
-Everything is in millimeters, with y upwards. Needs pyclipper, and pydyf and uharfbuzz for PDF; markers are shorter if
-spyrrow is installed.
+All lengths are in millimeters, and y points upwards. The package needs pyclipper. PDF files also need pydyf and
+uharfbuzz. Markers (layouts of the pieces on the fabric) are shorter if spyrrow is installed.
 """
 
 from . import geometry as geometry

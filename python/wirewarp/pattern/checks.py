@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Checks of values that cannot be right, each with its error sentence."""
+"""Refuses impossible values. Each kind of value has its own error sentence."""
 
 from collections.abc import Sequence
 
 from .._errors import ErrorCode, FlattenError
 
-WIDEST = 1000.0  # millimeters; a larger width must have been given in another unit
+WIDEST = 1000.0  # millimeters; a larger width is probably in another unit
 
 
 def problem(message: str, code: ErrorCode | str = "invalid_option") -> FlattenError:
@@ -13,12 +13,12 @@ def problem(message: str, code: ErrorCode | str = "invalid_option") -> FlattenEr
 
 
 def checked_length(name: str, value: float, least: float = 0.0, most: float = WIDEST) -> float:
-    """Return the value as a float. Raises FlattenError unless it is a number from `least` to `most`."""
+    """Return the value as a float. Raises FlattenError if it is not a number from `least` to `most` millimeters."""
     try:
         number = float(value)
     except (TypeError, ValueError):
         raise problem(f"{name} is {value!r}: give a number of millimeters.") from None
-    if not least <= number <= most:  # both comparisons are false for NaN
+    if not least <= number <= most:  # also true for NaN, for which both comparisons are false
         raise problem(f"{name} is {number:g}: give millimeters from {least:g} to {most:g}.")
     return number
 

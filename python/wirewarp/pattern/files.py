@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writes files completely or not at all, with a reproducible date on request."""
+"""Replaces files only when they are complete, and returns the date to write into them."""
 
 import datetime
 import os
@@ -9,16 +9,16 @@ from pathlib import Path
 
 
 def today() -> datetime.date:
-    """Return the date of today or, for reproducible files, of SOURCE_DATE_EPOCH (reproducible-builds.org)."""
+    """Return today's date. If SOURCE_DATE_EPOCH is set, return its date instead, so that files are reproducible."""
     epoch = os.environ.get("SOURCE_DATE_EPOCH")
     return datetime.datetime.fromtimestamp(int(epoch), datetime.UTC).date() if epoch else datetime.date.today()
 
 
 @contextmanager
 def replaced_file(path: Path) -> Iterator[Path]:
-    """Yield a temporary path beside this one. At the end, the temporary file replaces this one, unless an error was
-    raised. A full disk therefore does not damage the existing file. Raises OSError if no file can be created there."""
-    path = path.resolve()  # the target of a link is replaced, and the link stays
+    """Yield the path of a temporary file in the same folder. It replaces the file at `path` if no error is raised, so a
+    full disk does not damage an existing file. Raises OSError if the folder is missing or `path` is not a file."""
+    path = path.resolve()  # if the path is a link, the file that it points to is replaced
     if not path.parent.is_dir():
         raise FileNotFoundError(f'there is no folder "{path.parent}"')
     if path.exists() and not path.is_file():

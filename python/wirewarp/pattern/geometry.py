@@ -8,13 +8,13 @@ from dataclasses import dataclass
 import numpy as np
 import pyclipper
 
-GRID = 1e-4  # millimeters; finer than any cutter, and 100 m still fit in Clipper's fast integers of 30 bits
-ON_LINE = 1e-3  # millimeters; a closer point counts as on the line; the grid of cut lines is 10 times finer
-DEPTH = 1e-4  # share of the diagonal of the smaller outline's box; shapes that overlap less deeply only touch
+GRID = 1e-4  # millimeters; finer than any cutter; 100 m still fit in Clipper's fast integers of 30 bits
+ON_LINE = 1e-3  # millimeters; a point closer to a line counts as on the line; 10 times GRID
+DEPTH = 1e-4  # share of the diagonal of the smaller shape's box; shapes that overlap less deeply only touch
 STEPS, ROUNDS = 8, 3  # numbers of steps and rounds in the search for an innermost point
 SAMPLES = 100  # number of points on the outline from which distances are measured, enough for placing text
 PAIRS = 1_000_000  # number of pairs of points and sides compared at a time, to limit memory
-RESOLUTION = 2.0**30  # steps of the grid for overlaps, over both outlines: Clipper is exact and fast on it
+RESOLUTION = 2.0**30  # steps of Clipper's grid across all outlines; up to this size, Clipper is exact and fast
 
 
 def lengths_along(points: np.ndarray) -> np.ndarray:
@@ -42,11 +42,11 @@ def signed_area(outline: np.ndarray) -> float:
 
 
 def are_inside(points: np.ndarray, outlines: Sequence[np.ndarray]) -> np.ndarray:
-    """Return (p,) bool: whether a ray from each point (p,2) crosses the outlines an odd number of times."""
+    """Return (p,) bool: whether each point (p,2) is inside, because a ray from it crosses an odd number of sides."""
     a, b = _sides(outlines)
     x, y = points[:, :1], points[:, 1:]
     crosses = (a[:, 1] > y) != (b[:, 1] > y)
-    with np.errstate(divide="ignore", invalid="ignore"):  # no ray crosses a horizontal side
+    with np.errstate(divide="ignore", invalid="ignore"):  # a horizontal side is divided by 0, but no ray crosses it
         at = a[:, 0] + (y - a[:, 1]) * ((b - a)[:, 0] / (b - a)[:, 1])
     inside: np.ndarray = (crosses & (x < at)).sum(axis=1) % 2 == 1
     return inside
@@ -56,7 +56,7 @@ def distances_to(points: np.ndarray, outlines: Sequence[np.ndarray]) -> np.ndarr
     """Return the distance (p,) of each point (p,2) from the nearest of the outlines."""
     a, b = _sides(outlines)
     along = b - a
-    squares = np.maximum((along * along).sum(axis=1), np.finfo(float).tiny)  # no division by zero for repeated points
+    squares = np.maximum((along * along).sum(axis=1), np.finfo(float).tiny)  # never 0, even for repeated points
     nearest = [np.empty(0)]
     at_once = max(1, PAIRS // max(len(a), 1))
     for begin in range(0, len(points), at_once):
@@ -68,7 +68,7 @@ def distances_to(points: np.ndarray, outlines: Sequence[np.ndarray]) -> np.ndarr
 
 
 def innermost_point(outlines: Sequence[np.ndarray], lines_inside: Sequence[np.ndarray]) -> tuple[np.ndarray, float]:
-    """Return the approximate point (2,) inside closed outlines (k,2) farthest from all lines, and its distance."""
+    """Return a point (2,) inside closed outlines (k,2), approximately the farthest from all lines, and its distance."""
     closed = [np.concatenate([outline, outline[:1]]) for outline in outlines]
     spacing = sum(float(lengths_along(outline)[-1]) for outline in closed) / SAMPLES
     around = [sampled(outline, spacing) for outline in closed]
@@ -86,7 +86,7 @@ def innermost_point(outlines: Sequence[np.ndarray], lines_inside: Sequence[np.nd
             if depths.max() > best:
                 best, center = float(depths.max()), points[np.argmax(depths)]
         reach = reach * 3 / STEPS
-    return center, math.sqrt(max(best**2 - (spacing / 2) ** 2, 0.0))  # the line may be nearer between two samples
+    return center, math.sqrt(max(best**2 - (spacing / 2) ** 2, 0.0))  # a line may be nearer between two of its samples
 
 
 def _distances(points: np.ndarray, obstacles: np.ndarray) -> np.ndarray:
@@ -96,9 +96,12 @@ def _distances(points: np.ndarray, obstacles: np.ndarray) -> np.ndarray:
 
 
 def crossings(point: np.ndarray, direction: np.ndarray, a: np.ndarray, b: np.ndarray) -> np.ndarray:
-    """Return lengths (n,) from the point (2,) along the unit vector to segments a (s,2) to b; negative behind it."""
+    """Return the lengths (n,) from the point (2,) to the segments that the line through it crosses.
+
+    direction (2,): unit vector of the line. a, b (s,2): ends of all segments. Lengths behind the point are negative.
+    """
     along, to = b - a, a - point
-    with np.errstate(divide="ignore", invalid="ignore"):  # the slope of parallel segments is 0
+    with np.errstate(divide="ignore", invalid="ignore"):  # for a segment parallel to the line, the slope is 0
         slope = _cross(direction, along)
         distance, share = _cross(to, along) / slope, _cross(to, direction) / slope
     found: np.ndarray = distance[(share >= -1e-9) & (share <= 1 + 1e-9)]
@@ -114,15 +117,17 @@ class Rays:
         self._b = np.concatenate([b, *(line[1:] for line in lines)])
 
     def length(self, point: np.ndarray, direction: np.ndarray) -> float:
-        """Return the length along the unit vector from the point to the nearest line; infinite if there is none."""
+        """Return the length along the unit vector from the point to the nearest line, or infinity if no line is hit."""
         distances = crossings(point, direction, self._a, self._b)
         nearest = float(distances[distances > -ON_LINE].min(initial=math.inf))
         return nearest if nearest >= ON_LINE else 0.0
 
 
 def overlap(first: Sequence[np.ndarray], second: Sequence[np.ndarray]) -> bool:
-    """Return whether two shapes, given by outlines in any order and direction, overlap by more than rounding. Touching
-    is not an overlap. Lengths may have any unit."""
+    """Return whether two shapes overlap by more than rounding errors. Shapes that only touch do not overlap.
+
+    first, second: outlines (k,2) of each shape, in any order and direction. Lengths may have any unit.
+    """
     boxes = [_box(outlines) for outlines in (first, second)]
     depth = DEPTH * min(float(np.linalg.norm(high - low)) for low, high in boxes)
     low, high = np.min([box[0] for box in boxes], axis=0), np.max([box[1] for box in boxes], axis=0)
@@ -151,7 +156,7 @@ def _box(outlines: Sequence[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _sides(outlines: Sequence[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
-    """Return both ends (s,2) of all sides."""
+    """Return the first ends (s,2) and the second ends (s,2) of all sides."""
     a = np.concatenate([np.empty((0, 2)), *outlines])
     return a, np.concatenate([np.empty((0, 2)), *(np.roll(outline, -1, axis=0) for outline in outlines)])
 
@@ -162,25 +167,25 @@ def _cross(first: np.ndarray, second: np.ndarray) -> np.ndarray:
 
 @dataclass(frozen=True)
 class Motion:
-    """A motion: first a mirror image, so that x becomes -x, then a turn about the origin, then a shift."""
+    """A motion that can first mirror (x becomes -x), then turns about the origin, and then shifts."""
 
     offset: np.ndarray  # (2,) millimeters
     angle: float = 0.0  # degrees counterclockwise
     mirrored: bool = False
 
     def directions(self, vectors: np.ndarray) -> np.ndarray:
-        """Return the image of vectors (..., 2), which are not shifted."""
+        """Return the images of vectors (..., 2). Vectors are mirrored and turned, but not shifted."""
         cosine, sine = math.cos(math.radians(self.angle)), math.sin(math.radians(self.angle))
         turned: np.ndarray = vectors * (-1 if self.mirrored else 1, 1) @ np.array([[cosine, sine], [-sine, cosine]])
         return turned
 
     def points(self, points: np.ndarray) -> np.ndarray:
-        """Return the image of points (..., 2)."""
+        """Return the images of points (..., 2)."""
         moved: np.ndarray = (self.directions(points) if self.angle or self.mirrored else points) + self.offset
         return moved
 
     def text_angle(self, degrees: float) -> float:
-        """Return the angle of a text, which is never mirrored and is read from below or from the right."""
+        """Return the angle of a moved text in degrees. Texts are not mirrored, and are read from below or the right."""
         if not self.angle and not self.mirrored:
             return degrees
         turned = (-degrees if self.mirrored else degrees) + self.angle

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A marker: the places of a pattern's pieces on the fabric. It can be saved, because each search ends differently."""
+"""A marker: the places of a pattern's pieces on the fabric. Save it, because another search finds other places."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
@@ -17,17 +17,17 @@ SHEETS_APART = 50.0  # millimeters between sheets that are drawn one above the o
 
 @dataclass(frozen=True)
 class Size:
-    """Size of the cut lines of a piece, without texts beside it. Lengths are in millimeters."""
+    """Size of the cutting lines of a piece, without texts beside the piece. Lengths are in millimeters."""
 
     piece: int  # number of the piece
     width: float
     height: float
     area: float
-    x: float  # place of the centroid from the lower left corner, which changes if the piece is turned or mirrored
+    x: float  # place of the centroid from the lower left corner; differs if a piece is turned or mirrored
     y: float
 
     def is_like(self, other: "Size") -> bool:
-        """Return whether the outlines differ by no more than SAME."""
+        """Return whether the outlines may differ by no more than SAME, judged by size, area and centroid."""
         lengths = (self.width - other.width, self.height - other.height, self.x - other.x, self.y - other.y)
         is_same_area = abs(self.area - other.area) <= SAME * 2 * (self.width + self.height)
         return self.piece == other.piece and is_same_area and max(map(abs, lengths)) <= 2 * SAME
@@ -38,7 +38,7 @@ def size_of(piece: PatternPiece) -> Size:
     area, moments = 0.0, np.zeros(2)
     for line in at_corner(piece).of_role("cut"):
         a, b = line.points, np.roll(line.points, -1, axis=0)
-        doubled = a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]  # doubled areas of the triangles with the corner
+        doubled = a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]  # doubled areas of the triangles from the origin to each side
         doubled *= np.sign(doubled.sum())
         area += float(doubled.sum()) / 2
         moments += doubled @ (a + b) / 6
@@ -46,34 +46,37 @@ def size_of(piece: PatternPiece) -> Size:
 
 
 def at_corner(piece: PatternPiece) -> PatternPiece:
-    """Return the piece with the lower left corner of its cut lines at 0, 0, to which the places of a marker refer."""
+    """Return the piece with the lower left corner of its cutting lines at 0, 0, the origin in a marker."""
     return piece.moved(-piece.bounds[0])
 
 
 @dataclass(frozen=True)
 class Placement:
-    """Place of one copy of a piece whose cut lines have their lower left corner at its origin."""
+    """Place of one copy of a piece. The origin of a piece is the lower left corner of its cutting lines, as drawn."""
 
     piece: int  # number of the piece
-    x: float  # across the fabric, millimeters: place of the origin of the piece
+    x: float  # across the fabric, millimeters: place of the origin of the piece from the corner of the fabric
     y: float  # along the fabric, millimeters
     angle: float  # degrees counterclockwise
-    mirrored: bool  # mirrored before it is turned
-    sheet: int = 0  # always 0 on a roll
+    mirrored: bool  # whether the piece is mirrored, before it is turned
+    sheet: int = 0  # index of the sheet; always 0 on a roll
 
 
 @dataclass(frozen=True)
 class Marker:
-    """Places of pieces. Lengths are in millimeters, x across the fabric and y along it, from its lower left corner."""
+    """Places of the pieces of a pattern on the fabric. Lengths are in millimeters.
+
+    x is across the fabric and y along the fabric, from the lower left corner of the fabric or of each sheet.
+    """
 
     width: float  # usable width of the fabric
     length: float  # used length of the roll, or of the last sheet
-    sheet_length: float | None  # None on a roll
+    sheet_length: float | None  # None for a roll
     gap: float  # smallest distance between pieces
     placements: tuple[Placement, ...]
     efficiency: float  # share of the fabric that becomes pieces; the last sheet counts as a whole
-    by: str  # method: "spyrrow", or "slides" if it is not installed or found nothing shorter
-    made_of: tuple[Size, ...]  # in the order of the pattern
+    by: str  # method: "spyrrow", or "slides" if spyrrow is missing or found nothing shorter
+    made_of: tuple[Size, ...]  # sizes of the pieces, in the order of the pattern
     warnings: tuple[str, ...] = ()
 
     @property
@@ -81,12 +84,12 @@ class Marker:
         return 1 + max(placement.sheet for placement in self.placements)
 
     def is_of(self, pieces: Sequence[PatternPiece]) -> bool:
-        """Return whether the marker was made from pieces like these, and no piece is a half on the fold."""
+        """Return whether the marker was made from pieces of these sizes. Pieces on the fold must be opened."""
         sizes = [size_of(piece) for piece in pieces]
         return len(sizes) == len(self.made_of) and all(map(Size.is_like, sizes, self.made_of))
 
     def motion(self, placement: Placement) -> Motion:
-        """Return the motion to the place in a drawing of all sheets, one above the other."""
+        """Return the motion from the piece as drawn to its place in a drawing of all sheets, one above the other."""
         above = 0.0 if self.sheet_length is None else placement.sheet * (self.sheet_length + SHEETS_APART)
         return Motion(np.array([placement.x, placement.y + above]), placement.angle, placement.mirrored)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The parts of a pattern piece, for every kind of file. Everything is in millimeters, y upwards."""
+"""The parts of a pattern piece, for every kind of file. Lengths are in millimeters, and y points upwards."""
 
 import re
 from collections.abc import Collection
@@ -15,7 +15,7 @@ PointRole = Literal["notch", "drill", "clip"]
 TextRole = Literal["card", "line name"]
 # roles of lines that lead to texts beside a piece
 LEADERS: dict[TextRole, LineRole] = {"card": "card leader", "line name": "name leader"}
-KINDS = {  # parts that a maker may leave out of a file, by roles of lines, points and texts
+KINDS = {  # parts that a maker may leave out of a file, with the roles of their lines, points and texts
     "sew": ("sew",),
     "wires": ("wire",),
     "grain": ("grain",),
@@ -27,7 +27,7 @@ NUMBERED = re.compile("^Seam (?=[0-9 /]+$)")
 
 
 def short_name(seam: str) -> str:
-    """Return "3" for "Seam 3". Other names stay whole, even "Dart 3", because darts have their own numbers."""
+    """Return "3" for "Seam 3". Return other names unchanged, even "Dart 3", because darts have their own numbers."""
     return NUMBERED.sub("", seam)
 
 
@@ -36,16 +36,16 @@ class Line:
     role: LineRole
     points: np.ndarray  # (k,2)
     closed: bool = False  # a closed line does not repeat its first point
-    name: str = ""  # "Seam 3", or the name of the wire
-    width: float | None = None  # stitching lines: width of the allowance outside
+    name: str = ""  # name of the seam, such as "Seam 3", or the wire
+    width: float | None = None  # stitching lines: width of the allowance
     seam: int | None = None  # stitching lines: index into the result's seams; None if nothing is sewn to it
     joins: str = ""  # stitching lines: names of the other pieces that are sewn to the line
     kind: str = ""  # wires: "rigid", "elastic" or "super_elastic"
-    note: str = ""  # stitching lines: "12 mm longer, ease between notches"
+    note: str = ""  # stitching lines: a note such as "12 mm longer, ease between notches"
 
     @property
     def path(self) -> np.ndarray:
-        """Return the points from the start to the end of the line, which is its start again if it is closed."""
+        """Return the points from the start to the end of the line. A closed line ends with its first point again."""
         return np.concatenate([self.points, self.points[:1]]) if self.closed else self.points
 
     def placed(self, motion: Motion) -> "Line":
@@ -54,13 +54,13 @@ class Line:
 
 @dataclass(frozen=True)
 class Point:
-    """A mark at one place: a notch or clip, cut from the cut line inwards, or a drill hole."""
+    """A mark at one place: a notch or clip, which is cut from the cutting line inwards, or a drill hole."""
 
     role: PointRole
-    at: np.ndarray  # (2,), for notches and clips on the cut line
+    at: np.ndarray  # (2,); notches and clips begin here, on the cutting line
     direction: np.ndarray = field(default_factory=lambda: np.zeros(2))  # (2,) unit vector into the piece
     depth: float = 0.0  # depth of notches and clips, diameter of holes
-    pair: tuple[int, int] | None = None  # seam, and number along it: notches of one pair are sewn onto each other
+    pair: tuple[int, int] | None = None  # seam, and number along the seam; notches of a pair are sewn onto each other
     along: float | None = None  # for pairs: length from the start of the seam, on the stitching line of this side
     side: int | None = None  # for pairs: index of the side of the seam
 
@@ -69,7 +69,7 @@ class Point:
 
     @property
     def stroke(self) -> np.ndarray:
-        """Return the ends (2,2) of a notch or clip, which is cut from the cut line inwards."""
+        """Return the ends (2,2) of the cut of a notch or clip, from the cutting line inwards."""
         return np.array([self.at, self.at + self.depth * self.direction])
 
 
@@ -77,10 +77,10 @@ class Point:
 class Text:
     lines: tuple[str, ...]
     center: np.ndarray  # (2,)
-    height: float  # height of the letters
+    height: float  # height of the letters in millimeters
     angle: float = 0.0  # degrees counterclockwise
     role: TextRole = "card"
-    is_beside: bool = False  # whether the text is outside the piece, which has no room for it
+    is_beside: bool = False  # whether the text is outside the piece, because the piece has no room for the text
 
     def placed(self, motion: Motion) -> "Text":
         return replace(self, center=motion.points(self.center), angle=motion.text_angle(self.angle))
@@ -93,20 +93,20 @@ class PatternPiece:
     lines: list[Line]
     points: list[Point]
     texts: list[Text]
-    quantity: tuple[int, int] = (1, 0)  # copies to cut as drawn, and mirrored
+    quantity: tuple[int, int] = (1, 0)  # number of copies as drawn, and number of mirrored copies
     material: str = ""
     on_fold: bool = False  # whether only half of the piece is drawn; the other half is beyond the fold
-    area: float = 0.0  # square millimeters inside the stitching lines, of the whole piece
-    copied_names: tuple[str, ...] = ()  # names of the pieces that its other copies replace
-    deviation: float = 0.0  # millimeters: largest distance of a copy from the flattened shape
-    allowances: tuple[float, ...] = ()  # all different widths outside its stitching lines except 0, in millimeters
+    area: float = 0.0  # square millimeters inside the stitching lines of the whole piece
+    copied_names: tuple[str, ...] = ()  # names of other pieces with the same shape, which are not drawn
+    deviation: float = 0.0  # millimeters: largest distance between a copy and its own flattened shape
+    allowances: tuple[float, ...] = ()  # the different widths of its allowances in millimeters, except 0
 
     def of_role(self, *roles: str) -> list[Line]:
         return [line for line in self.lines if line.role in roles]
 
     @property
     def quantity_text(self) -> str:
-        """Return the quantity in the words that makers use."""
+        """Return the quantity as a text for makers, such as "Cut 2", "Cut 1 pair" or "Cut 2 and 1 mirrored"."""
         as_drawn, mirrored = self.quantity
         if mirrored == as_drawn:
             return "Cut 1 pair" if as_drawn == 1 else f"Cut {as_drawn} pairs"
@@ -114,18 +114,18 @@ class PatternPiece:
 
     @property
     def bounds(self) -> tuple[np.ndarray, np.ndarray]:
-        """Return the lowest and the highest corner of the cut lines; texts beside them are near, see leaders.REACH."""
+        """Return the lowest and the highest corner (2,) of the cutting lines. Texts beside the piece may be outside."""
         points = np.concatenate([line.points for line in self.of_role("cut")])
         return points.min(axis=0), points.max(axis=0)
 
     @property
     def size(self) -> np.ndarray:
-        """Return width and height of the cut lines, the room that the piece needs on the fabric."""
+        """Return width and height (2,) of the cutting lines: the room that the piece needs on the fabric."""
         low, high = self.bounds
         return high - low
 
     def with_only(self, roles: Collection[str]) -> "PatternPiece":
-        """Return the piece with only these roles."""
+        """Return the piece with only the lines, points and texts of these roles."""
         return replace(
             self,
             lines=[line for line in self.lines if line.role in roles],
@@ -134,7 +134,7 @@ class PatternPiece:
         )
 
     def without_texts_beside(self) -> "PatternPiece":
-        """Return the piece without texts beside it and the lines that lead to them."""
+        """Return the piece without the texts beside it and without the lines that lead to these texts."""
         return replace(
             self,
             lines=[line for line in self.lines if line.role not in LEADERS.values()],

@@ -13,23 +13,24 @@ from .geometry import RESOLUTION, signed_area
 if TYPE_CHECKING:
     from .._wirewarp import Piece
 
-SCRAP = 0.1  # share of the area; smaller parts, such as the tip of a tail, are cut off or stay unsewn
-MOST = 0.5  # least share of the area that disks must cover; they never reach into corners
-# Steps of the radius, each 1/24 of the widest disk: the search finds a waist that is narrower than the part behind it
-# by a step. Halving a step ten times gives 1/24,000 of the disk, less than a thread even in a piece a meter wide.
+SCRAP = 0.1  # share of the area; parts below it, such as the tip of a tail, do not count
+MOST = 0.5  # least share of the area that disks must cover; disks never fill corners
+# Number of steps of the radius, and of halvings of the last step. A step is 1/24 of the radius of a disk with the area
+# of the shape. The search finds each waist that is narrower than its surroundings by one step. After ten halvings, the
+# error is 1/24,000 of this radius, less than a thread even in a piece a meter wide.
 STEPS, HALVINGS = 24, 10
-ARC, ROUGH_ARC = 1e-3, 0.03  # errors of round corners as shares of the radius, for widths and for areas
+ARC, ROUGH_ARC = 1e-3, 0.03  # errors of round corners as shares of the radius: for widths, and for areas
 
 Polygon = list[list[int]]
 
 
 def narrowest_width(outlines: Sequence[np.ndarray], most: float = np.inf) -> float:
-    """Return the diameter of the largest disk that can move through a shape, given by its outlines (k,2).
+    """Return the diameter of the largest disk that can move through a shape. outlines (k,2): the outlines of the shape.
 
-    If disks of diameter `most` can, return at least that.
+    most: if a disk of this diameter can move through the shape, the result may be too small, but is at least `most`.
 
-    This is twice the largest inward offset at which the shape is still one part and disks of this radius cover at least
-    half of its area. Parts in which the disks cover less than a tenth of the area do not count. Holes run in the
+    The result is twice the largest inward offset that leaves the shape in one part, and with which disks cover at least
+    half of its area. Parts in which disks cover less than a tenth of the area do not count. Holes must run in the
     opposite direction to the outer outline. Lengths may have any unit.
     """
     points = np.concatenate(outlines)
@@ -39,7 +40,7 @@ def narrowest_width(outlines: Sequence[np.ndarray], most: float = np.inf) -> flo
     if area == 0:
         return 0.0
     paths = [np.rint((outline - low) / step).astype(np.int64).tolist() for outline in outlines]
-    largest = float(np.sqrt(area / np.pi))  # the radius of a disk with this area
+    largest = float(np.sqrt(area / np.pi))  # the radius of a disk with the area of the shape
     whole, broken = 0.0, largest
     for number in range(1, STEPS + 1):
         if 2 * whole * step >= most:
@@ -59,12 +60,11 @@ def narrowest_width(outlines: Sequence[np.ndarray], most: float = np.inf) -> flo
 
 
 def has_room(piece: "Piece", allowance: float, sides: ArrayLike = (), widths: ArrayLike = ()) -> bool:
-    """Return whether the allowances of a piece with a flat shape have room side by side inside its outline.
+    """Return whether a flat piece is wide enough for its allowances, side by side inside its outline.
 
-    They have room if the piece stays in one part after a strip as wide as the allowance is removed along each side.
-    Parts below a tenth of the area do not count. allowance: width at all sides except `sides` (k,2), which have the
-    widths (k,). A side is given by two vertices of the model, in the direction of its face. All widths are in scene
-    units.
+    It is wide enough if it stays in one part after a strip as wide as the allowance is removed along each side. Parts
+    below a tenth of the area do not count. sides (k,2): sides with their own widths (k,), as pairs of vertices of the
+    model in the direction of the face. allowance: width at all other sides. Widths are in units of the model.
     """
     return outline_has_room(piece.vertices, piece.source_vertex, outline_sides(piece), allowance, sides, widths)
 
@@ -77,7 +77,10 @@ def outline_has_room(
     sides: ArrayLike,
     widths: ArrayLike,
 ) -> bool:
-    """Return the same for a shape with vertices (p,2), their vertices of the model (p,), and outline sides (b,2)."""
+    """Return the result of has_room() for a shape.
+
+    vertices (p,2): its vertices; source_vertex (p,): their vertices of the model; outline (b,2): its outline sides.
+    """
     count = 1 + int(max(source_vertex.max(), np.max(sides, initial=0)))
     given = dict(zip((np.reshape(sides, (-1, 2)) @ [count, 1]).tolist(), np.ravel(widths).tolist(), strict=True))
     keys = source_vertex[outline].astype(np.int64) @ [count, 1]
@@ -97,7 +100,7 @@ def _is_whole_without(outlines: Sequence[np.ndarray], sides: np.ndarray, widths:
     step = 4 * size / RESOLUTION
     paths = [np.rint((outline - low) / step).astype(np.int64).tolist() for outline in outlines]
     lines = np.rint((sides - low) / step).astype(np.int64)
-    reach = np.minimum(widths, size) / step  # a strip as wide as the shape covers all of it
+    reach = np.minimum(widths, size) / step  # a strip as wide as the shape covers the whole shape
     clipper = pyclipper.Pyclipper()
     clipper.AddPaths(paths, pyclipper.PT_SUBJECT, True)
     for width in np.unique(reach[reach > 0]).tolist():
@@ -111,7 +114,10 @@ def _is_whole_without(outlines: Sequence[np.ndarray], sides: np.ndarray, widths:
 
 
 def _is_whole(paths: Sequence[Polygon], radius: float, area: float) -> bool:
-    """Return whether disks of this radius cover only one part, and at least MOST of the area. Scraps do not count."""
+    """Return whether disks of this radius cover only one part, and at least the share MOST of the area.
+
+    Parts smaller than the share SCRAP do not count. paths: the outlines on Clipper's grid, with this area.
+    """
     left = _parts(_offset(paths, -radius, ARC))
     if len(left) == 1 and _area(left[0]) >= MOST * area:
         return True
@@ -130,7 +136,7 @@ def _offset(paths: Sequence[Polygon], distance: float, arc: float) -> list[Polyg
 
 
 def _parts(paths: list[Polygon]) -> list[list[Polygon]]:
-    """Return each outer outline with its holes."""
+    """Return the parts of a shape, each as its outer outline followed by its holes."""
     outer = [path for path in paths if pyclipper.Orientation(path)]
     parts = [[path] for path in outer]
     for hole in (path for path in paths if not pyclipper.Orientation(path)):
@@ -144,12 +150,12 @@ def _area(paths: Sequence[Polygon]) -> float:
 
 
 def piece_width(piece: "Piece") -> float:
-    """Return the narrowest width of a piece with a flat shape, in scene units: see narrowest_width()."""
+    """Return the narrowest width of a flat piece in units of the model, as narrowest_width() defines it."""
     return narrowest_width(closed_lines(piece.vertices, outline_sides(piece)))
 
 
 def pieces_along(pieces: Iterable["Piece"], edges: ArrayLike) -> list["Piece"]:
-    """Return the pieces that contain any of these edges (k,2) of the model, even on the outline."""
+    """Return the pieces that contain any of these edges (k,2) of the model, inside or on their outlines."""
     wanted = np.sort(np.reshape(edges, (-1, 2)), axis=1).astype(np.int64)
     found = []
     for piece in pieces:
@@ -166,13 +172,16 @@ def piece_sides(piece: "Piece") -> np.ndarray:
 
 
 def outline_sides(piece: "Piece") -> np.ndarray:
-    """Return the sides (b,2) that have one face, in the direction of that face."""
+    """Return the sides (b,2) of the piece that belong to only one face, in the direction of that face."""
     sides, count = piece_sides(piece), len(piece.vertices)
     return sides[~np.isin(sides @ [count, 1], sides @ [1, count])]
 
 
 def closed_lines(vertices: np.ndarray, outline: np.ndarray) -> list[np.ndarray]:
-    """Return the closed outlines (k,2) of the sides (b,2), which may meet at a vertex. vertices (p,2)."""
+    """Return the closed outlines (k,2) that the sides form. Outlines may meet at a vertex.
+
+    vertices (p,2): places of the vertices; outline (b,2): the sides as pairs of vertices.
+    """
     following: dict[int, list[int]] = {}
     for first, second in outline.tolist():
         following.setdefault(first, []).append(second)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A pattern, ready to be written."""
+"""A pattern, with the methods that make, change, lay out and write it."""
 
 import math
 from collections.abc import Mapping, Sequence
@@ -41,7 +41,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Pattern(PatternData):
-    """A pattern, with one method each to make, change, lay out and write it."""
+    """A sewing pattern, with methods that make, change, nest and write the pattern."""
 
     @classmethod
     def from_result(
@@ -53,12 +53,13 @@ class Pattern(PatternData):
         progress: Progress | None = None,
         **options: Unpack[PatternOptions],
     ) -> "Pattern":
-        """Return the pattern of a flattening whose pieces all keep their lengths.
+        """Return the pattern of a result in which no piece failed.
 
-        options: see PatternOptions. progress: called as progress(stage, fraction) about ten times a second; False
-        stops.
+        options: see PatternOptions. progress: called as progress(stage, fraction) about ten times a second. If it
+        returns False, the work is canceled.
 
-        Raises FlattenError for bad input, for a piece with an error, and "cancelled" if progress stops it.
+        Raises FlattenError for bad input, for a piece with an error, and with the code "cancelled" if progress
+        cancels.
         """
         scale = checked_length("millimeters_per_unit", millimeters_per_unit, 1e-9, 1e9)
         names = checked_names(piece_names, len(result.pieces))
@@ -83,10 +84,10 @@ class Pattern(PatternData):
         progress: Progress | None = None,
         **options: Unpack[PatternOptions],
     ) -> "Pattern":
-        """Return the pattern of flat pieces from elsewhere, which keep their places.
+        """Return the pattern of flat pieces, for example of pieces that were moved or edited after flatten().
 
-        seam_names: name of each seam by its index. All pieces are moved together, so that the lower left corner is at
-        0, 0.
+        seam_names: name of each seam, by its index. The pieces keep their places relative to each other, and are moved
+        together so that their lower left corner is at 0, 0.
         """
         return in_one_go(cls.making(pieces, seam_names, **options), progress)
 
@@ -112,7 +113,7 @@ class Pattern(PatternData):
         date: str = "",
         units: Units = "metric",
     ) -> Steps["Pattern"]:
-        """Do the work of from_pieces in steps, for programs such as a GUI that must react in between."""
+        """Do the work of from_pieces() in steps, for programs such as a GUI that must react between two steps."""
         if units not in get_args(Units):
             raise problem(f"units is {units!r}: give 'metric' or 'imperial'.")
         if not all(isinstance(text, str) for text in (title, material, date)):
@@ -129,7 +130,8 @@ class Pattern(PatternData):
         joined, notes = joined_by(laid), notes_on_sides(seams, system)
 
         def described(side: Side) -> dict[str, str]:
-            """Return the names of all seams whose sides this drawn side represents: "Seam 3 / 5"."""
+            """Return name, joined pieces and note of a side. A side that is drawn for several copies has the names of
+            all their seams, such as "Seam 3 / 5"."""
             by_seam = {own.seam: own for own in copied.copies(side) if own.seam is not None}
             first, *others = (seam_names[seam] for seam in by_seam)
             names = [first, *(others if short_name(first) == first else map(short_name, others))]
@@ -165,9 +167,9 @@ class Pattern(PatternData):
         darts: str = "close",
         units: Units = "metric",
     ) -> "Pattern":
-        """Return a pattern of cutting lines alone, with the pieces in their places.
+        """Return a pattern with lines but without texts and marks, and with the pieces in their places.
 
-        This is faster than from_pieces, and enough to show the lines and their pages.
+        This is faster than from_pieces(), and enough to show cutting lines and pages.
         """
         widths = Widths(allowance, None, allowances, side_allowances, folds)
         laid = in_one_go(lay_all(pieces, widths, "auto", darts))
@@ -175,7 +177,7 @@ class Pattern(PatternData):
         return cls("", drawn_once(lined, copies_of(laid, lined, pairs, on_fold)), UnitSystem(units))
 
     def _adding_cards(self) -> Steps["Pattern"]:
-        """Number the pieces again and add texts, in steps."""
+        """Return the pattern with numbered pieces and with their texts, in steps."""
         count = len(self.pieces)
         pieces: list[PatternPiece] = []
         for number, piece in enumerate(self.pieces, start=1):
@@ -184,9 +186,10 @@ class Pattern(PatternData):
         return replace(self, pieces=pieces)
 
     def with_quantities(self, quantities: Mapping[int, tuple[int, int]]) -> "Pattern":
-        """Return the pattern with this many copies of pieces, by their numbers: as drawn, and mirrored.
+        """Return the pattern with other quantities of some pieces.
 
-        Raises FlattenError for unknown numbers and invalid counts.
+        quantities: number of copies as drawn and number of mirrored copies, by the number of the piece. Raises
+        FlattenError for unknown pieces and invalid quantities.
         """
         unknown = set(quantities) - {piece.number for piece in self.pieces}
         if unknown:
@@ -205,9 +208,10 @@ class Pattern(PatternData):
         progress: Progress | None = None,
         **options: Any,  # noqa: ANN401
     ) -> Marker:
-        """Do the work of nesting in one call. progress("nesting", fraction) is called about ten times a second.
+        """Do the work of nesting() in one call. progress("nesting", fraction) is called about ten times a second.
 
-        False ends the search with the best marker so far, or with FlattenError "cancelled" if there is none yet.
+        If it returns False, the search ends with the best marker so far. If no marker was found yet, FlattenError with
+        the code "cancelled" is raised.
         """
         return in_one_go(self.nesting(width, length, **options), progress)
 
@@ -222,24 +226,24 @@ class Pattern(PatternData):
         seconds: float = 10.0,
         preview: Preview | None = None,
     ) -> Steps[Marker]:
-        """Find places for the pieces that use the least fabric, in steps. Rolls use spyrrow if it is installed.
+        """Find the marker that uses the least fabric, in steps. On a roll, spyrrow is used if it is installed.
 
-        Every piece is cut in its quantity, including mirrored copies, from one layer; pieces on the fold are opened.
-        Lengths are in millimeters.
+        The marker contains every piece in its quantity, including mirrored copies, on one layer of fabric. Pieces on
+        the fold are opened. Lengths are in millimeters.
 
-        width: usable width of the cloth. length: that of a sheet; None for a roll, whose length is the result. gap:
-        smallest distance between pieces. grain: "one way" keeps all pieces upright, "both ways" may turn them by 180
-        degrees, "free" allows all angles. times: number of copies of the whole pattern. seconds: duration of the
+        width: usable width of the fabric. length: length of a sheet, or None for a roll, whose length is the result.
+        gap: smallest distance between pieces. grain: "one way" keeps all pieces upright, "both ways" may turn them by
+        180 degrees, "free" allows all angles. times: number of copies of the whole pattern. seconds: duration of the
         search; 0 returns the first marker found. preview: called with each better marker.
 
-        The search is not deterministic, so save the marker. Raises FlattenError for bad input and for a piece that is
-        too large for the fabric.
+        Two searches may find different markers, so save the marker. Raises FlattenError for bad input and for a piece
+        that is too large for the fabric.
         """
         whole = [at_corner(unfolded(piece) if piece.on_fold else piece) for piece in self.pieces]
         return nesting(whole, Cloth(width, length, gap, grain), times, seconds, self.units, preview)
 
     def laid_on(self, marker: Marker) -> "Pattern":
-        """Return the drawing of a marker, to be written: each copy is a piece in its place.
+        """Return a pattern that shows the marker and can be written. Each copy of a piece is a piece in its place.
 
         Raises FlattenError if the marker was made from other pieces.
         """
@@ -249,7 +253,7 @@ class Pattern(PatternData):
         whole = [at_corner(with_card_anew(unfolded(piece), *card) if piece.on_fold else piece) for piece in self.pieces]
         if not marker.is_of(whole):
             raise problem("The pieces have changed since the marker was made: nest them again.")
-        # Texts beside a piece are removed, because they could be over other pieces.
+        # Texts beside a piece are removed, because they could overlap other pieces.
         by_number = {piece.number: piece.without_texts_beside() for piece in whole}
         laid = [
             replace(by_number[placement.piece], quantity=(1, 0)).placed(marker.motion(placement))
@@ -258,14 +262,14 @@ class Pattern(PatternData):
         return replace(self, pieces=laid, marker=marker, warnings=[*self.warnings, *marker.warnings])
 
     def page_sizes(self, paper: str | float | None = None, **options: bool) -> list[np.ndarray]:
-        """Return width and height in millimeters of each page of the PDF that write() would make with these options.
+        """Return width and height (2,) in millimeters of each page of the PDF that write() makes with these options.
 
         Raises FlattenError for a pattern that does not fit on the paper.
         """
         return page_sizes(self, paper, **options)
 
     def pages(self, paper: str | float | None = None, keep_places: bool = False) -> tuple["Pattern", list[Page]]:
-        """Return the pattern in its places on the pages of a PDF with these options, and the pages that show it.
+        """Return the pattern as placed on the pages of a PDF with these options, and the pages.
 
         Raises FlattenError for a pattern that does not fit on the paper.
         """
@@ -274,7 +278,7 @@ class Pattern(PatternData):
 
     @property
     def svg_size(self) -> np.ndarray:
-        """Return width and height of an SVG file, including the square to measure."""
+        """Return width and height (2,) of an SVG file in millimeters, including the test square."""
         return page_size(self)
 
     def write(
@@ -284,16 +288,18 @@ class Pattern(PatternData):
         progress: Progress | None = None,
         **options: Any,  # noqa: ANN401
     ) -> Written:
-        """Write the file in the format that its suffix names, and read it again before it replaces an older one.
+        """Write a file in the format of its suffix. The file is read again and checked before it replaces an older one.
 
         Options: `paper`, `proof` and `keep_places` for .pdf, `preset` for .svg, `dialect` and `control_square` for
-        .dxf; docs/pattern.md describes them. progress: called as progress(stage, fraction) about ten times a second;
-        False stops. A failure or a stop does not change an existing file. Raises FlattenError for bad options, for a
-        pattern that does not fit on the paper, and "cancelled" if progress stops it; OSError for paths; RuntimeError if
-        the file read again is not the pattern.
+        .dxf. docs/pattern.md describes them. progress: called as progress(stage, fraction) about ten times a second. If
+        it returns False, the work is canceled. After an error, an existing file is unchanged.
+
+        Raises FlattenError for bad options, for a pattern that does not fit on the paper, and with the code "cancelled"
+        if progress cancels. Raises OSError for paths that cannot be written, and RuntimeError if the written file
+        differs from the pattern.
         """
         return in_one_go(self.writing(path, **options), progress)
 
     def writing(self, path: str | Path, **options: Any) -> Steps[Written]:  # noqa: ANN401
-        """Do the work of write in steps. If close() stops it, an existing file is not changed."""
+        """Do the work of write() in steps. If close() ends the steps early, an existing file is not changed."""
         return writing(self, Path(path), options)

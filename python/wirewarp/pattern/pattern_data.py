@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The pieces of a pattern as data, from which everything is drawn and written."""
+"""The data of a pattern, from which every file and drawing is made."""
 
 import math
 from collections.abc import Iterable
@@ -21,13 +21,13 @@ OVERLAP = 10.0  # millimeters that neighboring sheets share, to glue or tape
 
 @dataclass(frozen=True)
 class SeamWalk:
-    """The sides of a seam with their lengths, as measured along the line."""
+    """The sides of a seam, with their lengths measured along the stitching lines."""
 
     name: str
-    pieces: tuple[str, ...]  # name of the piece of each side
-    lengths: tuple[float, ...]  # millimeters along the stitching line
-    allowances: tuple[tuple[float, ...], ...]  # widths of each side, millimeters
-    notches: tuple[tuple[float, ...], ...]  # places of each side, millimeters from the same end of the seam
+    pieces: tuple[str, ...]  # for each side, the name of its piece
+    lengths: tuple[float, ...]  # length of each side, millimeters
+    allowances: tuple[tuple[float, ...], ...]  # widths of the allowance of each side, millimeters
+    notches: tuple[tuple[float, ...], ...]  # notches of each side, millimeters from the same end of the seam
 
 
 StepKind = Literal["dart", "flat", "ring", "all around", "closing"]
@@ -35,25 +35,25 @@ StepKind = Literal["dart", "flat", "ring", "all around", "closing"]
 
 @dataclass(frozen=True)
 class SewingStep:
-    """A step of sewing: one seam. kind "closing": after it, no edge of its pieces is open."""
+    """A step of sewing: one seam. After a step of the kind "closing", its pieces have no open edge."""
 
     seam: str
     kind: StepKind
     pieces: tuple[str, ...]  # names of the pieces, each once
-    has_gap: bool  # an opening through which the work is turned; it is closed by hand at the end
+    has_gap: bool  # whether an opening for turning is left; it is closed by hand at the end
 
 
 @dataclass(frozen=True)
 class Written:
-    """The result of writing a file and reading it again.
+    """The result of writing a file and reading it again. str() is a text for the maker.
 
-    As a text: "8 pieces on 23 sheets, read again: 0.00 mm off".
+    Example of the text: "8 pieces on 23 sheets, read again: 0.00 mm off".
     """
 
     path: Path
     sheets: int  # pages of a PDF; 1 for other files
     pieces: int
-    off: float  # largest distance in millimeters of a point in the file from its place
+    off: float  # largest distance in millimeters between a point in the file and its place in the pattern
     warnings: list[str]  # sentences for the maker
 
     def __str__(self) -> str:
@@ -63,52 +63,52 @@ class Written:
 
 @dataclass(frozen=True)
 class PatternData:
-    """Pieces with stitching lines, exactly the flattened outlines, and cut lines, which are derived from them."""
+    """The data of a pattern. Stitching lines are exactly the flattened outlines; cutting lines are made from them."""
 
     title: str
     pieces: list[PatternPiece]
     units: UnitSystem
     warnings: list[str] = field(default_factory=list)
-    date: str = ""  # as written on the pieces
-    walks: list[SeamWalk] = field(default_factory=list)  # walk of each seam, by its index
+    date: str = ""  # text with the date on the pieces
+    walks: list[SeamWalk] = field(default_factory=list)  # sides and lengths of each seam, by the index of the seam
     steps: list[SewingStep] = field(default_factory=list)  # in an order in which the seams can be sewn
     measures: list[tuple[str, float]] = field(default_factory=list)  # names and finished lengths in millimeters
-    marker: Marker | None = None  # the drawn marker, in which every copy of a piece is a piece of its own
+    marker: Marker | None = None  # the marker that is drawn; each copy of a piece is then in `pieces`
 
     @property
     def allowance_text(self) -> str:
-        """Return the allowance of the pieces as text: "10 mm", "10 mm to 30 mm" or "none"."""
+        """Return the widths of the allowances as a text, such as "10 mm", "10 mm to 30 mm" or "none"."""
         return self.units.range_of([width for piece in self.pieces for width in piece.allowances])
 
     @property
     def heading(self) -> str:
-        """Return title and date."""
+        """Return the text with title and date, which is written on every piece."""
         return ", ".join(filter(None, [self.title.strip(), self.date.strip()]))
 
     @property
     def bounds(self) -> tuple[np.ndarray, np.ndarray]:
-        """Return the lowest and the highest corner of all pieces in their places."""
+        """Return the lowest and the highest corner (2,) of all pieces in their places."""
         boxes = np.array([piece.bounds for piece in self.pieces])
         return boxes[:, 0].min(axis=0), boxes[:, 1].max(axis=0)
 
     @property
     def size(self) -> np.ndarray:
-        """Return width and height of all pieces in their places."""
+        """Return width and height (2,) of all pieces together, in their places."""
         return self.bounds[1] - self.bounds[0]
 
     def arranged(self, width: float = math.inf) -> Self:
-        """Return the pieces in rows on a sheet of this width, with the lower left corner at 0, 0.
+        """Return the pattern with its pieces in rows on a sheet of this width, with the lower left corner at 0, 0.
 
         Without a width, the sheet is about square.
         """
         return self.with_corners(in_rows(np.array([piece.size for piece in self.pieces]), width))
 
     def at_origin(self) -> Self:
-        """Return the same arrangement with the lower left corner at 0, 0."""
+        """Return the pattern, moved so that its lower left corner is at 0, 0."""
         return self.placed(Motion(-self.bounds[0]))
 
     def with_corners(self, corners: np.ndarray) -> Self:
-        """Return the pattern with the lower left corner of each piece at its row of corners (p,2)."""
+        """Return the pattern with the lower left corner of each piece at its point of corners (p,2)."""
         moved = [piece.moved(to - piece.bounds[0]) for piece, to in zip(self.pieces, corners, strict=True)]
         return replace(self, pieces=moved)
 
@@ -116,9 +116,9 @@ class PatternData:
         return replace(self, pieces=[piece.placed(motion) for piece in self.pieces])
 
     def with_only(self, kinds: Iterable[str]) -> Self:
-        """Return the pattern with only cut lines, folds, and these kinds of other lines, marks and texts.
+        """Return the pattern with cutting lines, folds, and only these kinds of other lines, marks and texts.
 
-        kinds: some of "sew", "wires", "grain", "notches", "texts" and "line names". Raises FlattenError for others.
+        kinds: some of "sew", "wires", "grain", "notches", "texts", "line names". Raises FlattenError for other kinds.
         """
         wanted = set(kinds)
         if not wanted <= set(KINDS):
@@ -128,9 +128,9 @@ class PatternData:
 
 
 def in_rows(sizes: np.ndarray, width: float = math.inf) -> np.ndarray:
-    """Return lower left corners (p,2) of boxes of these sizes (p,2) in rows on a sheet of this width, from 0, 0.
+    """Return the lower left corners (p,2) of boxes of these sizes (p,2), in rows from 0, 0 on a sheet of this width.
 
-    Without a width, the sheet is about square. A box that is wider than the sheet has its own row.
+    If the width is infinite, the sheet is about square. A box that is wider than the sheet has its own row.
     """
     if math.isinf(width):
         width = max(math.sqrt(float(np.prod(sizes + GAP, axis=1).sum())) * 1.1, float(sizes[:, 0].max()))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Long tasks run in steps, as generators: between two steps, the caller can show progress or stop."""
+"""Runs long tasks in steps. A task is a generator, so the caller can show progress or cancel between two steps."""
 
 import time
 from collections.abc import Callable, Generator
@@ -8,9 +8,10 @@ from typing import TypeVar
 
 from .._errors import FlattenError
 
-OFTEN = 0.1  # seconds between calls of progress: canceling takes at most 1 s, even if one step is slow
-Progress = Callable[[str, float], bool | None]  # called with the stage and the completed share; returns False to stop
-STAGES = {  # start of each stage of making and writing a pattern, as a share of the time for a garment of 20 pieces
+OFTEN = 0.1  # least seconds between two calls of progress
+Progress = Callable[[str, float], bool | None]  # gets the stage and the completed share; returns False to cancel
+# Start of each stage of making and writing a pattern, as a share of the total time for a garment of 20 pieces.
+STAGES = {
     "allowance": 0.0,
     "marks and lines": 0.2,
     "texts": 0.3,
@@ -19,11 +20,12 @@ STAGES = {  # start of each stage of making and writing a pattern, as a share of
     "reading again": 0.8,
 }
 T = TypeVar("T")
-Steps = Generator[tuple[str, float], None, T]  # yields the arguments of progress before each step
+Steps = Generator[tuple[str, float], None, T]  # yields the arguments of Progress before each step, returns a result
 
 
 def in_one_go(steps: Steps[T], progress: Progress | None = None) -> T:
-    """Run all steps. Raises FlattenError "cancelled" if progress returns False, unless the steps handle it."""
+    """Run all steps and return the result. If progress returns False, FlattenError with the code "cancelled" is raised
+    inside the steps, which may handle it."""
     asked = 0.0
     with closing(steps):  # closes the steps even if progress raises
         try:
@@ -32,7 +34,7 @@ def in_one_go(steps: Steps[T], progress: Progress | None = None) -> T:
                 if progress and time.monotonic() - asked >= OFTEN:
                     asked = time.monotonic()
                     if progress(stage, fraction) is False:
-                        steps.throw(FlattenError("cancelled", "Stopped before it was done."))
+                        steps.throw(FlattenError("cancelled", "The task was canceled before it was finished."))
         except StopIteration as end:
             result: T = end.value
             return result

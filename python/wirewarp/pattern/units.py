@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Lengths in the notation of makers."""
+"""Writes lengths and areas in the units that makers use."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -21,7 +21,7 @@ class UnitSystem:
     name: Units = "metric"
 
     def text(self, millimeters: float) -> str:
-        """Return a length such as "10 mm", or "3/8 in" to the nearest sixteenth."""
+        """Return a length such as "10 mm", "1.25 m" or "3/8 in". Inches are rounded to the nearest sixteenth."""
         if self.name == "metric":
             return f"{millimeters:.4g} mm" if millimeters < 1000 else f"{millimeters / 1000:.4g} m"
         sixteenths = Fraction(round(millimeters / INCH * FINEST), FINEST)
@@ -32,7 +32,7 @@ class UnitSystem:
         )
 
     def measured(self, millimeters: float) -> str:
-        """Return a length such as "430.2 mm" or "16.94 in", for comparisons."""
+        """Return a length with decimals, such as "430.2 mm" or "16.94 in", to compare with a measured length."""
         return f"{millimeters:.1f} mm" if self.name == "metric" else f"{millimeters / INCH:.2f} in"
 
     def difference_text(self, millimeters: float) -> str:
@@ -54,5 +54,5 @@ class UnitSystem:
 
     @property
     def square(self) -> tuple[float, str]:
-        """Return the side length of the test square, which is measured after printing, and its label."""
+        """Return the side length in millimeters and the label of the test square, which is measured after printing."""
         return (100.0, "100 mm") if self.name == "metric" else (4 * INCH, "4 in")

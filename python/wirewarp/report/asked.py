@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Target lengths of lines: those on the model, changed by ease, tolerance and the built-in stretch of the fabric."""
+"""Calculates target lengths of lines: lengths on the model, changed by ease, tolerance and the fabric's stretch."""
 
 from itertools import pairwise
 
@@ -7,29 +7,29 @@ import numpy as np
 
 from .. import BoundaryReport, Piece, WireReport
 
-# Lengths of chains include the rounding errors of their edges, so this is larger than the 1e-9 to which the library
-# checks every edge.
+# Largest relative error of a length that counts as kept. The library checks every edge to 1e-9, but the lengths of
+# lines include the rounding errors of all their edges.
 LENGTH_LIMIT = 1e-8
 
 
 def kept(line: WireReport | BoundaryReport) -> bool:
-    """Return whether each edge has the length that the library guarantees; False for NaN."""
+    """Return whether each edge of the line has its guaranteed length. Return False if the lengths are NaN."""
     return line.max_edge_error <= LENGTH_LIMIT
 
 
 def asked_of_wire(wire: WireReport, ease: float) -> float:
-    """Return the target length of the wire with its ease, before the change h that its tolerance allows.
+    """Return the target length of the wire with its ease, without the change h that its tolerance allows.
 
-    The flat length is used if the wire kept its length, because it contains the stretch of the fabric, which the
-    library does not report.
+    If the wire kept its length, the result is calculated from the flat length. Only the flat length contains the
+    built-in stretch of the fabric, which the library does not report.
     """
     return wire.length_2d * (1 + ease) / (1 + wire.variation) if kept(wire) else wire.length_3d * (1 + ease)
 
 
 def asked_of_outline(piece: Piece, vertices: np.ndarray, sides: dict[tuple[int, int], float]) -> list[float]:
-    """Return the target length of each chain of the outline, with the change h of its wires.
+    """Return the target length of each section of the outline, including the change h of wires along the outline.
 
-    vertices (n,3): vertices of the model; sides: eases of directed edges that have an ease on one side.
+    vertices (n,3): vertices of the model. sides: eases by directed edge, for edges with an ease on one side.
     """
     if all(map(kept, piece.boundaries)):
         return [chain.length_2d for chain in piece.boundaries]
@@ -46,7 +46,10 @@ def asked_of_outline(piece: Piece, vertices: np.ndarray, sides: dict[tuple[int, 
 
 
 def _mean_ratio(chain: BoundaryReport, ratios: dict[tuple[int, int], float], vertices: np.ndarray) -> float:
-    """Return the mean weighted by length. ratios: ratios of the directed edges that have a longer or shorter target."""
+    """Return the mean ratio of target to length on the model, weighted by the lengths of the edges.
+
+    ratios: ratios by directed edge; edges without a ratio have the ratio 1.
+    """
     lengths = np.linalg.norm(np.diff(vertices[chain.vertices], axis=0), axis=1)
     own = [ratios.get(step, 1.0) for step in pairwise(chain.vertices.tolist())]
     return float(np.average(own, weights=lengths))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A report as a table for spreadsheets, in one unit."""
+"""Writes a report as a table for spreadsheets, with all lengths in one unit."""
 
 import csv
 import io
@@ -14,7 +14,7 @@ DIGITS = 6  # number of decimals
 
 
 def report_csv(report: Report, units: LengthText) -> str:
-    """Return a header, and a line for each side of a seam, each wire, each open section of outline, and each piece."""
+    """Return a table in CSV: a header, and a row for each side of a seam, each wire, each open edge, and each piece."""
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(_header(units))
@@ -96,12 +96,12 @@ def _piece_row(piece: Piece, units: LengthText) -> list[str]:
 
 
 def _plain(name: str) -> str:
-    """Return the text, changed if spreadsheets would read it as a formula."""
+    """Return the text, with an apostrophe before it if spreadsheets would read it as a formula."""
     return f"'{name}" if name.startswith(("=", "+", "-", "@", "\t", "\r")) else name
 
 
 def _number(value: float | None, factor: float = 1) -> str:
-    """Return the number as text; empty if there is none, for example without a layout. Zero has no sign."""
+    """Return the number times the factor as a text, or "" for None, for example without a layout. Zero has no sign."""
     if value is None:
         return ""
     text = f"{value * factor:.{DIGITS}f}"
@@ -109,7 +109,7 @@ def _number(value: float | None, factor: float = 1) -> str:
 
 
 def _tolerance(tolerance: float) -> str:
-    """Return the tolerance in percent; seams, outlines and rigid wires have 0."""
+    """Return the tolerance in percent, or "free". Seams, outlines and rigid wires have the tolerance 0."""
     return "free" if math.isinf(tolerance) else f"{100 * tolerance:g}"
 
 

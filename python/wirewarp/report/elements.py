@@ -16,19 +16,20 @@ EdgePairs = Sequence[tuple[int, int]] | np.ndarray  # (k,2) vertices
 
 @dataclass(frozen=True)
 class Elements:
-    """Elements of a mesh. They are empty for an entry about a whole piece."""
+    """Elements of a mesh, to select. An entry about a whole piece names only the piece."""
 
     vertices: Indices = ()
     edges: EdgePairs = ()
     faces: Indices = ()
-    piece: int | None = None  # piece with the elements; None: any piece
+    piece: int | None = None  # index of the piece with the elements; None: any piece
     whole_piece: bool = False
 
 
 def elements_of(report: Report, what: str, index: int) -> Elements | None:
-    """Return the elements of one entry; None if the report has no such entry.
+    """Return the elements of one entry of a report; None if the report has no such entry.
 
-    what: SEAM, WIRE, OUTLINE (an open edge), PIECE, STRETCH or EASE (the worst place of a piece), ISSUE or HINT.
+    what: kind of the entry: SEAM, WIRE, OUTLINE (an open edge), PIECE, STRETCH or EASE (the place in a piece with the
+    largest stretch or compression), ISSUE or HINT. index: index of the entry among entries of this kind.
     """
     try:
         match what:

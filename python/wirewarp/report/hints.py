@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Hints on how to improve good pieces, with the places."""
+"""Makes hints on how to improve good pieces, each with its place on the model."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -13,12 +13,12 @@ from .strain import PieceStrain, connected_regions, edge_keys, percent_text, thr
 from .wording import needs_text, strain_text
 from .words import tolerance_text
 
-# Stretch above which a dart may help: stretch fabric can do it, but pulls there.
+# Stretch above which a dart may help. Stretch fabric can reach it, but pulls at such places.
 STRAIN_LIMIT = 0.08
-LARGEST_SHARE = 0.25  # share of the area of a piece; if more is strained, only the worst part is a useful place
-MOST_PIECES = 4  # number of pieces with a place in the list
-MOST_REGIONS = 2  # number of places in one piece
-LEAST_AMOUNT = 0.1  # share of the largest amount in the piece: places with less are single faces
+LARGEST_SHARE = 0.25  # share of a piece's area; if more is strained, only the worst part is shown
+MOST_PIECES = 4  # largest number of pieces in the list
+MOST_REGIONS = 2  # largest number of places in one piece, besides the place with the largest strain
+LEAST_AMOUNT = 0.1  # share of the piece's largest Region.amount; places with less are single faces
 TORN, STRAINED, BEYOND_FABRIC, WIRE_AT_LIMIT = "torn", "strained", "beyond_cloth", "wire_at_limit"
 TORN_ADVICE = (
     "Some edges overlap but are not joined. If they should be, select them, use Mesh > Merge > By Distance (or Merge "
@@ -27,14 +27,14 @@ TORN_ADVICE = (
 
 
 class Places:
-    """The model's triangles: their areas, and the face of each."""
+    """The triangles of the model, with their areas and faces."""
 
     def __init__(self, areas: np.ndarray, polygons: np.ndarray | None) -> None:
         self.areas = areas  # (m,)
         self._polygons = polygons  # (m,) the face of each triangle; None: each triangle is a face
 
     def faces_of(self, triangles: np.ndarray | Sequence[int]) -> list[int]:
-        """Return the faces of these triangles, each once, ascending."""
+        """Return the faces that contain these triangles, each once, in ascending order."""
         rows = np.asarray(triangles, dtype=np.int64)
         found: list[int] = np.unique(rows if self._polygons is None else self._polygons[rows]).tolist()
         return found
@@ -42,12 +42,12 @@ class Places:
 
 @dataclass(frozen=True, eq=False)
 class Region:
-    """Connected triangles of one piece with more strain than the limit, or their worst part."""
+    """Connected triangles of one piece with more strain than the limit, or the worst part of these triangles."""
 
-    triangles: np.ndarray  # triangles of the model
+    triangles: np.ndarray  # (k,) triangles of the model
     stretch: float
     ease: float
-    amount: float  # strain times area: the excess that a dart there would have to remove
+    amount: float  # strain times area: the excess that a dart would have to remove
 
     @property
     def worst(self) -> float:
@@ -57,9 +57,9 @@ class Region:
 def strain_hints(
     pieces: Sequence[Piece], strains: Sequence[PieceStrain | None], figures: Sequence[float], places: Places
 ) -> list[Hint]:
-    """Return hints for the most strained places: the worst piece first, and its worst place first.
+    """Return hints about the most strained places. The worst piece is first, and in each piece the worst place.
 
-    strains: None for a piece that failed; figures: the stretch of each piece.
+    strains: strain of each piece, or None if it failed. figures: stretch of each piece, as a fraction.
     """
     worst_first = sorted(range(len(pieces)), key=lambda index: -figures[index])
     hints: list[Hint] = []
@@ -67,7 +67,7 @@ def strain_hints(
         strain = strains[index]
         if strain is None or len({hint.piece for hint in hints}) == MOST_PIECES:
             continue
-        alike: dict[tuple[str, str], list[Region]] = {}  # places with equal strain share one line
+        alike: dict[tuple[str, str], list[Region]] = {}  # places with equal texts of their strain share one hint
         for region in _worth_words(_regions(pieces[index], strain, places)):
             alike.setdefault((percent_text(region.stretch), percent_text(region.ease)), []).append(region)
         hints += [_strain_hint(index, regions, rank == 0, places) for rank, regions in enumerate(alike.values())]
@@ -75,7 +75,7 @@ def strain_hints(
 
 
 def _worth_words(regions: list[Region]) -> list[Region]:
-    """Return the regions with the largest amounts and the region with the largest strain, the worst first."""
+    """Return the regions with the largest amounts and the region with the largest strain. The worst strain is first."""
     ranked = sorted(regions, key=lambda region: -region.amount)
     chosen = [region for region in ranked[:MOST_REGIONS] if region.amount >= LEAST_AMOUNT * ranked[0].amount]
     worst = max(regions, key=lambda region: region.worst, default=None)
@@ -108,16 +108,16 @@ def _regions(piece: Piece, strain: PieceStrain, places: Places) -> list[Region]:
 
 
 def _worst_part(strain: np.ndarray, areas: np.ndarray) -> float:
-    """Return the strain that only the most strained triangles exceed, whose share of the area is LARGEST_SHARE."""
+    """Return the strain that triangles with the share LARGEST_SHARE of the area exceed. areas (q,): their areas."""
     order = np.argsort(-strain)
     inside = np.searchsorted(np.cumsum(areas[order]), LARGEST_SHARE * areas.sum())
     return float(strain[order[min(inside, len(order) - 1)]])
 
 
 def thread_hints(pieces: Sequence[Piece], threads: Sequence[Threads | None], places: Places) -> list[Hint]:
-    """Return hints about places where threads must stretch too far, the worst piece first.
+    """Return one hint for each piece in which threads must stretch too far, the worst piece first.
 
-    threads: None for a piece that failed.
+    threads: stretch of the threads of each piece, or None if the piece failed.
     """
     found = [
         (
@@ -131,13 +131,13 @@ def thread_hints(pieces: Sequence[Piece], threads: Sequence[Threads | None], pla
 
 
 def _limit(threads: Threads, way: str) -> float:
-    """Return the stretch along these threads above which a dart may help."""
+    """Return the stretch in one direction of the fabric above which a dart may help, as a fraction."""
     known: float | None = getattr(threads.gives, way)
     return known if known is not None else STRAIN_LIMIT + (getattr(threads.worn, way) or 0.0)
 
 
 def _thread_hint(index: int, piece: Piece, threads: Threads, places: Places) -> Hint:
-    """Return a hint about the place where a dart would have to remove most."""
+    """Return a hint about the place where a dart would have to remove most fabric."""
     strains = thread_strains(piece.metrics)
     beyond = np.max([strain - _limit(threads, way) for way, strain in strains.items()], axis=0)
     amounts = beyond * places.areas[piece.source_face]
@@ -153,7 +153,7 @@ def _thread_hint(index: int, piece: Piece, threads: Threads, places: Places) -> 
 
 
 def wire_hints(wires: Sequence[Wire]) -> list[Hint]:
-    """Return hints about elastic wires that have reached their tolerance, the largest change first."""
+    """Return hints about elastic wires that have reached their tolerance. The wire that changed most is first."""
     at_limit = [(index, wire) for index, wire in enumerate(wires) if wire.at_limit]
     at_limit.sort(key=lambda each: -abs(each[1].percent[0] or 0))
     return [
@@ -169,9 +169,9 @@ def wire_hints(wires: Sequence[Wire]) -> list[Hint]:
 
 
 def torn_hints(vertices: np.ndarray, outline: np.ndarray) -> list[Hint]:
-    """Return one hint, or none, about edges at the same place that are not joined; they may be apart on purpose.
+    """Return one hint about all edges at the same place that are not joined, or no hint. They may be apart on purpose.
 
-    vertices (n,3): vertices of the model; outline (k,2): its edges with one face.
+    vertices (n,3): vertices of the model. outline (k,2): edges of the model with one face.
     """
     edges = torn_edges(vertices, outline)
     pairs: Pairs = [(a, b) for a, b in edges.tolist()]
@@ -179,7 +179,7 @@ def torn_hints(vertices: np.ndarray, outline: np.ndarray) -> list[Hint]:
 
 
 def torn_edges(vertices: np.ndarray, outline: np.ndarray) -> np.ndarray:
-    """Return the outline edges (k,2) whose ends are exactly at the ends of another outline edge."""
+    """Return the outline edges (k,2) whose ends are exactly where the ends of another outline edge are."""
     numbers = _numbered(vertices[outline.ravel()])
     keys = edge_keys(numbers, len(numbers))
     _, inverse, counts = np.unique(keys, return_inverse=True, return_counts=True)

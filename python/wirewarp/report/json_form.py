@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writes and reads a report as JSON: the only place that knows its keys, which are the field names in model.py.
+"""Writes and reads a report as JSON. The keys are the names of fields in model.py.
 
-Every length is written twice: in the model's units under its name, and in meters under its name + "_m"; areas with
-"_m2". Derived values (DERIVED) are written for scripts, and not read. JSON has no infinity: a missing number is null,
-and the tolerance of a free wire "inf".
+Every length is written twice: in units of the model under its name, and in meters under its name with "_m". Areas have
+the ending "_m2". Derived values (DERIVED) are written for scripts, but not read. A missing number is null. JSON has no
+infinity, so the tolerance of a free wire is "inf".
 """
 
 import math
@@ -32,7 +32,7 @@ def to_dict(report: Report) -> dict[str, Any]:
 
 
 def run_to_dict(version: str, units: dict[str, Any], reports: Sequence[Report]) -> dict[str, Any]:
-    """Return the reports of one run as a dict. version: the version of WireWarp."""
+    """Return the reports of one run as a dict. version: version of WireWarp. units: the units of the scene."""
     return {
         "schema": SCHEMA,
         "wirewarp": version,
@@ -43,9 +43,9 @@ def run_to_dict(version: str, units: dict[str, Any], reports: Sequence[Report]) 
 
 
 def from_dict(data: object, kind: type[AnyReport]) -> AnyReport:
-    """Return the report.
+    """Return the report that to_dict() wrote.
 
-    kind: Report, or a subclass with more fields. Raises ReportError unless to_dict wrote `data`.
+    kind: Report, or a subclass with more fields. Raises ReportError if `data` is not such a report.
     """
     if not isinstance(data, dict) or data.get("schema") != SCHEMA:
         raise ReportError(f'The report does not have the schema "{SCHEMA}".')

@@ -29,7 +29,7 @@ from .strain import (
     wanted_strain,
 )
 
-AT_LIMIT = 1e-6  # an elastic wire this close to its tolerance would change more if the tolerance were larger
+AT_LIMIT = 1e-6  # largest difference between change and tolerance, as fractions, at which a wire is at its limit
 UNUSED_TOLERANCES = "This method keeps every wire rigid, so tolerances were not used."
 
 
@@ -48,12 +48,12 @@ def make_report(
     polygons: np.ndarray | None = None,
     issues: Sequence[Issue] | None = None,
 ) -> Report:
-    """Return the report of flatten(vertices, faces, wires=wires, eases=eases, options=Options(cloth=cloth)).
+    """Return the report of a result of flatten(), for the same vertices, faces, wires, eases and cloth.
 
-    fabric: name of the preset of the cloth. limits: its maximum stretch across and along the grain, None if unknown; by
-    default the limits of the cloth. meters: length of a unit. name: name of the model. polygons (m,): the face of each
-    triangle, if faces of the model are larger than triangles. issues: one for each failed piece, if they replace the
-    library's sentences.
+    fabric: name of the cloth's preset. limits: maximum stretch across and along the grain, each None if unknown; the
+    default is cloth.limits. meters: meters in a unit of the model. name: name of the model. polygons (m,): for each
+    triangle, the index of its face, if the model has larger faces than triangles. issues: one issue for each failed
+    piece, to replace the sentences of the library.
     """
     points = np.asarray(vertices, dtype=np.float64)
     sides = {(a, b): ease.ratio for ease in eases for a, b in np.asarray(ease.half_edges).tolist()}
@@ -72,7 +72,7 @@ class _Maker:
     _result: FlattenResult
     _vertices: np.ndarray  # (n,3)
     _wires: Sequence[MarkedWire]
-    _sides: dict[tuple[int, int], float]  # ease of directed edges with an ease on one side
+    _sides: dict[tuple[int, int], float]  # eases by directed edge, for edges with an ease on one side
     _cloth: Cloth | None
     _fabric: str
     _limits: Limits
@@ -175,7 +175,7 @@ class _Maker:
         return wanted_strain(eases_of_piece(piece, [wire.ease for wire in self._wires], self._sides))
 
     def _faces_around(self, piece: Piece, shares: np.ndarray) -> list[int]:
-        """Return the faces around the face with the largest share."""
+        """Return the faces around the triangle with the largest value. shares (k,): stretch or ease of triangles."""
         around = triangles_around(piece, int(np.argmax(shares)))
         return self._places.faces_of(np.asarray(piece.source_face)[around])
 
@@ -183,7 +183,7 @@ class _Maker:
         ease = self._wires[wire.wire_index].ease
         given = abs(wire.variation - ease)
         if str(wire.kind) == "super_elastic":
-            is_kept = math.isfinite(wire.length_2d)  # no other length is guaranteed
+            is_kept = math.isfinite(wire.length_2d)  # a free wire may have any length
         else:
             is_kept = kept(wire) and given <= wire.tolerance + LENGTH_LIMIT
         return model.WirePart(
@@ -205,7 +205,7 @@ class _Maker:
     def _seam(self, index: int, seam: SeamReport, failed: set[int]) -> model.Seam:
         asked = [seam.length_3d * (1 + seam.variation) * (1 + ease) for ease in seam.eases]
         pairs = zip(seam.length_2d, asked, strict=True)
-        # comparisons are false for NaN
+        # for NaN, the comparison is false, so the seam is not ok
         within = all(abs(length - wanted) <= LENGTH_LIMIT * seam.length_3d for length, wanted in pairs)
         return model.Seam(
             index=index,

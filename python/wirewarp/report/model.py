@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The report as dataclasses. Lengths and areas are in the model's units, indices refer to its mesh.
+"""The report as dataclasses. Lengths and areas are in units of the model. Indices of elements refer to its mesh.
 
-Names of fields are the keys of the JSON form (json_form.py). None stands in for missing numbers; for example, there is
-no flat length without a layout.
+Names of fields are the keys of the JSON form (json_form.py). A missing number is None, for example the flat length of a
+piece without a layout.
 """
 
 import math
@@ -10,19 +10,19 @@ from dataclasses import dataclass, field
 from typing import Any
 
 Pairs = list[tuple[int, int]]  # edges as vertex pairs
-ANY_FABRIC = 0.03  # a stretch that every fabric allows: the smallest in the core's table, that of woven cotton
-WAYS = ("across", "along")  # directions of a fabric
+ANY_FABRIC = 0.03  # a stretch that every fabric allows: the maximum stretch of woven cotton, the least of all presets
+WAYS = ("across", "along")  # directions of a fabric: across and along the grain
 
 METHOD_NAMES = {"refined": "Refined", "wirewarp++": "WireWarping++", "wirewarping": "WireWarping, all wires rigid"}
 
 
 @dataclass(kw_only=True)
 class Lengths:
-    """A line on the model and on each of its flat sides."""
+    """The lengths of a line: on the model, and on each of its flat sides. A seam has several sides, other lines one."""
 
     length_3d: float | None
-    length_2d: list[float | None]  # one per side
-    length_asked: list[float | None]  # one per side: target of the flat length, from ease, tolerance and fabric
+    length_2d: list[float | None]  # flat lengths, one per side
+    length_asked: list[float | None]  # target lengths with ease, tolerance and fabric, one per side
 
     @property
     def difference(self) -> list[float | None]:
@@ -38,23 +38,24 @@ class Lengths:
         ]
 
     def asked_ease(self, side: int = 0) -> float | None:
-        """Return the target change of the flat side against the model, as a fraction; below 0 with negative ease."""
+        """Return the target change of a side's length, as a fraction of the length on the model. Negative ease is below
+        0."""
         asked = self.length_asked[side]
         return asked / self.length_3d - 1 if asked and self.length_3d else None
 
 
 @dataclass(kw_only=True)
 class WirePart(Lengths):
-    """One part of a wire in one piece, between the vertices at which the wire meets an outline."""
+    """A part of a wire in one piece. A wire has several parts if it crosses outlines."""
 
     name: str
     wire: int  # index in Report.wires
-    part: int | None  # None: the whole wire
+    part: int | None  # index of the part; None for the whole wire
     kind: str
-    tolerance: float  # inf: free
+    tolerance: float  # as a fraction; inf for a free wire
     ease: float
     ok: bool
-    at_limit: bool  # an elastic wire that would change its length further if its tolerance were larger
+    at_limit: bool  # whether an elastic wire has changed by its whole tolerance
 
 
 @dataclass(kw_only=True)
@@ -63,21 +64,21 @@ class Wire(WirePart):
 
     vertices: list[int]
     wire_id: int = 0  # id of the mark in Blender; 0 elsewhere
-    marked_id: int = 0  # id on its edges, which a copied wire shares with its copies
+    marked_id: int = 0  # id on its edges in Blender; copies of a wire have the same id
 
 
 @dataclass(kw_only=True)
 class HelperWire(Lengths):
-    """A free wire that the method added itself."""
+    """A free wire that WireWarp has added to the wires of the user."""
 
     variation: float | None
 
 
 @dataclass(kw_only=True)
 class Chain(Lengths):
-    """A section of a piece's outline between junctions."""
+    """A section of a piece's outline between two junctions."""
 
-    seam: int | None  # index in Report.seams; None: an open edge, such as a hem
+    seam: int | None  # index in Report.seams; None for an open edge, such as a hem
     vertices: list[int]
     ok: bool
 
@@ -88,17 +89,17 @@ class Seam(Lengths):
     name: str
     seam_id: int = 0  # id of the seam in Blender; 0 elsewhere
     is_dart: bool
-    pieces: list[int]  # one per side
+    pieces: list[int]  # index of the piece of each side
     edges: Pairs
-    variation: float | None  # change of length of all sides, as a fraction of the length on the model
-    eases: list[float | None]  # additional change of each side
+    variation: float | None  # common change of all sides, as a fraction of the length on the model
+    eases: list[float | None]  # additional change of each side, as a fraction
     mismatch: float | None
     ok: bool
 
 
 @dataclass(kw_only=True)
 class Ways:
-    """A share of the flat length in each direction of the fabric; None: unknown."""
+    """Stretch across and along the grain, as fractions of the flat length. None means unknown."""
 
     across: float | None
     along: float | None
@@ -106,28 +107,29 @@ class Ways:
 
 @dataclass(kw_only=True)
 class Threads:
-    """Strain of a fabric with a grain in a piece. 99% of the piece's area stays below these figures."""
+    """Strain of a fabric's threads in a piece. In 99% of the piece's area, the strain is at most these figures."""
 
     cloth: str  # name of the fabric in sentences
-    across: float  # stretch of the threads across the grain
+    across: float  # stretch of the threads across the grain, as a fraction
     along: float
     shear: float  # radians by which the angle between the threads differs from a right angle
     gives: Ways  # maximum stretch of the fabric
-    worn: Ways  # built-in stretch, which is intended
+    worn: Ways  # built-in stretch, which is intended and which the pieces already contain
 
     @property
     def over(self) -> bool:
-        """Return whether the fabric must stretch further than it can."""
+        """Return whether the fabric must stretch further than its limit in any direction."""
         return self.is_over("across") or self.is_over("along")
 
     @property
     def excess(self) -> float:
-        """Return how much further the fabric must stretch than it can, in the worse direction; at most 0 if it can."""
+        """Return the needed stretch minus the limit, in the worse direction. The result is above 0 if `over`."""
         return max(map(self._excess, WAYS))
 
     @property
     def shown(self) -> float:
-        """Return the stretch in the direction that is furthest beyond the fabric; the larger if none is beyond it."""
+        """Return the figure to show: the stretch in the direction that exceeds its limit most. If none exceeds its
+        limit, return the larger stretch."""
         worse: float = getattr(self, max(WAYS, key=self._excess))
         return worse if self.over else max(self.across, self.along)
 
@@ -139,7 +141,8 @@ class Threads:
         return self._excess(way) > 0
 
     def limit(self, way: str) -> float:
-        """Return the maximum stretch; if unknown, the built-in stretch plus the stretch that every fabric allows."""
+        """Return the maximum stretch in a direction, as a fraction. If it is unknown, return the built-in stretch
+        combined with the stretch that every fabric allows."""
         known: float | None = getattr(self.gives, way)
         return known if known is not None else (1 + (getattr(self.worn, way) or 0.0)) * (1 + ANY_FABRIC) - 1
 
@@ -157,10 +160,10 @@ class Piece:
     area_2d: float | None
     arap_energy: float | None
     cloth_energy: float | None
-    stretch: float | None  # see strain.py; with a fabric, the larger of Threads.across and along
+    stretch: float | None  # stretch_figure() in strain.py; with a fabric, the larger of Threads.across and along
     aspect_ratio_max: float | None
-    stretch_max: float | None  # stretch of the worst face
-    stretch_faces: list[int]  # faces around the worst face
+    stretch_max: float | None  # largest stretch of a triangle
+    stretch_faces: list[int]  # faces around this triangle
     ease_max: float | None
     ease_faces: list[int]
     angle_deviation_rms: float | None
@@ -186,29 +189,30 @@ class Piece:
     def is_strained(self) -> bool:
         """Return whether lengths are kept, but the piece needs too much stretch.
 
-        The limit is the maximum stretch of the chosen fabric or, if none is chosen, the stretch that all fabrics allow.
+        The limit is the maximum stretch of the chosen fabric. If none is chosen, it is the stretch that every fabric
+        allows.
         """
         return self.ok and (self.threads.over if self.threads else self.needed > ANY_FABRIC)
 
     @property
     def excess(self) -> float:
-        """Return how far the piece is beyond the limit of is_strained, by which lists put the worst piece first."""
+        """Return the needed stretch minus the limit of is_strained. Lists begin with the largest excess."""
         return self.threads.excess if self.threads else self.needed - ANY_FABRIC
 
     @property
     def shown(self) -> float:
-        """Return the figure in lists of pieces, which is that of the verdict."""
+        """Return the stretch that lists of pieces and the verdict show, as a fraction."""
         return self.threads.shown if self.threads else self.needed
 
     @property
     def needed(self) -> float:
-        """Return `stretch` as a number: inf for a collapsed layout."""
+        """Return `stretch`, or inf if the layout is missing or collapsed."""
         return math.inf if self.stretch is None else self.stretch
 
 
 @dataclass(frozen=True, kw_only=True)
 class LooserWire:
-    """A wire whose length can be kept with this tolerance."""
+    """A proposed tolerance within which a wire can keep its length."""
 
     name: str
     tolerance: float
@@ -217,9 +221,9 @@ class LooserWire:
 
 @dataclass(frozen=True)
 class Issue:
-    """A fault in one sentence, with its elements of the model.
+    """A fault in one sentence, with the faulty elements of the model.
 
-    code: a wirewarp.ErrorCode, or the program's own.
+    code: a wirewarp.ErrorCode, or a code of the program that makes the report.
     """
 
     code: str
@@ -229,7 +233,7 @@ class Issue:
     edges: Pairs = field(default_factory=list)
     faces: list[int] = field(default_factory=list)
     wires: list[int] = field(default_factory=list)  # indices of the wires that the sentence names
-    proposed_seams: Pairs = field(default_factory=list)  # edges that make the piece flat if they are seams
+    proposed_seams: Pairs = field(default_factory=list)  # edges that fix the piece if they become seams
     proposed_tolerances: list[LooserWire] = field(default_factory=list)
     both_sides: bool = False  # the proposal is for this piece and its mirror image
 
@@ -240,10 +244,10 @@ class Issue:
 
 @dataclass(frozen=True)
 class Hint(Issue):
-    """A way to improve a good piece."""
+    """A sentence on how to improve a good piece, with its place."""
 
-    short: str = ""  # the sentence without the advice, for a list below the advice
-    wire: int | None = None  # index in Report.wires; the wire's name precedes the sentence
+    short: str = ""  # the sentence without its advice, for a list below the advice
+    wire: int | None = None  # index in Report.wires of the wire whose name precedes the sentence
 
 
 @dataclass(frozen=True)
@@ -255,10 +259,10 @@ class Note:
 
 @dataclass(kw_only=True)
 class Report:
-    """The result of one model."""
+    """The report of one model."""
 
     object: str = ""  # the model's name
-    meters: float = 1.0  # length of a unit of the model
+    meters: float = 1.0  # meters in a unit of the model
     method: str = ""  # "" if nothing was flattened
     pieces: list[Piece] = field(default_factory=list)
     seams: list[Seam] = field(default_factory=list)

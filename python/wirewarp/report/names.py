@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Names of the entries of a report in panels, sentences and tables."""
+"""Returns names of the entries of a report, for panels, sentences and tables."""
 
 import re
 from collections.abc import Iterable, Mapping
@@ -10,12 +10,12 @@ from .model import Chain, Hint, Issue, Note, Report, Seam
 
 
 def piece_names(report: Report, indices: Iterable[int]) -> str:
-    """Return the names of the pieces, each once: "Front, Back"."""
+    """Return the names of pieces, each once, such as "Front, Back"."""
     return ", ".join(report.pieces[index].name for index in dict.fromkeys(indices))
 
 
 def joined_pieces(report: Report, pieces: Iterable[int]) -> str:
-    """Return the names of the pieces that a seam joins: "Front – Back"."""
+    """Return the names of the pieces that a seam joins, such as "Front – Back"."""
     return " – ".join(report.pieces[index].name for index in dict.fromkeys(pieces))
 
 
@@ -25,14 +25,14 @@ def seam_name(report: Report, seam: Seam) -> str:
 
 
 def side_names(report: Report, seam: Seam) -> list[str]:
-    """Return one name for each side of a seam."""
+    """Return a name for each side of a seam: the name of its piece, or "Side 1" if a piece has several sides."""
     if len(set(seam.pieces)) == len(seam.pieces):
         return [report.pieces[piece].name for piece in seam.pieces]
     return [f"Side {number}" for number in range(1, len(seam.pieces) + 1)]
 
 
 def pieces_of_wires(report: Report) -> dict[int, list[int]]:
-    """Return the pieces that each wire crosses."""
+    """Return the indices of the pieces that contain parts of each wire, by the index of the wire."""
     pieces: dict[int, list[int]] = {wire.wire: [] for wire in report.wires}
     for piece in report.pieces:
         for part in piece.wires:
@@ -41,7 +41,8 @@ def pieces_of_wires(report: Report) -> dict[int, list[int]]:
 
 
 def open_edges(report: Report) -> list[tuple[str, int, Chain]]:
-    """Return (name, piece, chain) of every open section of outline: hems, necklines, armholes."""
+    """Return name, index of the piece and chain of each open edge. Open edges are sections of an outline that are not
+    sewn, such as hems and necklines."""
     found = []
     for piece in report.pieces:
         free = [chain for chain in piece.outline if chain.seam is None]
@@ -54,12 +55,12 @@ def open_edges(report: Report) -> list[tuple[str, int, Chain]]:
 
 
 def issue_text(report: Report, issue: Issue) -> str:
-    """Return the sentence of an issue, preceded by the name of its piece."""
+    """Return the sentence of an issue after the name of its piece."""
     return issue.sentence if issue.piece is None else f"{report.pieces[issue.piece].name}: {issue.sentence}"
 
 
 def hint_text(report: Report, hint: Hint) -> str:
-    """Return a short hint, preceded by the name of its piece or wire."""
+    """Return the short sentence of a hint after the name of its piece or wire."""
     if hint.wire is not None:
         return f'"{report.wires[hint.wire].name}" {hint.short}'
     return hint.short if hint.piece is None else f"{report.pieces[hint.piece].name}: {hint.short}"
@@ -70,7 +71,7 @@ def note_text(report: Report, note: Note) -> str:
 
 
 def rename_wires(report: Report, names: Mapping[int, str]) -> None:
-    """Set the names of the wires, by their ids in Blender."""
+    """Set the names of wires in the whole report. names: new names, by the id of the wire in Blender."""
     name_of = {wire.wire: names.get(wire.wire_id, wire.name) for wire in report.wires}
     renamed = {wire.name: name_of[wire.wire] for wire in report.wires}
     if all(old == new for old, new in renamed.items()):
@@ -90,7 +91,8 @@ def rename_wires(report: Report, names: Mapping[int, str]) -> None:
 
 
 def _renamed(sentence: str, renamed: Mapping[str, str]) -> str:
-    """Replace names of wires only after the word "wire" or "wires", as in 'wires "Hip", "Bust" and "Waist"'."""
+    """Return the sentence with new names of wires. Only names after the word "wire" or "wires" are replaced, as in
+    'wires "Hip", "Bust" and "Waist"'."""
     name = f'"({"|".join(map(re.escape, renamed))})"'
     named = re.compile(rf"\b[Ww]ires? {name}((, | and ){name})*")
     return named.sub(lambda found: re.sub(name, lambda old: f'"{renamed[old[1]]}"', found[0]), sentence)

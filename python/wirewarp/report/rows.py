@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A report as rows of tables, worst first."""
+"""Makes the rows of tables from a report, the worst row first."""
 
 import math
 from dataclasses import dataclass
@@ -9,21 +9,21 @@ from .names import joined_pieces, open_edges, piece_names, pieces_of_wires, side
 from .verdict import Verdict, verdict
 from .words import ease_text, tolerance_text
 
-LEAST = 5e-5  # a share; smaller eases are not shown
+LEAST = 5e-5  # as a fraction; smaller eases are not shown
 
 
 @dataclass(frozen=True)
 class Side:
     label: str
     length_3d: float | None
-    length_2d: float | None  # None: no layout
+    length_2d: float | None  # None without a layout
     difference: float | None
     percent: float | None
-    length_asked: float | None  # target; None: unknown without a layout
+    length_asked: float | None  # target length; None without a layout
 
     @property
     def off(self) -> float | None:
-        """Return the flat length minus its target."""
+        """Return the flat length minus the target length; None without a layout."""
         return None if self.length_2d is None or self.length_asked is None else self.length_2d - self.length_asked
 
 
@@ -32,15 +32,15 @@ class ReportRow:
     name: str
     ok: bool
     sides: list[Side]
-    what: str | None = None  # kind of the entry, for the button that selects it; None: no button
+    what: str | None = None  # kind of the entry for elements_of(); None if nothing can be selected
     index: int = 0
-    note: str = ""  # for seams: the pieces; for wires: place, tolerance and result
-    seam_id: int = 0  # id by which the list of names finds the seam
+    note: str = ""  # pieces and change of a seam; pieces, tolerance and result of a wire
+    seam_id: int = 0  # id of the seam in Blender; 0 elsewhere
     at_limit: bool = False
 
     @property
     def badness(self) -> float:
-        """Return the sort key: failures first, then by the difference in percent, the largest first."""
+        """Return how bad the row is: inf for a failure, otherwise the largest relative difference from the target."""
         worst = max(
             math.inf if side.off is None or not side.length_3d else abs(side.off) / side.length_3d
             for side in self.sides
@@ -64,7 +64,7 @@ def seam_rows(report: Report) -> list[ReportRow]:
 
 
 def wire_rows(report: Report) -> list[ReportRow]:
-    """Return whole wires, with the pieces of their parts."""
+    """Return the rows of whole wires. Their notes name the pieces that contain parts of the wire."""
     pieces = pieces_of_wires(report)
     return _worst_first([
         ReportRow(
@@ -81,7 +81,7 @@ def wire_rows(report: Report) -> list[ReportRow]:
 
 
 def outline_rows(report: Report) -> list[ReportRow]:
-    """Return open sections of outline: hems, necklines, armholes."""
+    """Return the rows of open edges, such as hems and necklines."""
     return _worst_first([
         ReportRow(name, chain.ok, _sides(chain, ["Flat"]), "OUTLINE", index, _ease(chain))
         for index, (name, _, chain) in enumerate(open_edges(report))
@@ -89,7 +89,7 @@ def outline_rows(report: Report) -> list[ReportRow]:
 
 
 def piece_rows(report: Report) -> list[Piece]:
-    """Return failed pieces first, then by how far they are beyond the fabric."""
+    """Return the pieces: first failed pieces, then the pieces with the largest excess over the fabric's stretch."""
     return sorted(report.pieces, key=lambda piece: (piece.ok, -piece.excess))
 
 
@@ -118,14 +118,15 @@ def _tolerance(method: str, wire: Wire) -> str:
 
 
 def merged(sides: list[Side], texts: list[tuple[str, ...]]) -> list[tuple[str, tuple[str, ...]]]:
-    """Return (label, text) of the sides of a seam, as "Both sides" if all texts are equal."""
+    """Return pairs of label and texts for the sides of a seam. If all texts are equal, there is one pair with the label
+    "Both sides" or "All 3 sides"."""
     if len(sides) > 1 and len(set(texts)) == 1:
         return [("Both sides" if len(sides) == 2 else f"All {len(sides)} sides", texts[0])]
     return [(side.label, text) for side, text in zip(sides, texts, strict=True)]
 
 
 def largest_difference(rows: list[ReportRow]) -> float | None:
-    """Return the largest absolute difference from the target among sides that have a layout."""
+    """Return the largest absolute difference from the target length; None if no side has a layout."""
     differences = [side.off for row in rows for side in row.sides]
     return max((abs(difference) for difference in differences if difference is not None), default=None)
 

@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""How far the fabric must stretch, as one figure for the verdict, the list of pieces and suggestions.
+"""Calculates how far the fabric must stretch, as one figure for the verdict, the list of pieces and suggestions.
 
-The figure of a piece is the stretch that 99% of its area stays below, in the worst direction: for each triangle max(σ1,
-1/σ2) - 1, with the principal stretches of the map from flat to model. Compression therefore counts as much as the
-stretch that would undo it. DartProposal.strain, which ranks suggestions, is the same figure. Eases are intended: the
-piece is measured beyond them. With a fabric, the stretch along its threads counts (Threads): the verdict compares each
-direction with the fabric, lists show the direction that the verdict names, and other single figures are the larger.
+The stretch of a triangle is max(σ1, 1/σ2) - 1, with the principal stretches σ1 and σ2 of the map from flat to model.
+Compression therefore counts as much as the stretch that would undo it. The figure of a piece is the stretch that 99% of
+its area stays below. Suggestions are ranked by the same figure, DartProposal.strain. Intended changes by eases do not
+count.
+
+With a fabric, the stretch along its threads counts instead (Threads). The verdict compares each direction with the
+fabric, and lists show the direction that the verdict names. Other single figures are the larger of both directions.
 """
 
 import math
@@ -18,20 +20,20 @@ import numpy as np
 from .. import Cloth, Metrics, Piece
 from .model import Threads, Ways
 
-SHARE = 0.99  # share of the area; single strained triangles in corners do not matter in fabric
+SHARE = 0.99  # share of the area; strain in single triangles, for example in corners, does not matter in fabric
 Limits = tuple[float | None, float | None]  # across and along the grain; None: unknown
 NAMES = {"woven": "woven cotton", "swim": "swim knit"}  # names in sentences, for presets whose name is not a noun
 
 
 @dataclass(frozen=True)
 class PieceStrain:
-    """Strain of each triangle of a piece with a layout, as a share of the flat length."""
+    """Strain of each triangle of a piece with a layout, as a fraction of the flat length."""
 
-    stretch: np.ndarray  # (q,) at least 0; inf where the flat triangle has no area
+    stretch: np.ndarray  # (q,) at least 0; inf if the flat triangle has no area
     ease: np.ndarray  # (q,) compression of the fabric, from 0 to 1
 
     def beyond(self, wanted: "Wanted") -> "PieceStrain":
-        """Return the strain beyond the eases of the piece's lines."""
+        """Return the strain without the part that the eases of the piece's lines intend."""
         return PieceStrain(
             stretch=np.maximum((1 + self.stretch) / wanted.stretch - 1, 0),
             ease=np.maximum(1 - (1 - self.ease) * wanted.compression, 0),
@@ -39,10 +41,11 @@ class PieceStrain:
 
 
 def piece_strain(metrics: Metrics) -> PieceStrain:
-    """Return the strain from the library's strain of threads, which it measures in the middle of thick material.
+    """Return the principal strains of each triangle, from the strain of its threads in the metrics.
 
-    Threads of lengths p and q with g = p q sin γ between them have the metric (p², g; g, q²): its eigenvalues are the
-    squares of the principal stretches of the map from flat to model.
+    The library measures threads in the middle of thick material. Threads with the stretched lengths p and q and the
+    shear angle γ have the metric (p², g; g, q²) with g = p q sin γ. Its eigenvalues are the squares of the principal
+    stretches of the map from flat to model.
     """
     p, q = 1 + metrics.face_weft_strain, 1 + metrics.face_warp_strain
     with np.errstate(invalid="ignore"):
@@ -58,16 +61,16 @@ def piece_strain(metrics: Metrics) -> PieceStrain:
 
 @dataclass(frozen=True)
 class Wanted:
-    """Intended factors between the model and the flat piece, from the eases of the piece's lines."""
+    """Largest intended changes of length between the model and the flat piece, from the eases of the piece's lines."""
 
-    stretch: float = 1.0  # from negative ease: the fabric is this many times longer when worn
-    compression: float = 1.0  # from ease and gathers: the flat line is this many times longer than on the model
+    stretch: float = 1.0  # factor from negative ease: length when worn, over the flat length
+    compression: float = 1.0  # factor from ease and gathers: flat length, over the length on the model
 
 
 def wanted_strain(ratios: Sequence[float]) -> Wanted:
-    """Return the largest factor of each kind.
+    """Return the largest factor of both kinds.
 
-    ratios: target lengths of the lines of a piece over those on the model.
+    ratios: eases of the lines of a piece, as fractions of their lengths on the model.
     """
     return Wanted(1 / (1 + min([0.0, *ratios])), 1 + max([0.0, *ratios]))
 
@@ -75,7 +78,7 @@ def wanted_strain(ratios: Sequence[float]) -> Wanted:
 def eases_of_piece(piece: Piece, wires: Sequence[float], sides: dict[tuple[int, int], float]) -> list[float]:
     """Return the eases of a piece's lines.
 
-    wires: ease of each; sides: eases of directed edges with an ease on one side.
+    wires: ease of each wire. sides: eases by directed edge, for edges with an ease on one side.
     """
     eases = [wires[wire.wire_index] for wire in piece.wires]
     if sides:
@@ -85,25 +88,26 @@ def eases_of_piece(piece: Piece, wires: Sequence[float], sides: dict[tuple[int, 
 
 
 def stretch_figure(strain: PieceStrain, areas: np.ndarray) -> float:
-    """Return the figure of a piece. areas (q,): areas of its triangles on the model."""
+    """Return the figure of a piece, as a fraction. areas (q,): areas of its triangles on the model."""
     with np.errstate(divide="ignore"):
         undone = 1 / (1 - strain.ease) - 1
     return widespread(np.maximum(strain.stretch, undone), areas)
 
 
 def widespread(values: np.ndarray, areas: np.ndarray) -> float:
-    """Return the value that 99% of the area stays below."""
+    """Return the value that 99% of the area stays below. values (q,): value of each triangle; areas (q,): its area."""
     order = np.argsort(values)
     below = np.cumsum(areas[order])
-    # The rounding error of sums of areas is subtracted, so that the choice among equal triangles does not depend on the
-    # numbering.
+    # A tolerance for rounding errors of sums is subtracted, so that the choice does not depend on the order of
+    # triangles with equal values.
     return float(values[order[min(np.searchsorted(below, SHARE * (1 - 1e-9) * below[-1]), len(order) - 1)]])
 
 
 def threads_of(metrics: Metrics, areas: np.ndarray, wanted: Wanted, cloth: Cloth, name: str, limits: Limits) -> Threads:
-    """Return the strain of the fabric along its threads in a piece with a layout.
+    """Return the strain of the fabric's threads in a piece with a layout.
 
-    name: name of the fabric's preset, or "custom"; limits: its maximum stretch.
+    areas (q,): areas of the triangles on the model. name: name of the fabric's preset, or "custom". limits: maximum
+    stretch of the fabric.
     """
     across, along = (
         max((1 + widespread(strain, areas)) / wanted.stretch - 1, 0.0) for strain in thread_strains(metrics).values()
@@ -119,35 +123,36 @@ def threads_of(metrics: Metrics, areas: np.ndarray, wanted: Wanted, cloth: Cloth
 
 
 def thread_strains(metrics: Metrics) -> dict[str, np.ndarray]:
-    """Return the strain (q,) of the threads across and along the grain; inf if the flat triangle has no area."""
+    """Return the strain (q,) of the threads "across" and "along" the grain; inf if the flat triangle has no area."""
     strains = {"across": metrics.face_weft_strain, "along": metrics.face_warp_strain}
     return {way: _numbers(strain, math.inf) for way, strain in strains.items()}
 
 
 def _numbers(values: np.ndarray, collapsed: float) -> np.ndarray:
-    """Replace missing values with this number."""
+    """Return the values, with the number `collapsed` for values that are not finite."""
     found: np.ndarray = np.where(np.isfinite(values), values, collapsed)
     return found
 
 
 def triangle_areas(vertices: np.ndarray, triangles: np.ndarray) -> np.ndarray:
-    """Return the areas (m,) of triangles (m,3) of vertices (n,3)."""
+    """Return the areas (m,) of the triangles (m,3). vertices (n,3): places of their vertices."""
     a, b, c = (vertices[triangles[:, corner]] for corner in range(3))
     areas: np.ndarray = np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2
     return areas
 
 
 def triangles_around(piece: Piece, triangle: int) -> np.ndarray:
-    """Return the triangles (k,) of a piece that share a vertex with one of these, including these."""
+    """Return the triangles (k,) of a piece that share a vertex with this triangle, including the triangle."""
     return np.flatnonzero(np.isin(piece.faces, piece.faces[triangle]).any(axis=1))
 
 
 def connected_regions(piece: Piece, members: np.ndarray) -> list[np.ndarray]:
-    """Return the triangles of the mask `members` (q,) in groups that are connected across edges of the piece."""
+    """Return the triangles in groups that are connected across edges. members (q,): which triangles to use."""
     triangles = np.flatnonzero(members)
     neighbors = _neighbors(np.asarray(piece.faces)[triangles], len(piece.vertices))
     labels = np.arange(len(triangles))
-    # each takes the lowest label around it; following each label to its own label saves rounds over long distances
+    # Each triangle gets the lowest label of its neighbors. Replacing each label by the label of the triangle with this
+    # number saves rounds over long distances.
     while True:
         lowest = np.minimum(labels, labels[neighbors].min(axis=1))
         lowest = lowest[lowest]
@@ -160,9 +165,9 @@ def connected_regions(piece: Piece, members: np.ndarray) -> list[np.ndarray]:
 
 
 def _neighbors(faces: np.ndarray, vertex_count: int) -> np.ndarray:
-    """Return the triangle (t,3) across each side of the triangles; the triangle itself if there is none.
+    """Return the neighbor (t,3) of each triangle across each side, or the triangle itself if it has no neighbor there.
 
-    faces: (t,3).
+    faces (t,3): vertices of the triangles.
     """
     keys = edge_keys(faces[:, [0, 1, 1, 2, 2, 0]], vertex_count)
     sides = np.argsort(keys, kind="stable")
@@ -175,13 +180,13 @@ def _neighbors(faces: np.ndarray, vertex_count: int) -> np.ndarray:
 
 
 def edge_keys(pairs: np.ndarray, count: int) -> np.ndarray:
-    """Return one number for each pair of vertices in any order. count: number of all vertices."""
+    """Return a number for each pair of vertices, the same in both orders. count: number of all vertices."""
     keys: np.ndarray = np.sort(np.asarray(pairs, dtype=np.int64).reshape(-1, 2), axis=1) @ np.array([count, 1])
     return keys
 
 
 def percent_text(share: float) -> str:
-    """Return a share as text, such as "19%", "9.5%", "over 100%" or "unlimited"."""
+    """Return a fraction as a text, such as "19%", "9.5%", "over 100%" or "unlimited"."""
     if math.isinf(share):
         return "unlimited"
     if share >= 1:

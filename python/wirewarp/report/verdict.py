@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The verdict: which pieces can be cut, and from which fabric. It is the same in Blender and on the command line."""
+"""Makes the verdict: which pieces can be cut, and from which fabric. Blender and the command line share the verdict."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
@@ -12,9 +12,9 @@ from .words import counted
 
 CLOSED_CODE = "closed_chart"
 SEAM_CODES = {"boundary_too_short", "handles", "infeasible_lengths", CLOSED_CODE}  # faults that a seam can fix
-ANY_LIMIT = 1.0  # no fabric stretches to twice its length
+ANY_LIMIT = 1.0  # largest stretch of any fabric, to twice its length
 NOT_KNOWN = Ways(across=None, along=None)  # unknown maximum stretch
-SHOWN_NAMES = 4
+SHOWN_NAMES = 4  # largest number of names in a list
 
 
 class Level(StrEnum):
@@ -24,18 +24,18 @@ class Level(StrEnum):
 
 
 class Kind(StrEnum):
-    """Kinds of verdict, the worst first. A verdict has the first kind that applies to any piece."""
+    """Kinds of verdicts, the worst first. A verdict has the worst kind of all its pieces."""
 
     NOT_FLATTENED = "not flattened"
     FAILED = "failed"  # a guarantee is broken
-    CLOSED = "closed"  # closed pieces, which have no cut yet
-    NEEDS_SEAM = "needs seam"  # tubes and other pieces that cannot be flattened without a further seam
+    CLOSED = "closed"  # a piece is closed and has no seam yet
+    NEEDS_SEAM = "needs seam"  # a piece, such as a tube, cannot be flattened without another seam
     NO_FABRIC = "no fabric"  # a piece must stretch to more than twice its length
-    BEYOND_FABRIC = "beyond fabric"  # the chosen fabric does not stretch as far
-    NEEDS_STRETCH = "needs stretch"  # no fabric is chosen, and not every fabric stretches far enough
+    BEYOND_FABRIC = "beyond fabric"  # a piece must stretch further than the chosen fabric can
+    NEEDS_STRETCH = "needs stretch"  # without a known maximum stretch: not every fabric stretches far enough
     NOT_AS_SEEN = "not as seen"  # modifiers or shape keys were ignored
     TOO_NARROW = "too narrow"  # pieces have no room for their allowances
-    READY = "ready"  # can be cut from the chosen fabric
+    READY = "ready"  # all pieces can be cut from the chosen fabric
     READY_FOR_ANY = "ready for any fabric"
 
     @property
@@ -45,7 +45,7 @@ class Kind(StrEnum):
         return Level.BAD if self in (Kind.NOT_FLATTENED, Kind.FAILED) else Level.CAUTION
 
 
-CUTTABLE = (Kind.NEEDS_STRETCH, Kind.READY, Kind.READY_FOR_ANY)  # kinds for which some fabric stretches far enough
+CUTTABLE = (Kind.NEEDS_STRETCH, Kind.READY, Kind.READY_FOR_ANY)  # kinds for which a fabric stretches far enough
 
 
 @dataclass(frozen=True)
@@ -78,7 +78,7 @@ class _Entry:
 
 
 def verdict(*reports: Report) -> Verdict:
-    """Return the verdict on one report, or on all reports of a run."""
+    """Return the verdict on one report, or the common verdict on all reports of a run."""
     entries = [_Entry(report, piece) for report in reports for piece in report.pieces]
     if not entries:
         return Verdict((Line(Kind.NOT_FLATTENED, wording.NOT_FLATTENED),))
@@ -86,9 +86,9 @@ def verdict(*reports: Report) -> Verdict:
     by_kind: dict[Kind, list[_Entry]] = {}
     for entry in entries:
         by_kind.setdefault(_kind_of(entry), []).append(entry)
-    if Kind.FAILED in by_kind:  # the issues already name the pieces without a cut
+    if Kind.FAILED in by_kind:  # pieces that need seams are counted as failed; the issues name them
         by_kind[Kind.FAILED] += by_kind.pop(Kind.CLOSED, []) + by_kind.pop(Kind.NEEDS_SEAM, [])
-    if Kind.NEEDS_STRETCH in by_kind:  # the sentence is about all pieces, which are cut from one fabric
+    if Kind.NEEDS_STRETCH in by_kind:  # all pieces are cut from the same fabric, so one sentence is enough
         by_kind[Kind.NEEDS_STRETCH] += by_kind.pop(Kind.READY_FOR_ANY, [])
     whole = [report.object or "the model" for report in reports if any(issue.piece is None for issue in report.issues)]
     lines = [Line(Kind.FAILED, wording.failed_models(listed(whole, ", ")))] if whole else []
@@ -100,7 +100,8 @@ def verdict(*reports: Report) -> Verdict:
 
 
 def as_seen(found: Verdict, makers: Iterable[str]) -> Verdict:
-    """Return the verdict if ignored modifiers or shape keys make the model look different."""
+    """Return the verdict with a line about ignored modifiers or shape keys, and without lines about what can be cut.
+    makers: "modifiers", "shape keys" or both. Without makers, the verdict is unchanged."""
     names = list(dict.fromkeys(makers))
     if not names:
         return found
@@ -109,9 +110,9 @@ def as_seen(found: Verdict, makers: Iterable[str]) -> Verdict:
 
 
 def with_narrow(found: Verdict, narrow: Mapping[str, Sequence[str]]) -> Verdict:
-    """Return the verdict if some pieces have no room for their allowances, which reports do not contain.
+    """Return the verdict with a line about pieces without room for their allowances, which reports do not contain.
 
-    It says what the pieces need, but not that they are ready to cut. narrow: names of these pieces by object.
+    Lines that say that pieces are ready to cut are left out. narrow: names of the narrow pieces, by object.
     """
     with_objects = len(narrow) > 1
     names = [_with_object(owner, name) if with_objects else name for owner, own in narrow.items() for name in own]
@@ -143,15 +144,15 @@ def _kind_of_failed(piece: Piece, issues: Sequence[Issue]) -> Kind:
     codes = {issue.code for issue in issues}
     if codes == {CLOSED_CODE}:
         return Kind.CLOSED
-    # a piece with a faulty shape might be cut by mistake
+    # A piece with a layout counts as failed, because somebody might cut it by mistake.
     is_uncut = bool(codes) and codes <= SEAM_CODES and not piece.has_layout
-    # the lengths of wires or of the fabric's stretch may be wrong, too, unless a seam was found that helps
+    # If no seam was found that helps, the cause may also be a length of a wire or the stretch of the fabric.
     is_helped = all(issue.proposed_seams for issue in issues if issue.code == "infeasible_lengths")
     return Kind.NEEDS_SEAM if is_uncut and is_helped else Kind.FAILED
 
 
 def _texts(kind: Kind, own: list[_Entry], entries: list[_Entry], with_objects: bool) -> list[str]:
-    """Return the sentences about the pieces of one kind, the worst first. entries: all pieces."""
+    """Return the sentences about the pieces of one kind. own: these pieces, the worst first. entries: all pieces."""
     everything = len(own) == len(entries)
     names = _names(own, with_objects)
     match kind:
@@ -197,25 +198,25 @@ def _names(entries: Sequence[_Entry], with_objects: bool) -> str:
 
 
 def listed(names: Iterable[str], between: str = ", ") -> str:
-    """Return each name once. If there are many, return the first ones and the number of the others."""
+    """Return a text that lists each name once. Of many names, it has the first and the number of the others."""
     every = list(dict.fromkeys(names))
     shown, hidden = every[:SHOWN_NAMES], len(every) - SHOWN_NAMES
     if hidden > 0:
         return f"{between.join(shown)} and {hidden} more"
-    if between != ", ":  # names of objects with pieces contain commas
+    if between != ", ":  # then the names contain commas, and "and" would be ambiguous
         return between.join(shown)
     *others, last = shown
     return f"{', '.join(others)} and {last}" if others else last
 
 
 def kept_text(reports: Iterable[Report]) -> str:
-    """Return the sentence about the lengths in reports without an issue."""
+    """Return the words about kept lengths in these reports, EXACT or TOLERATED."""
     loose = any(wire.tolerance != 0 for report in reports if report.method != "wirewarping" for wire in report.wires)
     return wording.TOLERATED if loose else wording.EXACT
 
 
 def place_name(report: Report, piece: int | None) -> str:
-    """Return the name of the object, and the name of the piece if it is different."""
+    """Return a text with the name of the object, and with the name of the piece if it differs."""
     return _with_object(report.object, report.object if piece is None else report.pieces[piece].name)
 
 

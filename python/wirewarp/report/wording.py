@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Every sentence of the verdict, and the words for stretch in hints and lists."""
+"""Writes the sentences of the verdict, and the words for stretch in hints and lists."""
 
 import math
 from collections.abc import Sequence
@@ -8,20 +8,20 @@ from .model import Threads
 from .strain import percent_text
 from .words import counted
 
-LESSER = 0.5  # the smaller of stretch and compression is mentioned, too, if it is at least this share of the larger
+LESSER = 0.5  # the smaller of stretch and compression is mentioned if it is at least this share of the larger
 NOT_FLATTENED = "Not flattened"
-BEYOND_REMEDY = "Add a dart or seam, or choose another fabric."  # written once, after the sentences about all pieces
+BEYOND_REMEDY = "Add a dart or seam, or choose another fabric."  # written once, after all sentences
 EXACT, TOLERATED = "every length kept", "every length kept or within its tolerance"
 
 
 def closed(names: str, count: int) -> str:
-    """Return the sentence about closed pieces. names: names of the pieces, or "" for a whole model."""
+    """Return the sentence about closed pieces. names: list of their names, or "" if the model is one piece."""
     what = "are closed: choose where to cut them" if count > 1 else "is closed: choose where to cut it"
     return f"{names or 'This model'} {what}"
 
 
 def needs_seam(names: str, count: int) -> str:
-    """Return the sentence about pieces that only a seam can flatten. names: as for closed()."""
+    """Return the sentence about pieces that cannot be flattened without another seam. names: as for closed()."""
     what = "need seams: choose where to cut them" if count > 1 else "needs a seam: choose where to cut it"
     return f"{names or 'This model'} {what}"
 
@@ -31,16 +31,17 @@ def failed(count: int, of: int) -> str:
 
 
 def failed_models(names: str) -> str:
-    """Return the sentence about failed models. names: names of the models that have no pieces."""
+    """Return the sentence about failed models. names: list of the names of models that failed as a whole."""
     return f"Do not cut: {names} failed"
 
 
 def no_fabric(names: str) -> str:
-    return f"{names}: no fabric stretches that far. Add seams."
+    return f"{names}: no fabric stretches far enough. Add seams."
 
 
 def beyond_fabric(names: str, threads: Threads) -> str:
-    """Return "Front must stretch 7.6% along, but this denim stretches only 3.0%", naming only directions beyond it."""
+    """Return a sentence such as "Front must stretch 7.6% along, but this denim stretches only 3.0%". It names only
+    directions in which the fabric does not stretch far enough."""
     over = [way for way in ("across", "along") if threads.is_over(way) and getattr(threads.gives, way) is not None]
     figures = [_apart(getattr(threads, way), getattr(threads.gives, way)) for way in over]
     needed = " and ".join(f"{needs} {way}" for (needs, _), way in zip(figures, over, strict=True))
@@ -51,7 +52,7 @@ def beyond_fabric(names: str, threads: Threads) -> str:
 
 
 def _apart(needs: float, gives: float) -> tuple[str, str]:
-    """Return both shares as texts, with as many digits as they need to differ."""
+    """Return both fractions as texts, with enough digits to differ."""
     texts = percent_text(needs), percent_text(gives)
     for digits in (1, 2, 3):
         if texts[0] != texts[1] or needs >= 1:
@@ -61,14 +62,15 @@ def _apart(needs: float, gives: float) -> tuple[str, str]:
 
 
 def set_beyond_fabric(threads: Threads) -> str:
-    """Return the sentence about a set of seams. threads: of the piece that is furthest beyond the fabric."""
+    """Return the sentence about a set of seams. threads: strain in the piece that exceeds the fabric's stretch most."""
     return f"A piece must stretch {by_way(threads.across, threads.along)}, more than this {threads.cloth} can."
 
 
 def needs_stretch(names: str, is_exact: bool, stretch: str) -> str:
-    """Return the sentence.
+    """Return the sentence about pieces that need stretch fabric.
 
-    names: names of the pieces, "" for all; is_exact: no wire has a tolerance; stretch: stretch in percent.
+    names: list of the names of the pieces, "" for all. is_exact: whether no wire has a tolerance. stretch: text of the
+    needed stretch.
     """
     which = f"Lengths of {names}" if names else "Lengths"
     kept = "exact" if is_exact else "exact or within their tolerance"
@@ -76,7 +78,7 @@ def needs_stretch(names: str, is_exact: bool, stretch: str) -> str:
 
 
 def by_way(across: float, along: float) -> str:
-    """Return "12% across and 5.0% along"."""
+    """Return a text such as "12% across and 5.0% along"."""
     return f"{percent_text(across)} across and {percent_text(along)} along"
 
 
@@ -85,7 +87,7 @@ def ready(which: str) -> str:
 
 
 def ready_for_stretch(which: str, stretch: float) -> str:
-    """Return the sentence for a fabric whose maximum stretch is unknown. stretch: the largest that the pieces need."""
+    """Return the sentence for a fabric with unknown maximum stretch. stretch: largest stretch that the pieces need."""
     return f"Ready to cut from fabric that stretches at least {percent_text(stretch)}: {which}"
 
 
@@ -94,7 +96,7 @@ def ready_for_any(which: str) -> str:
 
 
 def ignored(makers: Sequence[str]) -> str:
-    """Return the sentence. makers: "modifiers", "shape keys"."""
+    """Return the sentence about ignored parts of the model. makers: "modifiers", "shape keys" or both."""
     return f"{' and '.join(makers).capitalize()} were ignored, so sizes differ from what you see"
 
 
@@ -104,14 +106,14 @@ def too_narrow(names: str, is_one: bool) -> str:
 
 
 def needs_text(threads: Threads) -> str:
-    """Return "4.0% across and 2.0% along (shear 18°)"."""
+    """Return a text such as "4.0% across and 2.0% along (shear 18°)"."""
     return f"{by_way(threads.across, threads.along)} (shear {math.degrees(threads.shear):.0f}°)"
 
 
 def strain_text(stretch: float, compression: float) -> str:
-    """Return "stretched" or "compressed", or both if the two shares of the flat length are similar.
+    """Return "stretched" or "compressed", or "stretched and compressed" if both fractions are similar.
 
-    The text has no figure, because a second figure beside that of the piece would be confusing.
+    The text has no figure, because a second figure beside the figure of the piece would confuse readers.
     """
     strains = {"stretched": stretch, "compressed": compression}
     return " and ".join(word for word, share in strains.items() if share >= LESSER * max(strains.values()))

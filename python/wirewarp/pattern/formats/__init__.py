@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""All kinds of files that a pattern can be written to, and the function that writes them."""
+"""All kinds of files for patterns, and the function that writes a file."""
 
 from collections.abc import Mapping
 from inspect import signature
@@ -23,14 +23,14 @@ FORMATS = {each.suffix: each for each in (PDF_FORMAT, SVG_FORMAT, DXF_FORMAT, PL
 
 
 def writing(pattern: PatternData, path: Path, options: Mapping[str, Any]) -> Steps[Written]:
-    """Do the work of Pattern.write in steps."""
+    """Do the work of Pattern.write() in steps."""
     chosen = FORMATS.get(path.suffix.lower())
     if chosen is None:
         raise problem(f'"{path.name}" must end in one of {", ".join(FORMATS)}: other files cannot be written.')
     known = list(signature(chosen.write).parameters)[2:]
     for name in options:
         if name not in known:
-            raise problem(f"{path.suffix} files have no option {name!r}; they have {' and '.join(known) or 'none'}.")
+            raise problem(f"{path.suffix} files have no option {name!r}. Their options: {', '.join(known) or 'none'}.")
     drawn = pattern
     if chosen.is_along_cloth and pattern.marker:
         drawn = pattern.placed(Motion(np.array([0.0, pattern.marker.width]), -90.0))

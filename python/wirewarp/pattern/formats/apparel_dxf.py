@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""DXF for apparel CAD: ASTM D6673 as AccuMark reads it, and AAMA-292 as CLO and Optitex do.
+"""Writes DXF for apparel CAD: ASTM D6673 as AccuMark reads it, and AAMA-292 as CLO and Optitex read it.
 
-One block per piece, numbered layers, and polylines that are closed both by a flag and by a repeated point, as in files
-of those programs.
+Each piece is a block with numbered layers. Polylines are closed both by a flag and by a repeated point, as in files
+that these programs write.
 """
 
 import math
@@ -18,16 +18,16 @@ from ..sheet.drawing import LOOKS, WIRES
 from ..units import INCH
 from .dxf_tags import Tags, block_names, escaped_text, plain_text, section
 
-LONGEST_NAME = 20  # AccuMark cuts off longer names
-CORNER = math.radians(30)  # radians; points where the outline turns more are turn points, others are curve points
+LONGEST_NAME = 20  # number of letters; AccuMark cuts off longer names
+CORNER = math.radians(30)  # radians; where the outline turns more, a point is a turn point, otherwise a curve point
 TURN_POINT, CURVE_POINT = "2", "3"
-NOTCH_WIDTH = 2.0  # millimeters, at the edge
-TEXT_HEIGHT = 5.0
-CONTROL = 100.0  # millimeters: side of the square that shows the unit
+NOTCH_WIDTH = 2.0  # millimeters at the edge of the piece
+TEXT_HEIGHT = 5.0  # millimeters
+CONTROL = 100.0  # millimeters: side of the control square
 
 
 def apparel_dxf(pattern: PatternData, is_aama: bool, control_square: bool) -> Steps[tuple[str, list[str]]]:
-    """Return the file, and sentences about names that could not be kept."""
+    """Return the text of the file, and sentences about names that were changed."""
     writer = _Writer(pattern, is_aama)
     names = block_names([piece.name for piece in pattern.pieces], LONGEST_NAME)
     blocks: list[Tags] = []
@@ -48,7 +48,7 @@ def apparel_dxf(pattern: PatternData, is_aama: bool, control_square: bool) -> St
 
 
 def _legible(text: str, otherwise: str) -> str:
-    """Return the text in ASCII, or the other text if none of its letters are in ASCII."""
+    """Return the text in ASCII, or `otherwise` if none of its letters can be written in ASCII."""
     plain = plain_text(text)
     return plain if plain.strip(" ?") else otherwise
 
@@ -68,7 +68,7 @@ class _Writer:
         return key.upper() if self._is_aama else key
 
     def style(self) -> Tags:
-        """Write the data of the whole pattern as texts of layer 1."""
+        """Return the data of the whole pattern, as texts on layer 1."""
         tags = self._tags()
         fields = {
             "Style Name": _legible(self._pattern.title, "PATTERN"),
@@ -97,7 +97,7 @@ class _Writer:
         fields |= {"Size": "1"} if self._is_aama else {}
         middle = piece.bounds[0] + piece.size / 2
         self._add_fields(tags, fields, middle)
-        # DXF has no entity for leaders
+        # apparel DXF has no entity for leader lines
         for line in (line for line in piece.lines if line.role not in LEADERS.values()):
             self._add_line(tags, line.role, line.points, line.closed)
         for point in piece.points:
@@ -116,7 +116,7 @@ class _Writer:
         return tags
 
     def control(self) -> Tags:
-        """Write a square whose side shows the unit, whatever unit the file declares."""
+        """Return the block of the control square. Its side shows the unit of the file after import."""
         tags = self._opened("CONTROL_100MM")
         square = CONTROL * np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]) - (2 * CONTROL, 0)
         tags.polyline("1", square, closed=True, repeat=True)
@@ -135,18 +135,18 @@ class _Writer:
             tags.text("1", f"{self._key(key)}: {value}".rstrip(), place, TEXT_HEIGHT)
 
     def _add_line(self, tags: Tags, role: str, points: np.ndarray, closed: bool) -> None:
-        layer = LOOKS[WIRES["rigid"] if role == "wire" else role].dxf_layer  # all kinds of wire look the same
+        layer = LOOKS[WIRES["rigid"] if role == "wire" else role].dxf_layer  # all kinds of wires have the same layer
         if role in ("grain", "fold"):
             tags.line(layer, points)
             if role == "grain":
-                tags.line("5", points)  # the reference line of grading
+                tags.line("5", points)  # as the reference line for grading
             return
-        # The piece is a half. For AccuMark, its outline closes along the fold, without the flag for closed lines.
+        # An open cutting line belongs to a half piece. For AccuMark, it ends at its first point, without a closed flag.
         if role == "cut" and not closed:
             points = np.concatenate([points, points[:1]])
         tags.polyline(layer, points, closed, repeat=True)
         if role == "sew" and self._is_aama:
-            tags.polyline("8", points, closed, repeat=True)  # ASTM added layer 14
+            tags.polyline("8", points, closed, repeat=True)  # AAMA has no layer 14 for stitching lines
         self._add_kinds_of_points(tags, points, closed)
 
     def _add_kinds_of_points(self, tags: Tags, points: np.ndarray, closed: bool) -> None:

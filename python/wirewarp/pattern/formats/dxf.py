@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A pattern as DXF: in the dialects of apparel CAD, or as outlines on named layers."""
+"""Writes a pattern as DXF: in the dialects of apparel CAD, or as outlines on named layers."""
 
 from pathlib import Path
 
@@ -15,20 +15,20 @@ from .file_format import Choice, Format, Option
 from .read_back import read_dxf
 
 DIALECTS = (
-    Choice("astm", "Clothing: ASTM", "Layers by number, as AccuMark reads them"),
-    Choice("aama", "Clothing: AAMA", "Layers by number, as CLO and Optitex read them"),
+    Choice("astm", "Clothing: ASTM", "Numbered layers, for AccuMark"),
+    Choice("aama", "Clothing: AAMA", "Numbered layers, for CLO and Optitex"),
     Choice("plain", "Lasers and drawing", "Outlines on named layers, in millimeters"),
 )
-DECIMALS = 4
+DECIMALS = 4  # of coordinates in millimeters
 
 
 def write_dxf(
     path: Path, pattern: PatternData, dialect: str = "astm", control_square: bool = False
 ) -> Steps[tuple[int, list[str]]]:
-    """Write the file. Return 1, and sentences about lost data.
+    """Write the file in steps. Return 1 for one page, and sentences about names that were changed.
 
     dialect: "astm" for AccuMark and most apparel CAD, "aama" for CLO and Optitex, "plain" for lasers and drawing
-    programs. control_square: for apparel DXF, adds a block with a square of 100 mm, whatever unit the reader assumes.
+    programs. control_square: whether to add a block with a square of 100 mm to apparel DXF.
     """
     changed: list[str] = []
     if dialect == "plain":
@@ -87,7 +87,7 @@ DXF_FORMAT = Format(
     write_dxf,
     read_dxf,
     options=(
-        Option("dialect", "For", "Which programs read it", DIALECTS),
+        Option("dialect", "For", "Kind of programs that read the file", DIALECTS),
         Option(
             "control_square",
             "Control Square",

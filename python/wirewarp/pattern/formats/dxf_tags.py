@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""DXF of AutoCAD's release 12, which every reader supports: pairs of a group code and a value, one per line."""
+"""Writes DXF of AutoCAD release 12, which every reader supports: group codes and values on alternate lines."""
 
 import re
 import unicodedata
@@ -10,14 +10,14 @@ import numpy as np
 
 
 def plain_text(text: str) -> str:
-    """Return the text in ASCII: without accents, and with question marks for other letters."""
+    """Return the text in ASCII, without accents, and with a question mark for each letter that ASCII lacks."""
     letters = unicodedata.normalize("NFKD", text.replace("ß", "ss"))
     kept = "".join(letter for letter in letters if not unicodedata.combining(letter))
     return re.sub(r"[^\x20-\x7e]", "?", kept)
 
 
 def escaped_text(text: str) -> str:
-    r"""Return plain_text(), but with AutoCAD's release 12 escapes for letters outside ASCII, such as \U+8896."""
+    r"""Return the text in ASCII, without accents, and with AutoCAD's escapes such as \U+8896 for other letters."""
     escaped = [f"\\U+{ord(letter):04X}" if ord(letter) < 0x10000 else "?" for letter in text]
     plain = [plain_text(letter) for letter in text]
     return "".join(
@@ -26,8 +26,8 @@ def escaped_text(text: str) -> str:
 
 
 def block_names(names: list[str], longest: int) -> list[str]:
-    """Return unique block names of capitals, digits and underscores within AutoCAD's length. A name without such
-    characters becomes PIECE_3, with the number of the piece."""
+    """Return unique block names of at most `longest` capitals, digits and underscores. A name without such letters
+    becomes PIECE_3, with the number of the piece."""
     found: list[str] = []
     for number, name in enumerate(names, start=1):
         plain = re.sub(r"[^A-Z0-9]+", "_", plain_text(name).upper()).strip("_")[:longest] or f"PIECE_{number}"
@@ -39,7 +39,7 @@ def block_names(names: list[str], longest: int) -> list[str]:
 
 
 class Tags:
-    """Entities of a file or of a block. decimals: number of decimals in coordinates; scale: units per millimeter."""
+    """Entities of a file or of a block. decimals: number of decimals in coordinates; scale: units in a millimeter."""
 
     def __init__(self, decimals: int, scale: float = 1.0) -> None:
         self._lines: list[str] = []
@@ -56,12 +56,12 @@ class Tags:
         return f"{round(float(millimeters) * self._scale, self._decimals) + 0.0:.{self._decimals}f}"  # no -0
 
     def at(self, point: np.ndarray, first: int = 10, z: float | None = None) -> list[tuple[int, str]]:
-        """Write the pairs of a point. first: code of x."""
+        """Return the pairs (group code, value) of a point (2,). first: group code of x."""
         pairs = [(first, self.number(point[0])), (first + 10, self.number(point[1]))]
         return pairs if z is None else [*pairs, (first + 20, self.number(z))]
 
     def polyline(self, layer: str, points: np.ndarray, closed: bool, repeat: bool = False) -> None:
-        """Write a polyline. repeat: end a closed line with its first point again, for readers that ignore the flag."""
+        """Add a polyline. repeat: whether a closed line ends with its first point, for readers that ignore the flag."""
         corners = np.concatenate([points, points[:1]]) if closed and repeat else points
         self.add((0, "POLYLINE"), (8, layer), (66, 1), (70, int(closed)), *self.at(np.zeros(2), z=0.0))
         for corner in corners:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Describes a kind of file. Commands, dialogs and tests read the descriptions, so they need no format by name."""
+"""Describes a kind of file. Commands, dialogs and tests use the descriptions, so they do not know single formats."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
@@ -11,7 +11,7 @@ import numpy as np
 from ..pattern_data import PatternData
 from ..progress import Steps
 
-Writer = Callable[..., Steps[tuple[int, list[str]]]]  # (path, pattern, **options) -> number of pages, warnings
+Writer = Callable[..., Steps[tuple[int, list[str]]]]  # (path, pattern, **options) -> (number of pages, warnings)
 
 
 class Choice(NamedTuple):
@@ -22,13 +22,13 @@ class Choice(NamedTuple):
 
 @dataclass(frozen=True)
 class Option:
-    """A keyword argument of the writer, which dialogs show as a setting."""
+    """An option of the writer, which dialogs show as a setting."""
 
     name: str
     label: str
     description: str
     choices: tuple[Choice, ...] = ()  # the first choice is the default; without choices, the option is on or off
-    unless: tuple[str, str] | None = None  # another option, and the value with which it disables this one
+    unless: tuple[str, str] | None = None  # (name, value) of another option; with this value, it disables this option
 
 
 @dataclass(frozen=True)
@@ -37,9 +37,9 @@ class Format:
     label: str
     description: str
     write: Writer
-    # outlines (k,2) in millimeters, read by code that no writer uses
+    # returns the cutting lines (k,2) in millimeters, and shares no code with the writers
     read_cut_lines: Callable[[Path], Iterator[np.ndarray]]
     options: tuple[Option, ...] = ()
     has_pages: bool = False  # whether the writer also accepts `paper` and `keep_places`
-    is_along_cloth: bool = False  # whether markers are drawn with x along the cloth
-    size_of: Callable[[PatternData], np.ndarray] = lambda pattern: pattern.size  # (2,) size of a file without pages
+    is_along_cloth: bool = False  # whether x is along the fabric in markers
+    size_of: Callable[[PatternData], np.ndarray] = lambda pattern: pattern.size  # returns (2,), for files without pages

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A pattern as HPGL for plotters: 40 units per millimeter, one pen for each kind of line, x along the roll."""
+"""Writes a pattern as HPGL for plotters, with one pen for each kind of line, and with x along the roll."""
 
 from pathlib import Path
 
@@ -11,13 +11,16 @@ from ..sheet.drawing import Stroke, strokes_of
 from .file_format import Format
 from .read_back import read_plt
 
-UNITS = 40  # per millimeter
-AT_ONCE = 100  # points in one command, because plotters have room for short command lines only
+UNITS = 40  # units of HPGL in a millimeter
+AT_ONCE = 100  # number of points in one command, because some plotters can store only short commands
 CUT_PEN = 1
 
 
 def write_plt(path: Path, pattern: PatternData) -> Steps[tuple[int, list[str]]]:
-    """Write the strokes by pen, cut lines last. Texts are left out, because HPGL uses the plotter's own letters."""
+    """Write the file in steps, pen by pen, with cutting lines last. Return 1 for one page, and no warnings.
+
+    Texts are left out, because HPGL would use the plotter's own letters.
+    """
     strokes: list[Stroke] = []
     for number, piece in enumerate(pattern.pieces):
         yield "writing", number / len(pattern.pieces)

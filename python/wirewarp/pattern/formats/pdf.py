@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A pattern as PDF: sheets to tape together, a roll for a plotter, or one page for a projector."""
+"""Writes a pattern as PDF: sheets to tape together, a roll for a plotter, or one page for a projector."""
 
 from dataclasses import replace
 from pathlib import Path
@@ -25,12 +25,12 @@ Paper = str | float | None
 def write_pdf(
     path: Path, pattern: PatternData, paper: Paper = None, proof: bool = False, keep_places: bool = False
 ) -> Steps[tuple[int, list[str]]]:
-    """Write the file. Return the number of pages, and sentences about texts that could not be drawn.
+    """Write the file in steps. Return the number of pages, and sentences about texts that could not be drawn.
 
     paper: "a4", "letter", "a4-letter" (fits both), "a3", "tabloid", "a0", "36in", "24in", "projector", or the width of
-    a roll in millimeters. None: A4, and for a marker a roll of the necessary width. proof: adds pages with every piece,
-    finished measures, both sides of every seam, and a sewing order. keep_places: pieces keep their places on sheets
-    and rolls, too; otherwise they are in rows.
+    a roll in millimeters. None means A4, or for a marker a roll of the necessary width. proof: whether to add pages
+    with all pieces, finished measures, all seams, and a sewing order. keep_places: whether pieces keep their places on
+    sheets and rolls; otherwise they are arranged anew.
     """
     planned = yield from _with_texts_on_sheets(plan(pattern, paper, keep_places))
     document = Document(pattern.title or "Pattern", [*LAYERS, *planned.layers], planned.hidden)
@@ -60,20 +60,20 @@ def write_pdf(
 def page_sizes(
     pattern: PatternData, paper: Paper = None, proof: bool = False, keep_places: bool = False
 ) -> list[np.ndarray]:
-    """Return width and height (2,) in millimeters of each page that write_pdf would write. Raises the same
-    FlattenError."""
+    """Return width and height (2,) in millimeters of each page that write_pdf() would write. Raises FlattenError for a
+    pattern that does not fit on the paper."""
     size = _proof_size(paper)
     sizes = [sheet.paper for sheet in plan(pattern, paper, keep_places).all_sheets]
     return sizes + ([size] * len(proof_pages(pattern, size)) if proof else [])
 
 
 def _proof_size(paper: Paper) -> np.ndarray:
-    """Return the size of the sheet if the pattern is printed at home, otherwise A4."""
+    """Return the size (2,) of a proof page in millimeters: the paper, or A4 if the paper is not a sheet."""
     return np.array(SHEETS[paper if isinstance(paper, str) and paper in SHEETS else "a4"])
 
 
 def _add_forms(document: Document, planned: Plan[PatternData]) -> Steps[list[str]]:
-    """Add one form per piece. Return sentences about texts that could not be drawn."""
+    """Add one form (a shared drawing) per piece, in steps. Return sentences about texts that could not be drawn."""
     left_out = []
     pieces = planned.pattern.pieces
     for index, piece in enumerate(pieces):
@@ -86,7 +86,7 @@ def _add_forms(document: Document, planned: Plan[PatternData]) -> Steps[list[str
 
 
 def _with_texts_on_sheets(planned: Plan[PatternData]) -> Steps[Plan[PatternData]]:
-    """Place the texts again, each on a single sheet if there is room."""
+    """Return the plan with its texts placed again, in steps. Each text is on a single sheet if there is room."""
     if planned.text_sheets is None:
         return planned
     pattern, pieces = planned.pattern, list[PatternPiece]()
@@ -101,7 +101,7 @@ def _with_texts_on_sheets(planned: Plan[PatternData]) -> Steps[Plan[PatternData]
             if np.all(line.min(axis=0) < high[index]) and np.all(line.max(axis=0) > low[index])
         ]
         can_cross = borders or any(text.is_beside for text in piece.texts)
-        if can_cross and piece.of_role("sew") and piece.texts:  # without their lines, the names would refer to nothing
+        if can_cross and piece.of_role("sew") and piece.texts:  # names need their stitching lines
             near = np.all((low - BORDER < high[index]) & (high + BORDER > low[index]), axis=1)
             others = [line for n in np.flatnonzero(near) if n != index for line in cut[n]]
             sheets = planned.text_sheets._replace(borders=borders, others=[*others, *beside])
@@ -134,7 +134,7 @@ PDF_FORMAT = Format(
         Option(
             "proof",
             "Proof Sheet",
-            "Add last sheets with tables of all pieces, finished measures and seams, and an order to sew them in",
+            "Add sheets at the end with all pieces, finished measures and seams, and a sewing order",
         ),
     ),
     has_pages=True,

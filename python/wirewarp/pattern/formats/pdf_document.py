@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A PDF document with named layers, in millimeters. pydyf writes the objects of the format."""
+"""Writes a PDF document with named layers, in millimeters. pydyf writes the objects of the format."""
 
 from collections.abc import Iterable, Sequence
 from pathlib import Path
@@ -13,11 +13,11 @@ from ..label.text_place import LINE
 from ..model import Text
 from ..sheet.drawing import Stroke, letters_baselines
 
-POINT = 72 / 25.4  # units of PDF per millimeter
+POINT = 72 / 25.4  # units of PDF in a millimeter
 
 
 class Content:
-    """A stream of drawing commands in millimeters. thinnest: width of its thinnest line."""
+    """A stream of drawing commands in millimeters. thinnest: least width of its lines."""
 
     def __init__(self, thinnest: float = 0.0) -> None:
         self._thinnest = thinnest
@@ -65,7 +65,7 @@ class Content:
         return "\n".join(parts)
 
     def _outlines(self, line: str, middle: np.ndarray, along: np.ndarray) -> str:
-        """Return letters that are not Latin as filled outlines. along (2,): direction and height of the text."""
+        """Return commands for non-Latin letters as filled outlines. along (2,): direction and height of the text."""
         try:
             drawn = line_of(line)
         except NoLettersError as error:
@@ -79,10 +79,10 @@ class Content:
 
 class Document:
     def __init__(self, title: str, layers: Sequence[str], hidden: Sequence[str] = ()) -> None:
-        """Begin a document. hidden: layers that a reader shows only on request."""
+        """Begin a document. hidden: layers that are off until the reader turns them on."""
         self.page_count = 0
         self._pdf = pydyf.PDF()
-        # a text that was shortened may end in half a surrogate pair
+        # a shortened title may end in half a surrogate pair
         whole = title.encode("utf-16", "replace").decode("utf-16")
         self._pdf.info["Title"] = pydyf.String(whole)
         self._pdf.info["Creator"] = pydyf.String("WireWarp")
@@ -101,14 +101,14 @@ class Document:
         properties = {"OCGs": pydyf.Array(references.values()), "D": pydyf.Dictionary(default)}
         self._pdf.catalog["OCProperties"] = pydyf.Dictionary(properties)
         self._pdf.catalog["PageMode"] = "/UseOC"
-        # printed without "fit to page"
+        # the print dialog does not scale the pages
         self._pdf.catalog["ViewerPreferences"] = pydyf.Dictionary({"PrintScaling": "/None"})
         shown = pydyf.Dictionary({_key(layer): reference for layer, reference in references.items()})
         self._resources = {"Properties": shown, "Font": pydyf.Dictionary({"F": self._font.reference})}
         self._forms: dict[str, bytes] = {}
 
     def add_form(self, name: str, content: Content, low: np.ndarray, high: np.ndarray) -> None:
-        """Add a drawing that several pages share. low, high: its box, including the width of lines."""
+        """Add a drawing that several pages share. low, high (2,): corners of its box, including the width of lines."""
         extra = {
             "Type": "/XObject",
             "Subtype": "/Form",
@@ -120,7 +120,7 @@ class Document:
         self._forms[name] = form.reference
 
     def add_page(self, size: np.ndarray, content: Content) -> None:
-        """Add a page. size (2,): width and height; the content's origin is the lower left corner."""
+        """Add a page. size (2,): width and height. The origin of the content is the lower left corner of the page."""
         scaled = pydyf.Stream([f"{POINT:.12f} 0 0 {POINT:.12f} 0 0 cm".encode(), content.data()], compress=True)
         self._pdf.add_object(scaled)
         resources = self._resources | {"XObject": pydyf.Dictionary(self._forms)}

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Reads the outlines back from a file, as the program of a plotter would, and compares them with the pattern.
+"""Reads the cutting lines from a written file, as a plotter's program would, and compares them with the pattern.
 
-Shares no code with the writers.
+This module shares no code with the writers.
 """
 
 import math
@@ -17,16 +17,16 @@ from ..progress import Steps
 
 INCH = 25.4
 NUMBER = r"-?[\d.]+"
-WORST = 0.02  # millimeters; half a unit of HPGL is 0.0125 mm in each direction, and all other formats are finer
+WORST = 0.02  # millimeters; HPGL rounds by up to 0.0125 mm in each direction, and all other formats are finer
 
 QUARTER_TURNS = [np.linalg.matrix_power(np.array([[0.0, 1.0], [-1.0, 0.0]]), count) for count in range(4)]
 
 
 def check(found: Iterator[np.ndarray], outlines: Sequence[np.ndarray]) -> Steps[float]:
-    """Return the distance in millimeters of the worst point in the file from the outlines (k,2).
+    """Return the largest distance in millimeters between a point in the file and its place in the outlines (k,2).
 
-    Places and quarter turns of outlines are not compared, because packing on sheets changes them. Raises RuntimeError
-    if the file has other outlines or a larger distance.
+    Places and quarter turns of whole outlines are ignored, because packing on sheets changes them. Raises RuntimeError
+    if the file has other outlines, or a distance above WORST.
     """
     waiting = [_normalized(outline) for outline in outlines]
     worst, count = 0.0, 0
@@ -43,7 +43,7 @@ def check(found: Iterator[np.ndarray], outlines: Sequence[np.ndarray]) -> Steps[
 
 
 def _nearest(found: np.ndarray, waiting: Sequence[np.ndarray]) -> tuple[float, int]:
-    """Return the distance to the first outline that fits, and its index. If none fits, use the nearest outline."""
+    """Return the distance to the first outline within WORST, and its index. If there is none, use the nearest."""
     best, place = math.inf, -1
     for number, outline in enumerate(waiting):
         if len(outline) == len(found):

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A pattern as an SVG file in actual size: one unit is one millimeter.
+"""Writes a pattern as an SVG file in actual size: one unit is one millimeter.
 
-Each piece is a group, with a layer of Inkscape for each kind of line. Each kind also has its own color, which cutters
-and plotters use to distinguish lines.
+Each piece is a group, with a layer of Inkscape for each kind of line. Each kind also has its own color, by which
+cutters and plotters distinguish lines.
 """
 
 import re
@@ -28,19 +28,19 @@ DECIMALS = 4  # decimals of the coordinates, which are in millimeters
 NO_CHARACTER = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 
 
-PIXEL = 25.4 / 96  # millimeters, as CSS defines it
+PIXEL = 25.4 / 96  # millimeters in a pixel of CSS
 
 
 @dataclass(frozen=True)
 class Preset:
-    """How lines look in files for a kind of program."""
+    """The look of lines in files for one kind of program."""
 
     label: str
     description: str
     stroke: float | None = None  # width of all lines in millimeters; None: each line has its own width
     has_texts: bool = True
     has_dashes: bool = True
-    # whether lengths are in pixels, 96 per inch, without a viewBox, because some programs ignore a viewBox
+    # whether lengths are in pixels (96 per inch) and the file has no viewBox, which some programs ignore
     in_pixels: bool = False
 
 
@@ -65,7 +65,7 @@ PRESETS = {
 
 
 def write_svg(path: Path, pattern: PatternData, preset: str = "print") -> Steps[tuple[int, list[str]]]:
-    """Write the file. preset: a key of PRESETS; pixels are 1/96 in."""
+    """Write the file in steps. Return 1 for one page, and no warnings. preset: a key of PRESETS."""
     if preset not in PRESETS:
         raise problem(f"preset is {preset!r}: give {', '.join(map(repr, PRESETS))}.")
     ElementTree.register_namespace("", SVG)
@@ -77,13 +77,16 @@ def write_svg(path: Path, pattern: PatternData, preset: str = "print") -> Steps[
 
 
 def page_size(pattern: PatternData) -> np.ndarray:
-    """Return width and height (2,) in millimeters, including the test square."""
+    """Return width and height (2,) of the file in millimeters, including the test square."""
     return _page(pattern.size, pattern.units.square[0])[0]
 
 
 def _page(pieces: np.ndarray, side: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return the size of the page, and the lower left corners of the pieces and of the test square, with y upwards. The
-    square is to the right of the pieces or below them, whichever needs less paper."""
+    """Return the size of the page, and the lower left corners of the pieces and of the test square, with y upwards.
+
+    pieces (2,): size of all pieces together; side: side of the square. All lengths are in millimeters. The square is to
+    the right of the pieces or below them, whichever needs less paper.
+    """
     width, height = pieces
     beside = np.array([width + MARGIN + side, max(height, side)])
     below = np.array([max(width, side), height + MARGIN + side])
@@ -118,7 +121,7 @@ def _document(pattern: PatternData, preset: Preset) -> Steps[ElementTree.Element
 
 
 class _Drawing:
-    """Takes coordinates with y upwards and the origin in the page's lower left corner. On the page, y is downwards."""
+    """Draws on a page whose y points down. Its methods use y upwards, from the lower left corner of the page."""
 
     def __init__(self, root: ElementTree.Element, height: float, preset: Preset) -> None:
         self._root, self._height, self._preset = root, height, preset
@@ -130,7 +133,7 @@ class _Drawing:
         _add(group, "title").text = piece.name
         drawn = piece if self._preset.has_texts else piece.without_texts_beside()
         strokes = list(strokes_of(drawn))
-        for label in reversed(LAYERS):  # the cut line is drawn last
+        for label in reversed(LAYERS):  # the cutting line is drawn last
             own = [stroke for stroke in strokes if stroke.look.layer == label]
             texts = [text for text in piece.texts if LOOKS[text.role].layer == label and self._preset.has_texts]
             if own or texts:
@@ -151,7 +154,7 @@ class _Drawing:
     def _add_path(self, layer: ElementTree.Element, stroke: Stroke) -> None:
         down = (stroke.points * (1, -1) + (0, self._height)) / self._unit
         corners = " ".join(f"{x:.{DECIMALS}f},{y:.{DECIMALS}f}" for x, y in down)
-        # Every line has its own attributes, because the programs of many cutters ignore style sheets and attributes of
+        # Every line has its own attributes, because many programs for cutters ignore style sheets and attributes of
         # groups.
         width = (self._preset.stroke or stroke.look.stroke) / self._unit
         look = {"fill": "none", "stroke": stroke.look.color, "stroke-width": f"{width:.3g}"}
@@ -186,7 +189,7 @@ def _add(parent: ElementTree.Element, tag: str, **attributes: str) -> ElementTre
 
 
 def _free_id(name: str, taken: set[str]) -> str:
-    """Return the name as a unique id of XML: without spaces, and not beginning with a digit."""
+    """Return the name as a unique id for XML: without spaces, and without a digit at the beginning. Add it to taken."""
     plain = re.sub(r"[^\w.-]", "_", name)
     plain = plain if re.match(r"[^\W\d]", plain) else f"_{plain}"
     free, number = plain, 2
@@ -206,7 +209,7 @@ SVG_FORMAT = Format(
         Option(
             "preset",
             "For",
-            "How the lines look",
+            "Programs that read the file",
             tuple(Choice(name, each.label, each.description) for name, each in PRESETS.items()),
         ),
     ),

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Orders the letters of a line that mixes directions, by Unicode's bidirectional algorithm (UAX 9).
+"""Orders the letters of a line with several directions, by Unicode's bidirectional algorithm (UAX 9).
 
-Python has the classes of all letters but not the algorithm, and HarfBuzz needs runs of one direction. Explicit
-formatting characters are treated like marks, because names do not contain them.
+Python knows the classes of all letters but not the algorithm, and HarfBuzz needs runs of one direction. Explicit
+formatting characters are treated like marks, because names of pieces and seams do not contain them.
 """
 
 import unicodedata
@@ -14,7 +14,7 @@ T = TypeVar("T")
 
 
 def levels(letters: Sequence[str]) -> list[int]:
-    """Return the embedding level of each letter. Even levels run from left to right, odd ones from right to left."""
+    """Return the embedding level of each letter. Even levels run from left to right, odd levels from right to left."""
     kinds = [unicodedata.bidirectional(letter) for letter in letters]
     base = int(next((kind for kind in kinds if kind in STRONG), "L") != "L")
     outer = "LR"[base]
@@ -29,8 +29,8 @@ def levels(letters: Sequence[str]) -> list[int]:
 
 
 def in_visual_order(runs: Sequence[T], run_levels: Sequence[int]) -> list[T]:
-    """Return the runs from left to right. Rule L2 reverses each sequence from the highest level to the lowest odd
-    one."""
+    """Return the runs in their order from left to right. By rule L2, sequences of runs are reversed, beginning with the
+    highest level and ending with the lowest odd level."""
     order = list(range(len(runs)))
     for level in range(max(run_levels, default=0), 0, -1):
         begin = None
@@ -44,14 +44,14 @@ def in_visual_order(runs: Sequence[T], run_levels: Sequence[int]) -> list[T]:
 
 
 def _above(base: int, kind: str) -> int:
-    """Return how far the level is above the level of the line, by rules I1 and I2."""
+    """Return the difference between the level of a letter and the level of its line, by rules I1 and I2."""
     if base == 0:
         return {"R": 1, "EN": 2, "AN": 2}.get(kind, 0)
     return int(kind != "R")
 
 
 def _weak(kinds: Sequence[str], outer: str) -> list[str]:
-    """Apply rules W1 to W7: numbers and the signs that belong to them."""
+    """Return the classes after rules W1 to W7, which resolve numbers and the signs that belong to numbers."""
     found = list(kinds)
     strong, before = outer, outer
     for row, kind in enumerate(kinds):
@@ -77,7 +77,7 @@ def _weak(kinds: Sequence[str], outer: str) -> list[str]:
 
 
 def _settle_brackets(letters: Sequence[str], kinds: Sequence[str], weak: list[str], outer: str) -> None:
-    """Apply rule N0: both brackets of a pair get the direction of the letters between or before them."""
+    """Apply rule N0 to `weak`: both brackets of a pair get the direction of the letters inside or before the pair."""
     for begin, end in sorted(_bracket_pairs(letters, weak)):
         inside = {_direction(kind) for kind in weak[begin + 1 : end]}
         if outer in inside:
@@ -111,13 +111,14 @@ def _bracket_pairs(letters: Sequence[str], weak: Sequence[str]) -> Iterator[tupl
 
 
 def _closing(bracket: str) -> str:
-    """Return the closing bracket: Unicode lists it one or two places after the opening one."""
+    """Return the closing bracket, which Unicode lists one or two places after the opening bracket."""
     following = (chr(ord(bracket) + step) for step in (1, 2))
     return next((letter for letter in following if unicodedata.category(letter) == "Pe"), "")
 
 
 def _neutral(weak: Sequence[str], outer: str) -> list[str]:
-    """Apply rules N1 and N2: spaces and signs get the common direction of both neighbors, or the line's."""
+    """Return the classes after rules N1 and N2: spaces and signs get the common direction of both neighbors, or the
+    direction of the line."""
     found = list(weak)
     for begin, end in _spans(weak, ("B", "S", "WS", "ON")):
         before = _direction(found[begin - 1]) if begin else outer
@@ -127,12 +128,12 @@ def _neutral(weak: Sequence[str], outer: str) -> list[str]:
 
 
 def _direction(kind: str) -> str:
-    """Return "L" or "R" ("R" for numbers), or nothing for signs."""
+    """Return the direction "L" or "R", which is "R" for numbers, or "" for signs."""
     return "R" if kind in NUMBERS else kind if kind in ("L", "R") else ""
 
 
 def _spans(kinds: Sequence[str], wanted: Sequence[str]) -> Iterator[tuple[int, int]]:
-    """Return the start and the end of each run of these kinds."""
+    """Yield the start and the end of each run of the wanted classes."""
     begin = None
     for row in range(len(kinds) + 1):
         if row < len(kinds) and kinds[row] in wanted:

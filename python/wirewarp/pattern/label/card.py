@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The texts on a piece."""
+"""Places the texts on a piece: the card and the names of its lines."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -16,16 +16,16 @@ from .line_names import line_names
 from .room import Room
 from .text_place import place_text
 
-TEXT_HEIGHT, LEAST_HEIGHT = 8.0, 2.5  # millimeters; smaller letters cannot be read on fabric
-SHOWN_NAMES = 2  # more names would make the letters too small
+TEXT_HEIGHT, LEAST_HEIGHT = 8.0, 2.5  # largest and smallest height in millimeters; nobody can read smaller letters
+SHOWN_NAMES = 2  # number of names on a card; with more names, the letters would be too small
 DOWN = np.array([0.0, -1.0])
 
 
 class Sheets(NamedTuple):
     """Sheets of paper below a pattern. Each text stays on one sheet if there is room."""
 
-    boxes: Sequence[Box] = ()  # the areas that the sheets show
-    borders: Sequence[np.ndarray] = ()  # (2,2) lines in the overlaps of neighbors, which no text may cross
+    boxes: Sequence[Box] = ()  # the part of the pattern that each sheet shows
+    borders: Sequence[np.ndarray] = ()  # (2,2) middle lines of the overlaps of sheets, which no text may cross
     others: Sequence[np.ndarray] = ()  # (k,2) closed lines around other pieces and their texts
 
 
@@ -35,8 +35,10 @@ ANYWHERE = Sheets()
 def with_card(
     piece: PatternPiece, number: int, count: int, heading: str, units: UnitSystem, sheets: Sheets = ANYWHERE
 ) -> PatternPiece:
-    """Return the piece with its number and texts: a card for the maker, and names along its lines. The card: heading
-    (style and date), number and total, name, quantity, material, allowance, area."""
+    """Return the piece with its number and texts: a card for the maker, and names along its lines.
+
+    The card contains heading (title and date), number of the piece, name, quantity, material, allowance and area.
+    """
     allowance = units.range_of(piece.allowances)
     includes = "No seam allowance" if allowance == "none" else f"Includes {allowance} allowance"
     place = f"{number} of {count}"
@@ -44,7 +46,7 @@ def with_card(
     lines = (heading, place, name, how_to_cut(piece), piece.material, includes, units.area_text(piece.area))
     outlines = [line.points for line in piece.of_role("cut", "inner_cut")]
     wires, seams, grain = ([line.path for line in piece.of_role(role)] for role in ("wire", "sew", "grain"))
-    # The card crosses the grain arrow rather than other lines, because only the arrow can be moved.
+    # If there is too little room, the card crosses the grain arrow first, because the arrow can be moved.
     kinds = [grain, [*wires, *seams], sheets.borders]
     text = _card([tuple(line for line in lines if line.strip()), (piece.name,), (place,)], outlines, kinds)
     if text:
@@ -71,7 +73,7 @@ def _name_with_copies(piece: PatternPiece) -> str:
 def with_card_anew(
     piece: PatternPiece, count: int, heading: str, units: UnitSystem, sheets: Sheets = ANYWHERE
 ) -> PatternPiece:
-    """Return a changed piece with new texts, of the same kinds as its earlier texts."""
+    """Return a changed piece with its texts placed again. Kinds of texts that it did not have are left out."""
     roles = {text.role for text in piece.texts}
     whole = with_card(piece, piece.number, count, heading, units, sheets)
     left_out = {LEADERS[role] for role in LEADERS if role not in roles}
@@ -83,20 +85,22 @@ def with_card_anew(
 
 
 def _card(cards: list[tuple[str, ...]], outlines: list[np.ndarray], kinds: list[Sequence[np.ndarray]]) -> list[Text]:
-    """Return the card with the most text that can be read; none for a piece that is too small. kinds: as for
-    place_text."""
+    """Return the first card that can be read, or none if the piece is too small for any.
+
+    cards: the lines of each card, the card with the most text first. kinds: as for place_text().
+    """
     texts = (place_text(card, outlines, kinds, TEXT_HEIGHT) for card in cards)
     return next(([text] for text in texts if text.height >= LEAST_HEIGHT), [])
 
 
 def _short_cards(texts: list[str], outlines: list[np.ndarray]) -> list[Text]:
-    """Return short cards at the middle of a piece that is too small to contain them."""
+    """Return a card for each of the texts, at the middle of a piece that is too small for a card inside it."""
     center, _ = innermost_point(outlines, [])
     return [Text((text,), center, LEAST_HEIGHT) for text in texts]
 
 
 def how_to_cut(piece: PatternPiece) -> str:
-    """Return the text for the quantity, with a note on folded or mirrored copies."""
+    """Return the text for the quantity, such as "Cut 1 on the fold" or "Cut 1 pair (2 pieces, one mirrored)"."""
     if piece.on_fold:
-        return f"Cut {sum(piece.quantity)} on the fold"  # opened, each piece is its own mirror image
+        return f"Cut {sum(piece.quantity)} on the fold"  # an opened piece is its own mirror image
     return piece.quantity_text + (" (2 pieces, one mirrored)" if piece.quantity == (1, 1) else "")

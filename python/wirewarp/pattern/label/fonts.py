@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Finds fonts on this computer, and one that has a letter. WOFF2, which Blender uses, needs fonttools."""
+"""Finds a font on this computer that contains a letter. Fonts in WOFF2, as in Blender, need fonttools."""
 
 import io
 import os
@@ -15,7 +15,7 @@ Part = tuple[str, np.ndarray]  # the operator "m", "l", "c" or "h" of PDF, and i
 
 
 class GlyphPen:
-    """A pen of fonttools that records outlines. PDF has only cubic curves."""
+    """A pen, as fonttools defines it, that records outlines as commands of PDF. PDF has only cubic curves."""
 
     def __init__(self) -> None:
         self.parts: list[Part] = []
@@ -44,12 +44,12 @@ class GlyphPen:
 
 SUFFIXES = (".ttf", ".otf", ".ttc", ".woff2")
 NO_TEXT = ("lastresort", "adobeblank")  # names of fonts that draw every letter as a box, or nothing
-STYLES = ("bold", "italic", "oblique", "mono", "serif", "light", "thin", "black", "condensed")  # tried last
+STYLES = ("bold", "italic", "oblique", "mono", "serif", "light", "thin", "black", "condensed")  # fonts to try last
 _folders: list[Path] = []
 
 
 def add_font_folder(folder: str | Path) -> None:
-    """Add a folder that is searched before the system's, for programs with fonts of their own such as Blender."""
+    """Add a folder whose fonts are tried before the fonts of the system, for example the folder of Blender's fonts."""
     if Path(folder) not in _folders:
         _folders.append(Path(folder))
         _files.cache_clear()
@@ -57,10 +57,10 @@ def add_font_folder(folder: str | Path) -> None:
 
 
 class Font:
-    """One face of a file."""
+    """One face of a font file."""
 
     def __init__(self, path: Path, index: int = 0) -> None:
-        """Open the font. Raises the libraries' errors for other files."""
+        """Open the font. Raises errors of the libraries if the file is not a font."""
         self._path, self._index = path, index
         self._outlines: dict[int, list[Part]] = {}
         if path.suffix.lower() == ".woff2":
@@ -74,14 +74,14 @@ class Font:
             self._letters = set(uharfbuzz.Face(blob, index).unicodes)
 
     def has(self, letter: str) -> bool:
-        """Return whether the font has an outline of the letter: emoji fonts contain pictures instead."""
+        """Return whether the font has an outline for the letter. Emoji fonts may have pictures instead."""
         if letter.isspace() or ord(letter) not in self._letters:
             return ord(letter) in self._letters
         glyph = self.shapes.get_nominal_glyph(ord(letter))
         return glyph is not None and bool(self.outline(glyph))
 
     def outline(self, glyph: int) -> list[Part]:
-        """Return the outline in units of the font."""
+        """Return the outline of a glyph, by its index, in units of the font."""
         if glyph not in self._outlines:
             pen = GlyphPen()
             self.shapes.draw_glyph_with_pen(glyph, pen)
@@ -101,7 +101,7 @@ class Font:
 
 @cache
 def font_with(letter: str) -> Font | None:
-    """Return the first font that has the letter."""
+    """Return the first font that has the letter; None if there is none."""
     return next((font for font in map(_font, _files()) if font and font.has(letter)), None)
 
 
@@ -115,8 +115,8 @@ def _font(path: Path) -> Font | None:
 
 @cache
 def _files() -> list[Path]:
-    """Return the files in the order in which they are tried. Plain styles come first, and small files before large
-    ones, because small files open faster."""
+    """Return the font files in the order in which they are tried. Plain styles come first. Of equal styles, small files
+    come before large files, because small files open faster."""
     files = [path for folder in (*_folders, *_system_folders()) for path in _in(folder)]
     return sorted(files, key=lambda path: (any(s in path.name.lower() for s in STYLES), path.stat().st_size, path.name))
 

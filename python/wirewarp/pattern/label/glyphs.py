@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Draws letters of any script as outlines, joined and ordered by HarfBuzz."""
+"""Draws letters of any script as outlines. HarfBuzz joins and orders the letters."""
 
 import unicodedata
 from collections.abc import Iterator, Sequence
@@ -21,13 +21,13 @@ class NoLettersError(Exception):
 
 @dataclass(frozen=True)
 class Line:
-    parts: list[Part]  # outlines that begin at 0, 0 on the base line
+    parts: list[Part]  # outlines in heights of the text, from 0, 0 on the base line
     width: float  # in heights of the text
 
 
 @dataclass(frozen=True)
 class _Run:
-    """Letters of one font and one level."""
+    """Successive letters with one font and one embedding level."""
 
     font: Font
     text: str
@@ -61,7 +61,7 @@ def _runs(letters: Sequence[str], own_levels: Sequence[int]) -> Iterator[_Run]:
 
 
 def _font_of(letter: str, before: Font | None) -> Font:
-    """Return the previous font if it has the letter, otherwise another. Raises NoLettersError."""
+    """Return the font of the previous letter if it has this letter, otherwise another font. Raises NoLettersError."""
     if before and (before.has(letter) or unicodedata.category(letter) in JOINING):
         return before
     found = font_with("n" if letter.isspace() else letter)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Moves the grain arrow of a piece out of a text."""
+"""Moves the grain arrow of a piece to a place beside a text."""
 
 import math
 from collections.abc import Sequence
@@ -13,8 +13,8 @@ from ..model import Line, Text
 from .room import corners, touches
 
 SHORTEST = 10.0  # millimeters; fabric cannot be aligned with a shorter arrow
-BESIDE = 3.0  # millimeters between a text and an arrow; the heads are 2.8 mm wide on each side
-HATCHING = 2.0  # millimeters between lines over a text, so that the search for room finds none in the text
+BESIDE = 3.0  # millimeters between a text and the line of an arrow, whose heads are 2.8 mm wide on each side
+HATCHING = 2.0  # millimeters between lines that fill a text, so that the search finds no room inside the text
 
 
 def grain_beside(
@@ -25,10 +25,10 @@ def grain_beside(
     limits: Sequence[np.ndarray],
     allowance: float,
 ) -> Line:
-    """Return the grain line, moved to the room that the text leaves if it crosses the text.
+    """Return the grain line. If it crosses the text, it is moved to the place beside the text with the most room.
 
-    Without enough room inside the allowance, it keeps its place. outlines: cutting lines; lines_inside and limits: as
-    for grain_line. allowance: the widest of the piece, in millimeters.
+    If there is too little room inside the stitching lines, it keeps its place. outlines: cutting lines; lines_inside
+    and limits: as for grain_line(). allowance: widest allowance of the piece, in millimeters.
     """
     if not touches(text, (grain.points[:1], grain.points[1:]), BESIDE):
         return grain

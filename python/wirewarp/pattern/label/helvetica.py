@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Latin texts in Helvetica, a font that every PDF reader has, so that the file contains no font."""
+"""Encodes and measures Latin texts in Helvetica. Every PDF reader has this font, so files do not contain it."""
 
 import unicodedata
 
-ENCODING = "cp1252"  # PDF calls it WinAnsiEncoding
+ENCODING = "cp1252"  # WinAnsiEncoding in PDF
 # Adobe's widths of the characters from space to tilde, in thousandths of the height.
 WIDTHS = (
     278, 278, 355, 556, 556, 889, 667, 191, 333, 333, 389, 584, 278, 333, 278, 278, 556, 556, 556, 556, 556, 556,
@@ -12,11 +12,11 @@ WIDTHS = (
     556, 500, 556, 556, 278, 556, 556, 222, 222, 500, 222, 833, 556, 556, 556, 556, 333, 500, 278, 556, 500, 722,
     500, 500, 500, 334, 260, 334, 584,
 )  # fmt: skip
-OTHER = 556  # for digits and most letters
+OTHER = 556  # width of all other characters, in thousandths of the height
 
 
 def encoded(text: str) -> bytes | None:
-    """Return the text in the font's encoding, without accents that it lacks; None for another script."""
+    """Return the text in the encoding of the font, if necessary without accents; None for other scripts."""
     for form in (
         text,
         "".join(letter for letter in unicodedata.normalize("NFKD", text) if not unicodedata.combining(letter)),
@@ -29,6 +29,6 @@ def encoded(text: str) -> bytes | None:
 
 
 def width(letters: bytes, height: float) -> float:
-    """Return the width of encoded letters; accents do not change it."""
+    """Return the width of encoded letters in the unit of the height. Accents do not change the width."""
     plain = [unicodedata.normalize("NFD", letter)[0] for letter in letters.decode(ENCODING, errors="replace")]
     return height * sum(WIDTHS[ord(each) - 32] if " " <= each <= "~" else OTHER for each in plain) / 1000

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Places texts beside a piece that has no room for them, with a line that leads to the named place.
+"""Places texts beside a piece that has no room for them. A leader line connects each text with the place it names.
 
-The texts take no room of their own, so the pages are the same as without them.
+The texts are so near to the piece that the pattern needs no more pages.
 """
 
 from collections.abc import Iterable, Iterator, Sequence
@@ -17,11 +17,11 @@ from .room import CLEAR, axes, joined, strokes, touches
 from .text_place import text_width
 
 NEAREST, FARTHEST, STEP = 2.0, 40.0, 0.5  # millimeters from the named line to the middle of the text
-TURNS = (0, 30, -30, 60, -60, 90, -90, 135, -135, 180)  # degrees from the direction straight out, the best first
-# degrees of the text, the easiest to read first. Along a narrow piece, turned text stays close to the piece.
+TURNS = (0, 30, -30, 60, -60, 90, -90, 135, -135, 180)  # degrees from the direction straight out, the best turn first
+# Angles of the text in degrees, the easiest to read first. Turned text stays close to a narrow piece.
 ANGLES = (0.0, 90.0, 45.0, -45.0)
-REACH = GAP / 2  # millimeters beyond the box of the cut lines, so that texts of two pieces in rows do not meet
-# Largest distance from the cut lines. A text within it is on the same sheet, because sheets overlap by more.
+REACH = GAP / 2  # millimeters beyond the box of the cutting lines; texts of two pieces in rows do not meet
+# Largest distance from the cutting lines, in millimeters. Sheets overlap by more, so the text is on the piece's sheet.
 NEAR = OVERLAP - STEP
 
 
@@ -36,8 +36,8 @@ class Beside:
     def __init__(
         self, outlines: Sequence[np.ndarray], sheets: Sequence[Box] = (), others: Sequence[np.ndarray] = ()
     ) -> None:
-        """outlines (k,2): the cut lines. sheets: if given, each text must be on one sheet. others (k,2): closed lines
-        around neighbors."""
+        """Begin without texts. outlines (k,2): cutting lines of the piece. others (k,2): closed lines around neighbors.
+        sheets: if there are any, each text must be on one sheet."""
         self._sheets, self._others = sheets, others
         self._outlines = list(outlines)
         points = np.concatenate(self._outlines)
@@ -46,10 +46,11 @@ class Beside:
         self._texts: list[Text] = []
 
     def lead(self, texts: Iterable[Text], outward: np.ndarray) -> tuple[Text, Line] | None:
-        """Return the first of these texts that has a place outside the piece, and the line from the text to the target.
+        """Return the first text that has a place outside the piece, and its leader line.
 
-        texts: one line each, which did not fit inside. outward (2,): unit vector of the preferred direction. Returns
-        None if no near place is free, because a line far across the piece would look like one of its own lines.
+        texts: alternatives of one line each, centered at the place that they name. outward (2,): unit vector of the
+        preferred direction. Returns None if no near place is free, because a long leader line could be taken for a line
+        of the piece.
         """
         for placed, points in self._choices(texts, outward):
             if self._is_free(placed, points) and self._is_near(placed, points):
@@ -59,7 +60,7 @@ class Beside:
         return None
 
     def _choices(self, texts: Iterable[Text], outward: np.ndarray) -> Iterator[tuple[Text, np.ndarray]]:
-        """Return texts within reach with their leader lines, the best first."""
+        """Yield each text at each place within reach, with its leader line (3,2), the best first."""
         for text in texts:
             centers = self._centers(text.center, outward)
             for angle in ANGLES:
@@ -71,7 +72,7 @@ class Beside:
                     yield replace(placed, center=centers[row]), leaders[row]
 
     def _centers(self, target: np.ndarray, outward: np.ndarray) -> np.ndarray:
-        """Return centers (c,2), the nearest first."""
+        """Return the centers (c,2) of texts to try around the target, the nearest first."""
         nearest = max(NEAREST, float(distances_to(target[None], self._outlines)[0]))
         cosines, sines = np.cos(np.radians(TURNS)), np.sin(np.radians(TURNS))
         ways = np.array([[cosines, -sines], [sines, cosines]]).transpose(2, 0, 1) @ outward
@@ -89,7 +90,7 @@ class Beside:
         return not any(touches(other, (leader[:-1], leader[1:])) for other in self._texts)
 
     def _is_near(self, text: Text, leader: np.ndarray) -> bool:
-        """Return whether the text and its line are near the piece and on the same sheet."""
+        """Return whether the text and its leader line are near the piece and on one sheet."""
         first, last = strokes(text)
         edges = [np.array([first[row], last[row]]) for row in (0, -1)]
         points = np.concatenate([sampled(line, STEP) for line in (leader, *edges)])
@@ -100,8 +101,8 @@ class Beside:
 
 
 def _leaders(text: Text, centers: np.ndarray, target: np.ndarray) -> np.ndarray:
-    """Return for each center (c,2) of the text a line (3,2) that does not cross the letters. The line leads from the
-    target to the nearer end of the letters' top or bottom edge, and along this edge."""
+    """Return a leader line (3,2) for each center (c,2) of the text. It does not cross the letters: it leads from the
+    target to the nearer end of their top or bottom edge, and then along this edge."""
     sides = np.where((target - centers) @ axes(text) > 0, 1, -1)
     along, up = (sides[:, [side]] * axes(text)[:, side] for side in (0, 1))
     edges = centers + (text.height / 2 + 2 * CLEAR) * up

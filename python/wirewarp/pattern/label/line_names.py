@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Names along the lines. Sides that are sewn together have the same number on paper."""
+"""Places the names along lines. Sides that are sewn together have the same number on paper."""
 
 import math
 from collections.abc import Iterator, Sequence
@@ -14,14 +14,16 @@ from .text_place import text_width
 
 # heights of the letters to try, in millimeters; if none fits, the name is placed beside the piece
 HEIGHTS = (4.5, 3.5, 2.5)
-BESIDE = 0.75  # millimeters from a line to the letters of its name
+BESIDE = 0.75  # millimeters between a line and the letters of its name
 ALONG_SEAM = (0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8)  # places along a line to try, as shares of its length
-ALONG_WIRE = (0.3, 0.7, 0.4, 0.6, 0.2, 0.8, 0.5)  # wires often cross in their middles
+ALONG_WIRE = (0.3, 0.7, 0.4, 0.6, 0.2, 0.8, 0.5)  # the middle is last, because wires often cross there
 
 
 def line_names(lines: Sequence[Line], room: Room, beside: Beside) -> tuple[list[Text], list[Line]]:
-    """Return the names of stitching lines, folds and wires: inside the piece, or beside it if there is no room. A line
-    leads to each name beside the piece."""
+    """Return the names of stitching lines, folds and wires, and the leader lines to names beside the piece.
+
+    A name is inside the piece, or beside it if there is no room. If there is no place beside it, the name is left out.
+    """
     named = [line for line in lines if line.name and line.role in ("sew", "fold", "wire")]
     texts, leaders = [], []
     for line in sorted(named, key=lambda line: line.role != "sew"):
@@ -35,7 +37,7 @@ def line_names(lines: Sequence[Line], room: Room, beside: Beside) -> tuple[list[
 
 
 def _out_of_room(line: Line) -> tuple[list[Text], np.ndarray]:
-    """Return the whole and the short name at the middle of the line, and the unit vector (2,) out of the piece."""
+    """Return the whole and the short name at the middle of the line, and the unit vector (2,) away from the piece."""
     middle, along, inside = _place_on(line.path, lengths_along(line.path), 0.5)
     names = dict.fromkeys([line.name, _short(line)])
     return [Text((name,), middle, HEIGHTS[-1], role="line name") for name in names], -inside
@@ -62,8 +64,8 @@ def _choices(line: Line) -> Iterator[Text]:
 
 
 def _place_on(points: np.ndarray, along: np.ndarray, share: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return the point (2,) at this share of a line (k,2), and the unit vectors along the line and into the piece.
-    along (k,): see lengths_along."""
+    """Return the point (2,) at this share of the length of a line (k,2), and the unit vectors (2,) along the line and
+    into the piece. along (k,): the result of lengths_along() for the line."""
     row = int(np.searchsorted(along, share * along[-1], side="right")) - 1
     a, b = points[row : row + 2]
     way = (b - a) / np.linalg.norm(b - a)
@@ -72,6 +74,7 @@ def _place_on(points: np.ndarray, along: np.ndarray, share: float) -> tuple[np.n
 
 
 def _angle(direction: np.ndarray) -> float:
-    """Return the angle in degrees counterclockwise, above -90 and up to 90, so that the text is not upside down."""
+    """Return the angle of a text along this direction (2,), in degrees counterclockwise. The angle is above -90 and at
+    most 90, so that the text is not upside down."""
     angle = math.degrees(math.atan2(direction[1], direction[0]))
     return angle - 180 if angle > 90 else angle + 180 if angle <= -90 else angle

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Finds room in a piece for one more text: inside its outline, and away from lines and other texts."""
+"""Finds room for another text in a piece: inside its outline, and away from lines and other texts."""
 
 import math
 from collections.abc import Iterable
@@ -11,24 +11,25 @@ from ..model import Text
 from .text_place import LINE, text_width
 
 CLEAR = 0.5  # millimeters between a text and its neighbors
-STROKES = np.linspace(-0.5, 0.5, 5)  # number of strokes that represent a text; no other text fits between them
+# Places of the strokes that represent a line of text, in heights of the text. No other text fits between two strokes.
+STROKES = np.linspace(-0.5, 0.5, 5)
 
 Segments = tuple[np.ndarray, np.ndarray]  # first and second ends (s,2) of segments
 
 
 class Room:
-    """The free room in a piece. A text may cross lines if there is no other place, but never outlines or other
-    texts."""
+    """The free room in a piece. If there is no other place, a text may cross lines, but not outlines or other texts."""
 
     def __init__(self, outlines: Iterable[np.ndarray], lines: Iterable[np.ndarray], texts: Iterable[Text]) -> None:
-        """outlines (k,2); lines (k,2): wires, notches and similar lines."""
+        """Begin with the outlines (k,2), lines (k,2) such as wires and notches, and texts of the piece."""
         self._outlines = list(outlines)
         self._outline = joined([(line, np.roll(line, -1, axis=0)) for line in self._outlines])
         self._lines = joined([(line[:-1], line[1:]) for line in lines])
         self._texts = joined([strokes(text) for text in texts])
 
     def take(self, choices: Iterable[Text]) -> Text | None:
-        """Return the first text that fits, and reserve its place; None if none fits."""
+        """Return the first text that fits without crossing a line, or else the first that fits, and reserve its place.
+        Return None if no text fits."""
         found = None
         for text in filter(self._is_inside, choices):
             is_clear = not touches(text, self._lines)
@@ -46,19 +47,19 @@ class Room:
 
 
 def joined(parts: list[Segments]) -> Segments:
-    """Return all of these segments as one set, which may be empty."""
+    """Return all segments together. parts may be empty."""
     first, second = (np.concatenate([np.empty((0, 2)), *(part[end] for part in parts)]) for end in (0, 1))
     return first, second
 
 
 def axes(text: Text) -> np.ndarray:
-    """Return unit vectors (2,2) along the line and up the letters, as columns."""
+    """Return the unit vectors along the lines of a text and up its letters, as the columns of (2,2)."""
     cosine, sine = math.cos(math.radians(text.angle)), math.sin(math.radians(text.angle))
     return np.array([[cosine, -sine], [sine, cosine]])
 
 
 def corners(text: Text, clear: float = 0.0) -> np.ndarray:
-    """Return the corners (4,2) of the box of a text. clear: millimeters of clear room around the text."""
+    """Return the corners (4,2) of the box of a text. clear: millimeters between the text and its box."""
     return text.center + (_half_size(text, clear) * [[-1, -1], [1, -1], [1, 1], [-1, 1]]) @ axes(text).T
 
 
@@ -81,7 +82,7 @@ def strokes(text: Text) -> Segments:
 
 
 def touches(text: Text, segments: Segments, clear: float = CLEAR) -> bool:
-    """Return whether a segment is within `clear` millimeters of the box of a text, by the separating axis theorem."""
+    """Return whether a segment crosses the box of a text with `clear` millimeters around the text."""
     half = _half_size(text, clear)
     a, b = ((ends - text.center) @ axes(text) for ends in segments)
     apart = np.any((np.minimum(a, b) > half) | (np.maximum(a, b) < -half), axis=1)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Finds room for text inside a piece."""
+"""Finds the place with the most room for a text inside a piece."""
 
 import math
 import unicodedata
@@ -10,22 +10,22 @@ import numpy as np
 from ..geometry import innermost_point
 from ..model import Text
 
-WIDE = 3.0  # ratio of width to height of text that the search assumes
+WIDE = 3.0  # ratio of width to height of a text that the search assumes
 LETTER, LINE = 0.62, 1.35  # width of a letter and distance of lines, as shares of the height of the text
-WIDE_LETTER = 1.0  # Chinese and similar letters, and emoji
-NEARLY = 0.6  # share of the height of upright text; horizontal text of at least this height is easier to read
-SMALL = 0.3125  # share of the largest height (2.5 of 8 mm); text crosses lines rather than be smaller
+WIDE_LETTER = 1.0  # width of Chinese and similar letters and of emoji, as a share of the height
+NEARLY = 0.6  # horizontal text is preferred if its height is at least this share of the height of upright text
+SMALL = 0.3125  # share of the largest height (2.5 of 8 mm); if text would be smaller, it may cross lines
 
 
 def place_text(
     lines: tuple[str, ...], outlines: Sequence[np.ndarray], kinds: Sequence[Sequence[np.ndarray]], largest: float
 ) -> Text:
-    """Return the place for the largest text, up to the height `largest`.
+    """Return the text at the place where its letters can be largest, up to the height `largest` in millimeters.
 
-    The text is upright if the piece is too narrow otherwise.
+    The text runs upwards if the piece is too narrow for horizontal text.
 
-    Text never crosses closed outlines. kinds: lines (k,2) inside the piece, in groups. Without enough room beside all
-    lines, the text may cross those of the first group, then also those of the second, and so on.
+    The text never crosses the closed outlines (k,2). kinds: groups of lines (k,2) inside the piece. If there is too
+    little room beside all lines, the text may cross the first group, then also the second group, and so on.
     """
     for crossed in range(len(kinds) + 1):
         text = _place(lines, outlines, [line for kind in kinds[crossed:] for line in kind], largest)
@@ -52,14 +52,14 @@ def _turned(
     angle: float,
 ) -> Text:
     cosine, sine = round(math.cos(math.radians(angle))), round(math.sin(math.radians(angle)))
-    turn = np.array([[cosine, -sine], [sine, cosine]])  # from the text's directions to the piece's
+    turn = np.array([[cosine, -sine], [sine, cosine]])  # turns directions of the text into directions of the piece
     squeezed = [[points @ turn / (WIDE, 1) for points in group] for group in (outlines, lines_inside)]
     center, radius = innermost_point(*squeezed)
     half_width, half_height = max(text_width(line, 1.0) for line in lines) / (2 * WIDE), LINE * len(lines) / 2
-    height = 0.9 * radius / math.hypot(half_width, half_height)  # the corners of the text stay inside the ellipse
+    height = 0.9 * radius / math.hypot(half_width, half_height)  # the corners of the text stay inside the free ellipse
     return Text(lines, turn @ (center * (WIDE, 1)), min(height, largest), angle)
 
 
 def text_width(text: str, height: float) -> float:
-    """Return an upper estimate of the width in any font."""
+    """Return a width that the text does not exceed in usual fonts, in the unit of the height."""
     return height * sum(WIDE_LETTER if unicodedata.east_asian_width(letter) in "FW" else LETTER for letter in text)

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Makes the cut lines of a piece from its stitching lines: strips and corners, united on a grid of integers.
+"""Makes the cutting lines of a piece from its stitching lines, by uniting the piece with strips and corners.
 
-Strips may overlap one another and the piece. Each point of a strip is no farther from the stitching line than the
-strip's width. Clipper unites strips exactly, because its coordinates are integers; unions with floating-point numbers
-left slits. Outlines run with the piece on their left, so the allowance is on the right.
+A strip is the allowance along a stitching line. It may overlap other strips and the piece. Clipper unites strips
+exactly, because its coordinates are integers. Unions with floating-point numbers could leave slits between strips.
+Outlines run with the piece on their left, so the allowance is on the right.
 """
 
 import math
@@ -18,28 +18,28 @@ from .corners import MITRE_LIMIT, CornerType, corner_path
 
 
 def strip(points: np.ndarray, width: float) -> np.ndarray:
-    """Return a polygon (m,2), counterclockwise, between the line (k,2) and its parallel line at the width to its right.
+    """Return a counterclockwise polygon (m,2) between the line (k,2) and the parallel line at the width to its right.
 
-    It ends square at both ends. A closed line repeats its first point. The polygon may overlap itself, but never runs
-    clockwise around a point: it consists of rectangles, of wedges between them at left turns, and of rectangles that
-    are cut where two of them meet.
+    The polygon ends square at both ends. A closed line must repeat its first point. The polygon consists of rectangles
+    along the steps of the line, which are joined by wedges at left turns and shortened at right turns. It may overlap
+    itself, but never runs clockwise around a point.
     """
     normals = right_normals(points)
-    if np.array_equal(points[0], points[-1]):  # a closed line has its join at the end
+    if np.array_equal(points[0], points[-1]):  # a closed line also has a join at its end
         points, normals = np.concatenate([points, points[1:2]]), np.concatenate([normals, normals[:1]])
     outside = [points[:1] + width * normals[:1], *_joins(points, normals, width), points[-1:] + width * normals[-1:]]
     return np.concatenate([*outside, points[::-1]])
 
 
 def _joins(points: np.ndarray, normals: np.ndarray, width: float) -> list[np.ndarray]:
-    """Return the points (j,2) of the parallel line at each inner point of the line."""
+    """Return, for each inner point of the line, the points (j,2) of the parallel line there."""
     before, after, corners = normals[:-1], normals[1:], points[1:-1]
-    turn = before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0]  # sine; positive to the left
+    turn = before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0]  # sine of the turn; positive to the left
     cosine = (before * after).sum(axis=1)
-    with np.errstate(divide="ignore", invalid="ignore"):  # infinite if the line turns back on itself
-        tangent = turn / (1 + cosine)  # tangent of half the angle
+    with np.errstate(divide="ignore", invalid="ignore"):  # divides by 0 if the line turns back on itself
+        tangent = turn / (1 + cosine)  # tangent of half the turn
         mitre = corners + width * (before + after) / (1 + cosine)[:, None]
-    # the mitre's distance from the corner is width * sqrt(1 + tangent^2)
+    # the distance between the mitre's point and the corner is width * sqrt(1 + tangent^2)
     far = np.isnan(tangent) | (1 + tangent**2 > MITRE_LIMIT**2)
     is_left = (turn > 0) | ((turn == 0) & (cosine < 0))
     is_mitre = ~far & (is_left | _fits(points, tangent, width))
@@ -53,7 +53,7 @@ def _joins(points: np.ndarray, normals: np.ndarray, width: float) -> list[np.nda
 
 
 def _fits(points: np.ndarray, tangent: np.ndarray, width: float) -> np.ndarray:
-    """Return (k-2,) bool: whether both steps at an inner point are long enough for the mitre of a right turn."""
+    """Return (k-2,) bool: whether both steps at each inner point are long enough for a mitre at a right turn."""
     taken = np.concatenate([[0], np.nan_to_num(np.maximum(-tangent, 0) * width, posinf=np.inf), [0]])
     lengths = np.linalg.norm(np.diff(points, axis=0), axis=1)
     is_long = taken[:-1] + taken[1:] < lengths
@@ -61,7 +61,7 @@ def _fits(points: np.ndarray, tangent: np.ndarray, width: float) -> np.ndarray:
 
 
 def _cut_off(corner: np.ndarray, before: np.ndarray, after: np.ndarray, width: float) -> np.ndarray:
-    """Return the points (2,2) where the line at the limit, square to the corner's diagonal, crosses both parallels."""
+    """Return the ends (2,2) of a mitre that is cut off at the limit, square to the diagonal of the corner."""
     out = before + after
     length = np.linalg.norm(out)
     along = np.array([-before[1], before[0]])  # direction of the line before the turn
@@ -79,10 +79,10 @@ SMALLEST = 1e-3  # square millimeters; smaller loops are rounding errors
 
 @dataclass(frozen=True)
 class Corner:
-    """How the allowances meet at the end of a section."""
+    """The rule by which the allowances of two sections meet at the end of the first section."""
 
     kind: CornerType = "mitre"
-    of_next: bool = False  # whether the rule ends the next section's allowance instead
+    of_next: bool = False  # whether the rule ends the allowance of the second section instead of the first
 
 
 @dataclass(frozen=True)
@@ -96,15 +96,15 @@ class Section:
 
 @dataclass(frozen=True)
 class CutLines:
-    """Closed lines that do not repeat their first point; the outer ones run counterclockwise, holes clockwise."""
+    """Closed lines that do not repeat their first point. Outer lines run counterclockwise, holes clockwise."""
 
     outer: list[np.ndarray]
     holes: list[np.ndarray]
-    pockets: list[np.ndarray]  # areas outside the piece that its allowance encloses; they are not cut out
+    pockets: list[np.ndarray]  # areas outside the piece that the allowance encloses, and that are not cut out
 
 
 def cut_lines(loops: Sequence[Sequence[Section]]) -> CutLines:
-    """Return the cut lines of a piece. loops: its outlines, each as sections in order."""
+    """Return the cutting lines of a piece. loops: its outlines, each as sections in order."""
     outlines = [np.concatenate([section.points[:-1] for section in loop]) for loop in loops]
     if all(section.width == 0 for loop in loops for section in loop):
         areas = [signed_area(outline) for outline in outlines]
@@ -145,7 +145,7 @@ def _allowance(loop: Sequence[Section], origin: np.ndarray) -> list[Polygon]:
 
 
 class _Place:
-    """The end of a section and the start of the next."""
+    """The corner between the end of one section and the start of the following section."""
 
     def __init__(self, first: Section, second: Section) -> None:
         self._a, self._b, self._corner = first.width, second.width, first.corner
@@ -158,7 +158,7 @@ class _Place:
         self._turn = math.atan2(cross, self._normal_a @ self._normal_b)
 
     def path(self) -> np.ndarray | None:
-        """Return the path (k,2) from the first cut line to the second one; None if the strips need no corner."""
+        """Return the path (k,2) from the first cutting line to the second; None if the strips need no corner."""
         if not self._corner.of_next:
             path = corner_path(self._corner.kind, self._turn, self._a, self._b)
             return None if path is None else self._point + path @ np.array([self._along_a, -self._normal_a])
@@ -166,7 +166,7 @@ class _Place:
         return None if path is None else (self._point + path @ np.array([-self._along_b, -self._normal_b]))[::-1]
 
     def filling(self, path: np.ndarray) -> np.ndarray:
-        """Return the counterclockwise polygon between the corner, the square ends of the strips and the path."""
+        """Return the counterclockwise polygon between the corner's point, the ends of the strips and the path."""
         ends = [self._point[None]]
         if (path[0] - self._point) @ self._along_a > 0:
             ends.append(self._end_a[None])
@@ -176,7 +176,7 @@ class _Place:
         return np.concatenate(ends)
 
     def trimmed_of_first(self, path: np.ndarray, filling: np.ndarray) -> np.ndarray | None:
-        """Return the part of the end of the first strip that the path removes."""
+        """Return a polygon that contains the part of the first strip beyond the path; None if nothing is removed."""
         back = (path[0] - self._point) @ self._along_a
         inner = path[1] if len(path) > 1 else self._end_b
         if back > -GRID or self._only_trims(second=True) or are_inside(self._end_a[None], [filling])[0]:
@@ -184,7 +184,7 @@ class _Place:
         return _beyond(path[0], inner, -back * self._along_a)
 
     def trimmed_of_second(self, path: np.ndarray, filling: np.ndarray) -> np.ndarray | None:
-        """Return the part of the start of the second strip that the path removes."""
+        """Return a polygon that contains the part of the second strip beyond the path; None if nothing is removed."""
         ahead = (path[-1] - self._point) @ self._along_b
         inner = path[-2] if len(path) > 1 else self._end_a
         if ahead < GRID or self._only_trims(second=False) or are_inside(self._end_b[None], [filling])[0]:
@@ -192,12 +192,14 @@ class _Place:
         return _beyond(path[-1], inner, -ahead * self._along_b)
 
     def _only_trims(self, second: bool) -> bool:
-        """Return whether the rule only trims: a folded-back allowance does not change its neighbor."""
+        """Return whether the rule trims only the other strip, because a folded-back allowance does not change its
+        neighbor. second: whether the other strip is the second."""
         return self._corner.kind == "fold-back" and self._corner.of_next == second
 
 
 def _beyond(end: np.ndarray, inner: np.ndarray, shift: np.ndarray) -> np.ndarray:
-    """Return a parallelogram that extends the line through both points, because strips of curves bulge."""
+    """Return a parallelogram between the line through both points and the line shifted by `shift`. It extends beyond
+    `end`, because strips of curves bulge."""
     outside = end + (end - inner) / 2
     return np.array([outside, inner, inner + shift, outside + shift])
 
@@ -207,8 +209,8 @@ def _turned_left(vector: np.ndarray) -> np.ndarray:
 
 
 def _on_grid(points: np.ndarray, origin: np.ndarray) -> Polygon:
-    """Return the grid points of all polygons. They have a common origin, so that common points stay equal and no slit
-    opens."""
+    """Return the points (k,2) on the grid. All polygons have the same origin, so that equal points stay equal and no
+    slit opens between strips."""
     rounded: Polygon = np.rint((points - origin) / GRID).astype(np.int64).tolist()
     return rounded
 
@@ -224,7 +226,7 @@ def _without(polygons: list[Polygon], trimmed: np.ndarray | None, origin: np.nda
 
 
 def _unite(polygons: list[Polygon]) -> list[Polygon]:
-    """Return the union: the outer outlines counterclockwise, the others clockwise."""
+    """Return the outlines of the union: outer outlines counterclockwise, the outlines of holes clockwise."""
     clipper = pyclipper.Pyclipper()
     clipper.AddPaths(polygons, pyclipper.PT_SUBJECT, True)
     united = clipper.Execute(pyclipper.CT_UNION, pyclipper.PFT_NONZERO, pyclipper.PFT_NONZERO)

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Draws only one of several pieces with the same shape, mirrored or not, and only half of each symmetric piece.
+"""Draws pieces of equal shape once, even if they are mirrored, and only half of each symmetric piece.
 
-Seams that a copy maps to each other get their notches at the same places; otherwise, the copy would not fit.
+A copy maps a seam of one piece to a seam of another piece. Both seams get their notches at the same places, so that the
+notches of the copy match.
 """
 
 from collections import defaultdict
@@ -21,27 +22,30 @@ from .seams import SewnSide, fixed_starts, row_of
 
 @dataclass(frozen=True)
 class Copies:
-    """Copies and folds by index of the drawn piece."""
+    """Copies and folds, by the index of the drawn piece."""
 
-    # the other pieces of its shape, and the map from each of them to the drawn piece
+    # the other pieces of equal shape, each with its map to the drawn piece
     others: dict[int, list[tuple[int, Congruence]]]
-    folds: dict[int, tuple[np.ndarray, Congruence]]  # the fold (2,2), and the mirror that maps the piece to itself
-    # by seam: the vertex at which its sides that are whole outlines begin; copies map these vertices to each other
+    folds: dict[int, tuple[np.ndarray, Congruence]]  # the fold (2,2), and the reflection that maps the piece to itself
+    # by seam: the vertex of the model at which sides that are whole outlines begin; copies map start to start
     starts: dict[int, int]
 
     @property
     def left_out(self) -> set[int]:
-        """Return the pieces that are not drawn."""
+        """Return the indices of the pieces that are not drawn, because a copy is drawn for them."""
         return {other for others in self.others.values() for other, _ in others}
 
 
 def copies_of(laid: Sequence[Laid], pieces: Sequence[PatternPiece], pairs: bool, on_fold: bool) -> Copies:
-    """Return the copies. pieces: the same pieces as `laid`, with their lines. pairs: whether pieces of one shape are
-    drawn once."""
+    """Return the copies and folds to draw.
+
+    pieces: the pieces of `laid` with their lines. pairs: whether pieces of equal shape are drawn once. on_fold: whether
+    symmetric pieces are drawn as halves.
+    """
     found = Copies({}, {}, fixed_starts(side for own in laid for loop in own.loops for side in loop))
 
     def maps(first: int, second: int, *, is_mirror: bool) -> Iterator[Congruence]:
-        """Yield the maps from the second piece to the first: maps that keep the grain, then maps that reverse it."""
+        """Yield the maps from the second piece to the first. Maps that reverse the grain are last."""
         reversing: list[Congruence] = []
         for each in congruences(pieces[first], pieces[second], is_mirror=is_mirror):
             grain, own = each.direction(laid[second].grain), laid[first].grain
@@ -53,7 +57,7 @@ def copies_of(laid: Sequence[Laid], pieces: Sequence[PatternPiece], pairs: bool,
         yield from reversing
 
     def fits(first: int, second: int, each: Congruence) -> bool:
-        """Return whether the map takes seams to seams, and their starts to starts. If so, store these starts."""
+        """Return whether the map takes seams to seams, and starts to starts. If it does, store the starts."""
         begun, sewn = dict(found.starts), set()
         for side, image, sources in _matched(laid[first], laid[second], each):
             if side.seam is None or image.seam is None:
@@ -71,7 +75,7 @@ def copies_of(laid: Sequence[Laid], pieces: Sequence[PatternPiece], pairs: bool,
         return True
 
     left_out: set[int] = set()
-    # Pieces with a seam all around often have several maps. The maps of their neighbors decide which map is possible.
+    # Pieces with a seam all around are last. They often have several maps, and the maps of their neighbors decide.
     order = sorted(range(len(pieces)), key=lambda index: any(side.is_closed for side in _sewn_sides(laid[index])))
     for first, second in combinations(order, 2) if pairs else ():
         if first in left_out or second in left_out:
@@ -97,10 +101,10 @@ def _sewn_sides(laid: Laid) -> list[Side]:
 
 @dataclass
 class SeamGroup:
-    """Seams whose notches are at the same places."""
+    """Seams that copies map to each other, and that have notches at the same places."""
 
-    turned: dict[int, bool]  # for each seam: whether places are measured from its end instead of its start
-    is_symmetric: bool = False  # whether a copy maps a seam to itself with its ends exchanged
+    turned: dict[int, bool]  # by seam: whether places are measured from its end instead of its start
+    is_symmetric: bool = False  # whether copies map a seam to itself with its ends exchanged
 
 
 @dataclass(frozen=True)
@@ -108,10 +112,10 @@ class CopiedSides:
     """The sides of seams that copies map to each other."""
 
     groups: list[SeamGroup]
-    images: dict[int, list[Side]] = field(default_factory=dict)  # images of each side, by its id()
+    images: dict[int, list[Side]] = field(default_factory=dict)  # images of each side, by the id() of the side
 
     def copies(self, side: Side) -> list[Side]:
-        """Return the side and all sides for which it is drawn, including images of images."""
+        """Return the side and all sides that are drawn as this side, including images of images."""
         found = [side]
         for own in found:
             found += [image for image in self.images.get(id(own), ()) if all(image is not other for other in found)]
@@ -120,7 +124,7 @@ class CopiedSides:
 
 def copied_sides(copies: Copies, laid: Sequence[Laid], seams: Sequence[Sequence[SewnSide]]) -> CopiedSides:
     forward = {id(own.side): own.is_forward for sides in seams for own in sides}
-    # images of each seam, and whether they run in the other direction
+    # by seam: the seams to which copies map it, and whether the images run in the other direction
     turns: dict[int, list[tuple[int, bool]]] = defaultdict(list)
     images: dict[int, list[Side]] = defaultdict(list)
     maps = [(first, second, each) for first, others in copies.others.items() for second, each in others]
@@ -140,8 +144,11 @@ def copied_sides(copies: Copies, laid: Sequence[Laid], seams: Sequence[Sequence[
 
 
 def _matched(first: Laid, second: Laid, found: Congruence) -> list[tuple[Side, Side, np.ndarray]]:
-    """Return a side of the first piece, the side of the second whose image matches it, and vertices, for each match.
-    The vertices (k,) of the second side are in the order of the points of the first side."""
+    """Return all matches of a side of the first piece with the image of a side of the second piece.
+
+    A match is the first side, the second side, and the vertices (k,) of the second side in the order of the points of
+    the first side.
+    """
     matched = []
     for side in (side for loop in first.loops for side in loop):
         for other in (side for loop in second.loops for side in loop):
@@ -179,7 +186,7 @@ def _groups(count: int, turns: dict[int, list[tuple[int, bool]]]) -> list[SeamGr
 
 
 def drawn_once(pieces: Sequence[PatternPiece], copies: Copies) -> list[PatternPiece]:
-    """Return the pieces without those that are copies of others. pieces: all pieces, each to be cut once as drawn."""
+    """Return the pieces to draw, with their quantities and folds. pieces: all pieces, each to be cut once as drawn."""
     left_out, drawn = copies.left_out, []
     for index, piece in enumerate(pieces):
         if index in left_out:

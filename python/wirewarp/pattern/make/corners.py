@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The cut line around a corner of the outline, between the allowances of the two sections that meet there.
+"""Finds the cutting line around a corner of the outline, between the allowances of two sections.
 
-The corner's point is the origin. The first section arrives along +x with the piece above it, and the outline turns left
-by `turn`, between 0 and pi. The first allowance, `a` wide, is cut along y = -a. The second, `b` wide, continues in the
-direction (cos turn, sin turn). A path leads from one cut line to the other.
+The corner's point is the origin. The first section arrives in the direction +x with the piece above it. The outline
+turns left by `turn`, between 0 and pi radians, so the second section leaves in the direction (cos turn, sin turn). The
+allowance of the first section is `a` wide and is cut along y = -a. The second allowance is `b` wide. A path leads from
+the first cutting line to the second.
 """
 
 import math
@@ -14,19 +15,20 @@ import numpy as np
 
 CornerType = Literal["mitre", "right angle", "fold-back", "extend", "step", "round"]
 CORNER_TYPES: tuple[str, ...] = get_args(CornerType)
-MITRE_LIMIT = 2.5  # multiple of the width; a corner that extends farther is cut off square
-STRAIGHT = 1e-7  # radians; at a smaller turn, the wedge between even the widest strips is finer than the grid
-SHARP = math.radians(30)  # a smaller turn can hardly be seen on fabric, and its allowance needs no end of its own
-# multiple of the larger width; if the difference of widths over the sine of the turn is larger, mitres become steps
+MITRE_LIMIT = 2.5  # multiple of the larger width; a corner that extends farther is cut off square
+STRAIGHT = 1e-7  # radians; with a smaller turn, the wedge between the widest strips is finer than the grid
+SHARP = math.radians(30)  # radians; a smaller turn can hardly be seen on fabric, so it gets a mitre
+# If the difference of the widths, divided by the sine of the turn, exceeds this multiple of the larger width, a step
+# replaces the mitre.
 STEEP = 1.5
-SAGITTA = 0.02  # millimeters, of the chords of a round corner
+SAGITTA = 0.02  # millimeters between the chords of a round corner and its arc
 
 
 def corner_path(kind: CornerType, turn: float, a: float, b: float) -> np.ndarray | None:
-    """Return the path (k,2) of the cut line from y = -a to the second cut line; None if the corner needs none.
+    """Return the path (k,2) from the first cutting line to the second; None if the corner needs no path.
 
-    "right angle", "fold-back" and "extend" end the allowance of the first section. Mirror the corner to end the
-    allowance of the second. A path beyond the limit is replaced by a mitre.
+    The kinds "right angle", "fold-back" and "extend" end the first allowance. To end the second allowance, mirror the
+    corner. A mitre replaces a path that extends beyond the limit.
     """
     if turn < STRAIGHT or (a == 0 and b == 0):
         return None
@@ -41,7 +43,7 @@ def corner_path(kind: CornerType, turn: float, a: float, b: float) -> np.ndarray
 
 
 def _goes_too_far(path: np.ndarray, turn: float, a: float, b: float) -> bool:
-    """Return whether the path extends beyond the limit, or removes more from the end of an allowance than its width."""
+    """Return whether the path extends beyond the limit, or shortens an allowance by more than the larger width."""
     outwards = float(np.linalg.norm(path, axis=1).max()) > MITRE_LIMIT * max(a, b) * (1 + 1e-9)
     taken = max(-path[0, 0], path[-1] @ (math.cos(turn), math.sin(turn)))
     return outwards or bool(taken > max(a, b))
@@ -52,7 +54,8 @@ def _mitre(turn: float, a: float, b: float) -> np.ndarray:
 
 
 def _cut_off_mitre(turn: float, a: float, b: float) -> np.ndarray:
-    """Return the mitre. Beyond the limit, it is cut off square to the line that leads to its point."""
+    """Return the mitre. If its point is beyond the limit, it is cut off square to the line from the corner to the
+    point."""
     limit = MITRE_LIMIT * max(a, b)
     if math.sin(turn) < 1e-6:  # the outline turns back on itself
         return np.array([[limit, -a], [limit, b]])
@@ -66,24 +69,25 @@ def _cut_off_mitre(turn: float, a: float, b: float) -> np.ndarray:
 
 
 def _right_angle(turn: float, a: float, b: float) -> np.ndarray | None:
-    """End the first allowance square to its stitching line."""
+    """Return a path that ends the first allowance square to its stitching line; None for turns from 90 degrees."""
     if math.cos(turn) < 1e-9:
         return None
     return np.array([[0.0, -a], [0.0, -b / math.cos(turn)]])
 
 
 def _fold_back(turn: float, a: float, b: float) -> np.ndarray:
-    """End the first allowance so that its end, folded onto the piece, is on the second cut line."""
+    """Return a path that ends the first allowance so that it reaches the second cutting line if it is folded back."""
     return np.array([[(b + a * math.cos(turn)) / math.sin(turn), -a], [b / math.sin(turn), 0.0]])
 
 
 def _extend(turn: float, a: float, b: float) -> np.ndarray:
-    """End each allowance where its cut line meets the other's extended stitching line, with a straight line between."""
+    """Return the straight path between the points where each cutting line meets the other, extended stitching line."""
     return np.array([[-a / math.tan(turn), -a], [b / math.sin(turn), 0.0]])
 
 
 def _step(turn: float, a: float, b: float) -> np.ndarray | None:
-    """End the wider allowance square to its stitching line; the narrower one continues to it."""
+    """Return a path that ends the wider allowance square to its stitching line, where the narrower allowance ends, too.
+    Return None if they do not meet there."""
     cosine = math.cos(turn)
     if cosine <= 1e-9 or min(a, b) / cosine > max(a, b):
         return None
@@ -94,7 +98,7 @@ def _step(turn: float, a: float, b: float) -> np.ndarray | None:
 
 
 def _round(turn: float, a: float, b: float) -> np.ndarray:
-    """Return an arc, which changes evenly between different widths."""
+    """Return an arc around the corner's point. Its radius changes evenly from the first width to the second."""
     largest = max(a, b)
     step = 2 * math.acos(max(1 - SAGITTA / largest, 0.5))
     angles = np.linspace(0, turn, 2 + int(turn / step))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Half of a piece that is cut on the fold, and the whole that it opens to."""
+"""Makes a half from a piece that is cut on the fold, and opens a half to the whole piece."""
 
 import math
 from dataclasses import replace
@@ -12,14 +12,14 @@ from ..grain import GRAIN, grain_line
 from ..model import Line, PatternPiece
 from .pieces import FOLD_NAME
 
-ON_FOLD = 0.05  # millimeters: a nearer point is on the fold
+ON_FOLD = 0.05  # millimeters; a point nearer to the fold is on the fold
 BESIDE_FOLD = 15.0  # millimeters between the fold and a grain arrow along it
-# sine of an angle: a grain at a smaller angle to the fold counts as along it, because nobody aligns fabric better
+# Sine of an angle. A grain at a smaller angle to the fold counts as parallel, because nobody aligns fabric better.
 ALONG = math.sin(math.radians(0.5))
 
 
 def folded(piece: PatternPiece, fold: np.ndarray) -> PatternPiece:
-    """Return the piece without the part to the right of the fold (2,2), which is not cut. Lines end at the fold."""
+    """Return the half of the piece to the right of the fold (2,2), which is not cut. Lines end at the fold."""
     along = (fold[1] - fold[0]) / np.linalg.norm(fold[1] - fold[0])
     outward = np.array([along[1], -along[0]])
     lines = [Line("fold", fold, name=FOLD_NAME)]
@@ -33,7 +33,8 @@ def folded(piece: PatternPiece, fold: np.ndarray) -> PatternPiece:
 
 
 def _grain(piece: PatternPiece, grain: Line, fold: np.ndarray, outward: np.ndarray) -> Line:
-    """Return the grain arrow: beside the fold if it runs along it, otherwise where the half has most room."""
+    """Return the grain arrow. If it is parallel to the fold, it is beside the fold, otherwise where the half has most
+    room."""
     along = (grain.points[1] - grain.points[0]) / np.linalg.norm(grain.points[1] - grain.points[0])
     if abs(along @ outward) < ALONG:
         middle = fold.mean(axis=0)
@@ -43,12 +44,14 @@ def _grain(piece: PatternPiece, grain: Line, fold: np.ndarray, outward: np.ndarr
 
 
 def _kept(line: Line, origin: np.ndarray, outward: np.ndarray) -> list[tuple[np.ndarray, bool]]:
-    """Return the parts of a line on the outward side of the fold."""
+    """Return the parts of a line on the side of the fold to which `outward` points, and whether each is closed.
+
+    origin (2,): a point of the fold; outward (2,): unit vector square to the fold.
+    """
     points = line.path
     height = (points - origin) @ outward
-    if np.all(height > ON_FOLD):
-        return [(line.points, line.closed)]
-    if np.all(np.abs(height) <= ON_FOLD):  # a wire along the fold
+    is_along_fold = np.all(np.abs(height) <= ON_FOLD)  # true for a wire
+    if is_along_fold or np.all(height > ON_FOLD):
         return [(line.points, line.closed)]
     height[np.abs(height) <= ON_FOLD] = 0.0
     parts: list[list[np.ndarray]] = [[]]
@@ -60,23 +63,25 @@ def _kept(line: Line, origin: np.ndarray, outward: np.ndarray) -> list[tuple[np.
             parts[-1].append(points[row] + share * (points[row + 1] - points[row]))
             if height[row] >= 0:
                 parts.append([])
-    if line.closed and len(parts) > 1 and height[0] >= 0:  # the line begins in the middle of a part
+    if line.closed and len(parts) > 1 and height[0] >= 0:  # true if the line begins in the middle of a part
         parts[0] = parts.pop() + parts[0][1:]
     kept = [np.array(part) for part in parts if part]
     return [(part, False) for part in kept if ((part - origin) @ outward).max() > ON_FOLD]
 
 
 def unfolded(piece: PatternPiece) -> PatternPiece:
-    """Return the whole of a piece that is cut on the fold. Raises FlattenError if it has several folds. The fold counts
-    as straight from end to end. Texts keep their places, and the fold itself is left out."""
+    """Return the whole of a piece that is cut on the fold, without the fold line. Texts keep their places.
+
+    The fold counts as straight from end to end. Raises FlattenError if the piece has several folds or none.
+    """
     folds = piece.of_role("fold")
     if len(folds) != 1:
-        raise problem(f'"{piece.name}" has {len(folds)} folds, and only a piece with one can be opened.')
+        raise problem(f'"{piece.name}" has {len(folds)} folds, but only a piece with one fold can be opened.')
     start, end = folds[0].points[0], folds[0].points[-1]
     along = (end - start) / np.linalg.norm(end - start)
     normal = np.array([along[1], -along[0]])
     (cut,) = piece.of_role("cut")
-    # The motion mirrors in the y axis, turns, and moves so that the fold keeps its place.
+    # The motion mirrors at the y axis, turns, and shifts, so that the fold is mapped to itself.
     turn = Motion(np.zeros(2), float(np.degrees(2 * np.arctan2(normal[1], normal[0]))), mirrored=True)
     image = Motion(start - turn.points(start), turn.angle, mirrored=True)
     half = cut.points
@@ -90,7 +95,7 @@ def unfolded(piece: PatternPiece) -> PatternPiece:
             lines.append(line)
         elif line.role not in ("cut", "fold"):
             is_on_fold = np.abs((line.points - start) @ normal).max() <= ON_FOLD
-            # The line is reversed, because names are to the left of a line, on the side of the piece.
+            # The image is reversed, because the piece must be to the left of a line, where the line's name is.
             lines += [line] if is_on_fold else [line, replace(line, points=image.points(line.points)[::-1])]
     points = []
     for point in piece.points:
@@ -100,7 +105,7 @@ def unfolded(piece: PatternPiece) -> PatternPiece:
 
 
 def _without_fold(outline: np.ndarray, is_on_fold: np.ndarray) -> np.ndarray:
-    """Return a closed line (k,2) without its part along the fold, as an open line. It has only one such part."""
+    """Return a closed line (k,2) as an open line without its part along the fold. It must have one such part."""
     first = int(np.flatnonzero(is_on_fold & ~np.roll(is_on_fold, -1))[0])  # row at which the outline leaves the fold
     turned, is_on_fold = np.roll(outline, -first, axis=0), np.roll(is_on_fold, -first)
     return turned[: int(np.flatnonzero(is_on_fold[1:])[0]) + 2]

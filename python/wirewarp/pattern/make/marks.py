@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""All marks of a pattern: marks that the pieces of a seam share, and marks of single pieces."""
+"""Makes all marks of a pattern: marks that the pieces of a seam share, and marks of single pieces."""
 
 import re
 from collections.abc import Mapping, Sequence
@@ -17,14 +17,18 @@ from .pieces import Laid
 from .seams import SewnLengths, SewnSide
 
 ON_LINE = 1e-6  # millimeters; a wire ends on a side if its end is this close to a point of the side
-APART = 0.2  # millimeters; closer places along a seam are the same place, found twice
+APART = 0.2  # millimeters; places along a seam that are closer count as the same place
 BACK = re.compile(r"\bback\b", re.IGNORECASE)
 
 
 def marks(
     laid: Sequence[Laid], seams: Sequence[Sequence[SewnSide]], groups: Sequence[SeamGroup], spacing: float
 ) -> dict[int, list[Point]]:
-    """Return for each piece its notches (along seams, at ends of wires, at smooth ends of seams), clips and holes."""
+    """Return the marks of each piece, by its index: notches, clips and drill holes.
+
+    Notches are along seams, at ends of wires, and at ends of seams without a visible corner. groups: the groups of
+    copied_sides(). spacing: distance between notches in millimeters.
+    """
     found: dict[int, list[Point]] = {piece.index: [] for piece in laid}
     rays = {piece.index: piece.rays for piece in laid}
     wire_ends = {piece.index: _wire_ends(piece) for piece in laid}
@@ -36,7 +40,7 @@ def marks(
             if any(id(own.side) in closed for own in sides):
                 continue
             sewn = SewnLengths.of(sides)
-            if any(own.side.piece in at_back for seam in group.turned for own in seams[seam]):  # double notches
+            if any(own.side.piece in at_back for seam in group.turned for own in seams[seam]):  # seams of back pieces
                 doubled = [place + aside for place in places for aside in (-DOUBLE / 2, DOUBLE / 2)]
                 places = [place % sewn.whole for place in doubled] if is_ring else doubled
             for order, place in enumerate(place for place in places if 0 <= place < sewn.whole):
@@ -45,7 +49,7 @@ def marks(
                     for own in sides
                 ]
                 for which, (own, point) in enumerate(zip(sides, points, strict=True)):
-                    if point and all(points):  # a notch without a partner would be matched to a wrong one
+                    if point and all(points):  # a notch without a partner could be matched to a wrong notch
                         found[own.side.piece].append(replace(point, side=which))
     for piece in laid:
         own_rays = rays[piece.index]
@@ -65,7 +69,7 @@ def marks(
 def walks_of(
     laid: Sequence[Laid], names: Sequence[str], seams: Sequence[Sequence[SewnSide]], points: dict[int, list[Point]]
 ) -> list[SeamWalk]:
-    """Return the walk of each seam: its lengths, notches and allowances on all sides. points: the result of marks()."""
+    """Return the lengths, allowances and notches of all sides of each seam. points: the result of marks()."""
     return [
         SeamWalk(
             name,
@@ -84,7 +88,7 @@ def _notches_along(points: Sequence[Point], seam: int, side: int) -> tuple[float
 
 
 def _widths(laid: Sequence[Laid]) -> dict[int, float]:
-    """Return the widest allowance of each side, by the side's id()."""
+    """Return the widest allowance of each side, by the id() of the side."""
     widths: dict[int, float] = {}
     for run in (run for piece in laid for outline in piece.outlines for run in outline.runs):
         widths[id(run.side)] = max(widths.get(id(run.side), 0.0), run.width or 0.0)
@@ -92,7 +96,7 @@ def _widths(laid: Sequence[Laid]) -> dict[int, float]:
 
 
 def _legs(laid: Sequence[Laid]) -> set[int]:
-    """Return the id() of each leg of a dart without allowance, where nothing can be notched."""
+    """Return the id() of each leg of a dart that is not cut out. Without an allowance, a leg cannot be notched."""
     darts = (dart for piece in laid for outline in piece.outlines for dart in outline.darts)
     return {id(side) for dart in darts for side in (dart.first, dart.second)}
 
@@ -100,10 +104,10 @@ def _legs(laid: Sequence[Laid]) -> set[int]:
 def _places(
     group: SeamGroup, seams: Sequence[Sequence[SewnSide]], wire_ends: Mapping[int, np.ndarray], spacing: float
 ) -> dict[int, list[float]]:
-    """Return, for each seam, the sewn lengths from its start to its notches. If all sides are rings, one notch is at
-    the start."""
+    """Return the places of notches of each seam of a group, as sewn lengths from the start of the seam. If all sides
+    are whole outlines, one notch is at the start."""
     sewn = {seam: SewnLengths.of(seams[seam]) for seam in group.turned if seams[seam]}
-    if not sewn:  # pieces without a layout
+    if not sewn:  # true for pieces without a layout
         return {}
     length = next(iter(sewn.values())).whole  # length of the first seam, along which all places are measured
     ends = []
@@ -117,7 +121,7 @@ def _places(
     for place in sorted(ends):
         if APART < place < length - APART and (not taken or place > taken[-1] + APART):
             taken.append(place)
-    # a notch at the start must be right for all seams of the group
+    # a notch at the start is possible only if all seams of the group are rings
     is_ring = all(_is_ring(seams[seam]) for seam in sewn)
     begin = [0.0] if spacing and is_ring else []
     between = symmetric_places if group.is_symmetric else places_along
@@ -130,23 +134,23 @@ def _places(
 
 
 def _is_ring(sides: Sequence[SewnSide]) -> bool:
-    """Return whether no side of the seam has a corner where it begins, because all are whole outlines."""
+    """Return whether all sides of the seam are whole outlines, so that the seam has no corner where it begins."""
     return all(own.side.is_closed for own in sides)
 
 
 def _wire_ends(piece: Laid) -> np.ndarray:
-    """Return the ends (w,2) of the wires."""
+    """Return the ends (w,2) of all wires of a piece."""
     return np.array([end for wire in piece.wires for end in (wire.points[0], wire.points[-1])]).reshape(-1, 2)
 
 
 def _places_of(own: SewnSide, ends: np.ndarray) -> list[float]:
-    """Return the lengths from the start of the side at which wires end on it."""
+    """Return the lengths from the start of the side to the wires that end on the side. ends (w,2): ends of wires."""
     near = np.abs(own.points[:, None] - ends[None]).max(axis=2, initial=0) < ON_LINE
     return [float(place) for place in own.along[near.any(axis=1)]] if len(ends) else []
 
 
 def _free_notches(loop: Sequence[Side], ends: np.ndarray, rays: Rays, widths: Mapping[int, float]) -> list[Point]:
-    """Return notches at ends of wires on an outline that is not sewn, and where a seam ends on a smooth outline."""
+    """Return notches at ends of wires on sides that are not sewn, and between two sides without a visible corner."""
     found = []
     for number, side in enumerate(loop):
         forward, length, width = SewnSide(side), float(side.along[-1]), widths[id(side)]

@@ -10,31 +10,33 @@ import numpy as np
 from ..geometry import distances_to
 from ..model import PatternPiece
 
-# rise of a unit vector that counts as level, so that rounding does not decide which half is drawn if the fold is level
+# Largest rise of a unit vector that counts as level. Rounding must not decide which half is drawn if a fold is level.
 LEVEL = 1e-9
 ALIKE = 0.1  # millimeters between a point and its image, less than the width of a printed line
-IN_PHASE = 1e-3  # share by which a match may be worse than the best one, because a piece may have several axes
+IN_PHASE = 1e-3  # share by which a match may be worse than the best match, because a piece may have several axes
 
 
 @dataclass(frozen=True)
 class Congruence:
-    """A reflection or a rotation. Points are complex numbers. A reflection is z -> turn * conj(z) + shift, possibly
-    with a shift along its axis; a rotation is z -> turn * z + shift."""
+    """A reflection or a rotation of points, which are complex numbers.
+
+    A reflection is z -> turn * conj(z) + shift, and may also shift along its axis. A rotation is z -> turn * z + shift.
+    """
 
     turn: complex
     shift: complex
     is_mirror: bool = True
-    deviation: float = 0.0  # millimeters: the largest distance of an image from the flattened shape
+    deviation: float = 0.0  # millimeters: largest distance between an image and the point that it should match
 
     @property
     def axis(self) -> tuple[np.ndarray, np.ndarray]:
-        """Return a point (2,) of a reflection's axis and its direction (2,)."""
+        """Return a point (2,) of the axis of a reflection, and the direction (2,) of the axis."""
         along = np.sqrt(self.turn)
         point = self.shift / 2
         return np.array([point.real, point.imag]), np.array([along.real, along.imag])
 
     def direction(self, vector: np.ndarray) -> np.ndarray:
-        """Return the image of a vector (2,), which is not shifted."""
+        """Return the image of a vector (2,), without the shift."""
         image = self.turn * complex(vector[0], -vector[1] if self.is_mirror else vector[1])
         return np.array([image.real, image.imag])
 
@@ -45,15 +47,15 @@ class Congruence:
         return np.column_stack([images.real, images.imag])
 
     def of_outline(self, points: np.ndarray) -> np.ndarray:
-        """Return the images of points (k,2) along an outline, in the order in which the other outline has them."""
+        """Return the images of points (k,2) along an outline, in the order of the other outline."""
         return self.image(points[::-1] if self.is_mirror else points)
 
 
 def congruences(first: PatternPiece, second: PatternPiece, *, is_mirror: bool) -> Iterator[Congruence]:
     """Yield the reflections or rotations that map the second piece to the first.
 
-    Reflections with the most upright axes and the smallest rotations come first. The triangles along both outlines must
-    correspond, and wires and allowances must match, too.
+    Reflections with the most upright axes and the smallest rotations come first. Both outlines must have the same
+    number of points, and these points, the wires and the cutting lines must match.
     """
     outlines = [_outline_loops(piece) for piece in (first, second)]
     if not outlines[0] or [len(loop) for loop in outlines[0]] != [len(loop) for loop in outlines[1]]:
@@ -64,7 +66,7 @@ def congruences(first: PatternPiece, second: PatternPiece, *, is_mirror: bool) -
     steps, turned = np.roll(outer, -1) - outer, np.roll(image, -1) - image
     if abs(np.abs(steps).sum() - np.abs(turned).sum()) > ALIKE:
         return
-    # The sum of steps times conjugate steps has the largest magnitude if they are in phase; its angle is then the turn.
+    # The sum of the products of steps and conjugate steps is largest if both are in phase, and its angle is the turn.
     match = np.fft.ifft(np.fft.fft(steps) * np.conj(np.fft.fft(turned)))
     best = np.flatnonzero(np.abs(match) >= (1 - IN_PHASE) * np.abs(match).max(initial=np.finfo(float).tiny))
     sign = 1 if is_mirror else -1  # a reflection in a vertical axis has the turn -1
@@ -78,7 +80,8 @@ def congruences(first: PatternPiece, second: PatternPiece, *, is_mirror: bool) -
 
 
 def fold_of(piece: PatternPiece, mirror: Congruence) -> np.ndarray | None:
-    """Return the upward line (2,2) on which the piece can be folded onto itself; None if the mirror also shifts it."""
+    """Return the upward line (2,2) along which the piece can be folded onto itself. Return None if the reflection also
+    shifts along its axis."""
     point, along = mirror.axis
     if abs((mirror.shift * np.conj(np.sqrt(mirror.turn))).real) > ALIKE:
         return None
@@ -101,7 +104,7 @@ def _outline_loops(piece: PatternPiece) -> list[np.ndarray]:
 
 
 def _rest_fits(found: Congruence, outlines: list[list[np.ndarray]], first: PatternPiece, second: PatternPiece) -> bool:
-    """Return whether holes, allowances and wires match as well as the outer outlines do."""
+    """Return whether holes, cutting lines and wires match within ALIKE. outlines: those of both pieces."""
     if not _covers(outlines[0][1:], [found.image(loop) for loop in outlines[1][1:]]):
         return False
     kinds = {("cut", ""), ("inner_cut", ""), *(("wire", line.kind) for line in first.lines + second.lines)}
@@ -113,7 +116,7 @@ def _rest_fits(found: Congruence, outlines: list[list[np.ndarray]], first: Patte
 
 
 def _covers(lines: list[np.ndarray], others: list[np.ndarray]) -> bool:
-    """Return whether no point of a line is farther than ALIKE from the other lines, in both directions."""
+    """Return whether each point of the lines is within ALIKE of the other lines, and the reverse."""
     if not lines or not others:
         return not lines and not others
     pairs = ((lines, others), (others, lines))
@@ -121,7 +124,7 @@ def _covers(lines: list[np.ndarray], others: list[np.ndarray]) -> bool:
 
 
 def _crossings(piece: PatternPiece, point: np.ndarray, along: np.ndarray) -> np.ndarray:
-    """Return where the line through the point crosses the cut line, as lengths along it."""
+    """Return where the line through the point crosses the cutting lines, as lengths from the point."""
     aside = np.array([-along[1], along[0]])
     found = []
     for line in piece.of_role("cut"):

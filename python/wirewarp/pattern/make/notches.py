@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Marks: notches that are sewn onto each other, clips at inward corners, holes at the tips of darts."""
+"""Makes marks: notches that are sewn onto each other, clips at inward corners, and holes at the tips of darts."""
 
 import math
 from collections.abc import Sequence
@@ -15,25 +15,25 @@ from .outline import Side
 from .seams import SewnSide, turn_between
 from .sections import LEAST_GAP, Dart
 
-DEEPEST = 5.0  # millimeters
+DEEPEST = 5.0  # millimeters: largest depth of a notch
 SHARE = 0.5  # depth as a share of the allowance; notches never reach the stitching line
-ACROSS = 0.3  # depth as a share of the distance across a piece without allowance, so that opposite notches do not meet
-NEXT_TO = 2e-3  # millimeters from a line to a point beside it
-LEAST_SPACING = 1.0  # millimeters
-MOST = 10_000  # notches along one seam
+ACROSS = 0.3  # depth without allowance, as a share of the distance across the piece; opposite notches do not meet
+NEXT_TO = 2e-3  # millimeters between a line and a point that must be beside the line
+LEAST_SPACING = 1.0  # millimeters between notches
+MOST = 10_000  # largest number of notches along one seam
 CLEAR = 0.2  # share of the spacing; no notch is closer to another notch or to the end of the seam
-LEAST_SEAM = 15.0  # millimeters; a shorter seam needs no notch in its middle
-LOPSIDED = 5.0  # millimeters by which a notch must be displaced if the seam is reversed
-STARTS = (1.0, 0.8, 0.6, 0.4)  # distances to try from the start of a seam to its first notch, in units of the spacing
+LEAST_SEAM = 15.0  # millimeters; a shorter seam has notches only at ends of wires
+LOPSIDED = 5.0  # millimeters by which the place of some notch must change if the seam is reversed
+STARTS = (1.0, 0.8, 0.6, 0.4)  # places to try for the first notch of a seam, as multiples of the spacing
 DOUBLE = 6.0  # millimeters between the strokes of a double notch
-CORNER = math.radians(30)  # radians; nobody finds a corner with a smaller turn on fabric
+CORNER = math.radians(30)  # radians; nobody can find a corner with a smaller turn on fabric
 CLIP_SHORT = 2.0  # millimeters between the end of a clip and the corner of the stitching line
-DRILL_BACK = 13.0  # millimeters before the tip of the dart, where the seam hides it (1/2 in)
-DRILL = 3.0  # millimeters: diameter
+DRILL_BACK = 13.0  # millimeters (1/2 in) between the hole and the tip of the dart; there, the seam hides the hole
+DRILL = 3.0  # millimeters: diameter of the hole
 
 
 def check_spacing(spacing: float, seam_names: Sequence[str], sides: Sequence[Sequence[SewnSide]]) -> None:
-    """Check the spacing. Raises FlattenError for notches that are too close to be cut."""
+    """Check the spacing of notches. Raises FlattenError for notches that are too close or too many."""
     if not (spacing == 0 or spacing >= LEAST_SPACING) or spacing == math.inf:
         raise problem(
             f"Notches every {spacing:g} mm cannot be cut: choose {LEAST_SPACING:g} mm or more, or 0 for none."
@@ -48,8 +48,8 @@ def check_spacing(spacing: float, seam_names: Sequence[str], sides: Sequence[Seq
 
 
 def places_along(length: float, taken: Sequence[float], spacing: float) -> list[float]:
-    """Return lengths of notches from the start of a seam. Together with `taken`, they show if the seam is reversed.
-    taken: existing notches, such as those at the ends of wires."""
+    """Return the lengths from the start of a seam to its notches. All notches together are not symmetric, so that a
+    reversed side does not match. taken: lengths to other notches, such as those at the ends of wires."""
     if spacing == 0 or length < LEAST_SEAM:
         return []
     for start in STARTS:
@@ -65,8 +65,8 @@ def places_along(length: float, taken: Sequence[float], spacing: float) -> list[
 
 
 def symmetric_places(length: float, taken: Sequence[float], spacing: float) -> list[float]:
-    """Return lengths as places_along() does, for a seam that a mirror reverses. They are the same from both ends, as
-    `taken` must be."""
+    """Return lengths as places_along() does, but symmetric, for a seam whose mirror image is the reversed seam. `taken`
+    must be symmetric, too."""
     if spacing == 0 or length < LEAST_SEAM:
         return []
     steps = math.floor(length / 2 / spacing)
@@ -76,21 +76,25 @@ def symmetric_places(length: float, taken: Sequence[float], spacing: float) -> l
 
 
 def _is_lopsided(places: np.ndarray, length: float) -> bool:
-    """Return whether the places differ from those measured from the other end of the seam."""
+    """Return whether the places change by at least LOPSIDED if they are measured from the other end of the seam."""
     turned = np.sort(length - places)
     return bool(np.abs(np.sort(places) - turned).max() >= LOPSIDED)
 
 
 def notch(own: SewnSide, length: float, rays: Rays, width: float, pair: tuple[int, int] | None = None) -> Point | None:
-    """Return a notch that begins where the side's normal at this length meets the cut line, and points inwards. width:
-    the widest allowance of the side. Returns None if the cut line is much farther, because allowances meet there."""
+    """Return the notch at this length of a side. It begins on the cutting line and points inwards.
+
+    width: widest allowance of the side, in millimeters. pair: see Point. Returns None if the cutting line is much
+    farther than the width, because allowances meet there.
+    """
     at_sew, outward = own.at(length)
     found = _notch_at(at_sew, outward, rays, width)
     return replace(found, pair=pair, along=length) if found and pair else found
 
 
 def _notch_at(at_sew: np.ndarray, outward: np.ndarray, rays: Rays, width: float) -> Point | None:
-    """Return a notch at a point (2,) of the stitching line, where the unit vector outward (2,) meets the cut line."""
+    """Return the notch for a point (2,) of the stitching line. It begins where the line in the direction outward (2,)
+    meets the cutting line. Returns None if the cutting line is much farther than the width."""
     allowance = rays.length(at_sew, outward)
     if allowance > MITRE_LIMIT * width + NEXT_TO:
         return None
@@ -99,8 +103,8 @@ def _notch_at(at_sew: np.ndarray, outward: np.ndarray, rays: Rays, width: float)
 
 
 def leg_notches(dart: Dart, rays: Rays, width: float) -> list[Point]:
-    """Return the notches of a closed dart, on the extensions of its legs, which meet once the dart is folded. A dart
-    without a gap has one. width: the widest allowance of the outline."""
+    """Return the notches of a closed dart, on the extensions of its legs. They meet when the dart is folded. A dart
+    without a gap has one notch. width: widest allowance of the outline, in millimeters."""
     legs = [dart.first.points, dart.second.points[::-1]]
     if np.linalg.norm(dart.mouth[1] - dart.mouth[0]) <= LEAST_GAP:
         del legs[1]
@@ -110,10 +114,10 @@ def leg_notches(dart: Dart, rays: Rays, width: float) -> list[Point]:
 
 
 def clips(loop: Sequence[Side], rays: Rays, stitching: Rays) -> list[Point]:
-    """Return clips at inward corners of the stitching line: without them, the allowance cannot be turned.
+    """Return the clips at inward corners of the stitching line. Without clips, the allowance could not be turned.
 
-    rays: rays to the cut lines. stitching: rays to the stitching lines of the piece. A clip that would reach one of
-    them has no cut line before it, because the allowances on both sides of a narrow gap fill the gap.
+    rays: rays to the cutting lines. stitching: rays to the stitching lines. A clip that would reach a stitching line is
+    left out, because the allowances on both sides of a narrow gap fill the gap.
     """
     found = []
     points = np.concatenate([side.points[:-1] for side in loop])
@@ -130,18 +134,18 @@ def clips(loop: Sequence[Side], rays: Rays, stitching: Rays) -> list[Point]:
 
 
 def drill_hole(dart: Dart) -> Point:
-    """Return the hole on the middle line of a dart, before its tip."""
+    """Return the drill hole on the middle line of a dart, before its tip."""
     back = dart.mouth.mean(axis=0) - dart.tip
     if dart.first.points.shape[0] > 2:  # if the legs are curved, use their direction at the tip
         back = (dart.first.points[-2] + dart.second.points[1]) / 2 - dart.tip
     length = np.linalg.norm(back)
     depth = float(np.linalg.norm(dart.mouth.mean(axis=0) - dart.tip))
-    if length < 1e-9:  # if the slit is closed, go along it
+    if length < 1e-9:  # a slit without a gap has its hole along the leg
         back, length = dart.first.points[-2] - dart.tip, np.linalg.norm(dart.first.points[-2] - dart.tip)
         depth = float(dart.first.along[-1])
     return Point("drill", dart.tip + back / length * min(DRILL_BACK, depth / 2), depth=DRILL)
 
 
 def turns_little(first: Side, second: Side) -> bool:
-    """Return whether the outline turns so little between two sides that the place cannot be seen on fabric."""
+    """Return whether the corner between two sides is too flat to be found on fabric."""
     return abs(turn_between(first, second)) < CORNER

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Flat pieces in millimeters, with their outlines as chains between junctions, sewn or not."""
+"""Flat pieces in millimeters, and their outlines as chains between junctions."""
 
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
@@ -18,38 +18,38 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Chain:
-    """A part of an outline between junctions."""
+    """A part of an outline between two junctions: one side of a seam, or a part that is not sewn."""
 
-    sources: np.ndarray  # (k,) vertices of the model; a closed chain repeats its first
+    sources: np.ndarray  # (k,) vertices of the model; a closed chain repeats its first vertex
     seam: int | None  # index of the seam; None if nothing is sewn to it
 
 
 @dataclass(frozen=True)
 class FlatWire:
-    """A wire inside the piece. Wires along the outline have its stitching line."""
+    """A wire inside a piece. Wires along the outline are shown by the stitching line instead."""
 
     name: str
     kind: str  # "rigid", "elastic" or "super_elastic"
-    vertices: np.ndarray  # (k,) of the piece
+    vertices: np.ndarray  # (k,) vertices of the piece
 
 
 @dataclass(frozen=True)
 class FlatPiece:
     name: str
-    vertices: np.ndarray  # (p,2) millimeters, y upwards
+    vertices: np.ndarray  # (p,2) places in millimeters, y upwards
     source_vertex: np.ndarray  # (p,) vertices of the model
-    outline: np.ndarray  # (b,2) vertices of the piece at both ends of each edge with one face, in the face's direction
+    outline: np.ndarray  # (b,2) edges with one face, as vertices of the piece in the direction of the face
     chains: list[Chain]  # chains in the direction of the outline edges
     wires: list[FlatWire]
-    grain: np.ndarray = field(default_factory=lambda: np.array([0.0, 1.0]))  # (2,) unit vector; upright, as laid out
+    grain: np.ndarray = field(default_factory=lambda: np.array([0.0, 1.0]))  # (2,) unit vector, upright by default
 
     def has_room(self, allowance: float, sides: ArrayLike = (), widths: ArrayLike = ()) -> bool:
-        """Return the same as wirewarp.pattern.has_room() for this piece, with widths in millimeters."""
+        """Return the result of wirewarp.pattern.has_room() for this piece. Widths are in millimeters."""
         return outline_has_room(self.vertices, self.source_vertex, self.outline, allowance, sides, widths)
 
 
 def flat_piece(piece: "Piece", name: str, scale: float) -> FlatPiece:
-    """Return a piece that has a layout. scale: millimeters per scene unit."""
+    """Return the flat piece in millimeters. piece: must have a layout; scale: millimeters in a unit of the model."""
     chains = [Chain(boundary.vertices, boundary.seam) for boundary in piece.boundaries]
     wires = _wires(piece, piece_sides(piece))
     return FlatPiece(name, piece.vertices * scale, piece.source_vertex, outline_sides(piece), chains, wires)
@@ -69,19 +69,19 @@ def _wires(piece: "Piece", sides: np.ndarray) -> list[FlatWire]:
     return found
 
 
-# millimeters from the origin; any fabric is smaller, and Clipper's integers can be 1000 times as large
+# Millimeters from the origin. Any fabric is smaller, and Clipper's integers can be 1000 times as large.
 FARTHEST = 1e8
 
 
 @dataclass(frozen=True)
 class Side:
-    """One chain of an outline between junctions. The piece is on its left."""
+    """A part of an outline between two junctions, in millimeters. The piece is on its left."""
 
     piece: int
-    sources: np.ndarray  # (k,) input vertices; a closed chain repeats its first
+    sources: np.ndarray  # (k,) vertices of the model; a closed side repeats its first vertex
     points: np.ndarray  # (k,2)
     seam: int | None  # index into the result's seams; None if nothing is sewn to it
-    is_turned: bool  # whether it runs against the direction of the input's triangles, because the piece is mirrored
+    is_turned: bool  # whether it runs against the direction of the model's triangles, because the piece is mirrored
 
     @property
     def is_closed(self) -> bool:
@@ -95,8 +95,11 @@ class Side:
 
 
 def outlines_of(index: int, piece: FlatPiece) -> list[list[Side]]:
-    """Return the closed outlines of a piece, each as its chains in order; the outer one has positive area. index: index
-    of the piece. Raises FlattenError for a chain that is not on the outline, and for points that are not numbers."""
+    """Return the closed outlines of a piece, each as its sides in order. Outer outlines run counterclockwise.
+
+    index: index of the piece. Raises FlattenError for a chain that is not on the outline, and for coordinates that are
+    not finite or too large.
+    """
     points, ends = piece.vertices, _outline_edges(piece)
     if not np.isfinite(points[piece.outline]).all():
         raise problem(f'"{piece.name}" has NaN or infinite coordinates.')
@@ -130,13 +133,13 @@ def _not_cut(name: str, edges: list[tuple[int, int]], is_seam: bool) -> FlattenE
 
 
 def _outline_edges(piece: FlatPiece) -> dict[tuple[int, int], tuple[int, int]]:
-    """Return the vertices of the piece at both ends of each outline edge, keyed by the vertices of the model."""
+    """Return each outline edge as vertices of the piece, by its vertices of the model."""
     sources = piece.source_vertex[piece.outline]
     return {(a, b): (c, d) for (a, b), (c, d) in zip(sources.tolist(), piece.outline.tolist(), strict=True)}
 
 
 def _joined(chains: list[tuple[list[int], Side]]) -> list[list[Side]]:
-    """Return the chains in loops: each chain begins where the chain before it ends."""
+    """Return the sides in closed loops. Each side begins where the side before it ends."""
     waiting: dict[int, list[tuple[list[int], Side]]] = {}
     for chain in chains:
         waiting.setdefault(chain[0][0], []).append(chain)

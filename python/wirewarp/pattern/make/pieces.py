@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Makes pieces of a pattern from the outlines of flat pieces: cut lines, stitching lines, wires, marks and texts."""
+"""Makes pieces of a pattern from flat pieces: cutting lines, stitching lines, folds, wires and grain."""
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
@@ -18,13 +18,13 @@ from .sections import Outline, Rules, outline
 from .widths import Widths
 
 FOLD_NAME = "Place on the fold"
-CLOSED_GAP = "the allowance closes a gap in the outline. It is not cut out; a smaller allowance opens it."
-STRAIGHT = 0.5  # millimeters; a fold with a smaller error counts as straight, because fabric stretches that much
+CLOSED_GAP = "the allowance fills a gap in the outline, so the gap is not cut. To cut it, use a smaller allowance."
+STRAIGHT = 0.5  # millimeters; a fold with a smaller error counts as straight, because fabric stretches
 
 
 @dataclass(frozen=True)
 class Laid:
-    """A piece with its outlines as sections, and its cut lines."""
+    """A piece with its sides, its outlines in sections, and its cutting lines."""
 
     index: int
     name: str
@@ -44,11 +44,11 @@ class Laid:
 
     @property
     def area(self) -> float:
-        """Return square millimeters inside the stitching lines."""
+        """Return the area inside the stitching lines, in square millimeters."""
         return abs(sum(map(signed_area, self.sew_loops)))
 
     def allowances(self, side: Side) -> tuple[float, ...]:
-        """Return the widths along a side of this piece, in millimeters; none for a leg of a closed dart."""
+        """Return the widths of the allowance along a side, in millimeters. A leg of a closed dart has none."""
         runs = [run for own in self.outlines for run in own.runs if run.side is side]
         return tuple(run.width for run in runs if run.width is not None)
 
@@ -61,7 +61,8 @@ def _off_straight(points: np.ndarray) -> float:
 
 
 def lay_all(pieces: Sequence[FlatPiece], widths: Widths, corner: str, darts: str) -> Steps[list[Laid]]:
-    """Return all pieces of a pattern. The ends of allowances depend on all seams. Raises FlattenError."""
+    """Return all pieces, in steps. Pieces are made together, because the ends of allowances depend on all seams. Raises
+    FlattenError."""
     outlines = [outlines_of(index, piece) for index, piece in enumerate(pieces)]
     rules = Rules([loop for own in outlines for loop in own], corner, darts)
     laid = []
@@ -73,32 +74,32 @@ def lay_all(pieces: Sequence[FlatPiece], widths: Widths, corner: str, darts: str
 
 
 def _lay(index: int, piece: FlatPiece, loops: list[list[Side]], outlines: list[Outline]) -> Laid:
-    """Return the piece with its cut lines and the wires inside it."""
+    """Return the piece with its cutting lines and wires."""
     cut = cut_lines([outline.sections for outline in outlines if outline.sections])
     wires = [Line("wire", piece.vertices[wire.vertices], name=wire.name, kind=wire.kind) for wire in piece.wires]
     return Laid(index, piece.name, loops, outlines, cut, wires, piece.grain)
 
 
 def warnings_of(laid: Laid) -> list[str]:
-    """Return sentences about effects of the allowance that the maker should know."""
+    """Return sentences about problems with the allowance or the fold that the maker should know."""
     found = []
     holes = sum(1 for outline in laid.outlines if outline.sections) - 1
     if len(laid.cut.holes) < holes:
         found.append(
-            f'"{laid.name}": the allowance fills {holes - len(laid.cut.holes)} of {holes} holes; they are not cut.'
+            f'"{laid.name}": the allowance fills {holes - len(laid.cut.holes)} of {holes} holes, which are not cut.'
         )
     if laid.cut.pockets:
         found.append(f'"{laid.name}": {CLOSED_GAP}')
     crooked = max((_off_straight(run.points) for own in laid.outlines for run in own.runs if run.is_fold), default=0.0)
     if crooked > STRAIGHT:
-        found.append(f'"{laid.name}": its fold is {crooked:.1f} mm off a straight line: fabric cannot fold there.')
+        found.append(f'"{laid.name}": its fold is {crooked:.1f} mm off a straight line. Fabric cannot fold there.')
     if len(laid.cut.outer) > 1:
         found.append(f'"{laid.name}" is cut as {len(laid.cut.outer)} parts, which only touch at single points.')
     return found
 
 
 def joined_by(pieces: Sequence[Laid]) -> dict[int, list[str]]:
-    """Return for each seam the names of the pieces that it joins, one for each side."""
+    """Return the names of the pieces that each seam joins, one for each side, by the index of the seam."""
     names: dict[int, list[str]] = {}
     for laid in pieces:
         for side in (side for loop in laid.loops for side in loop):
@@ -108,7 +109,7 @@ def joined_by(pieces: Sequence[Laid]) -> dict[int, list[str]]:
 
 
 def notes_on_sides(seams: Sequence[Sequence[SewnSide]], units: UnitSystem) -> dict[int, str]:
-    """Return notes on sides that are longer than their partners, by the side's id()."""
+    """Return notes on sides that are longer than the shortest side of their seam, by the id() of the side."""
     notes: dict[int, str] = {}
     for sides in (own for own in seams if own):
         texts = longer_texts([float(own.along[-1]) for own in sides], units)
@@ -122,7 +123,7 @@ def closed_cuts(laid: Laid) -> list[Line]:
 
 
 def _sewn(laid: Laid, describe: Callable[[Side], Mapping[str, str]]) -> list[Line]:
-    """Return stitching lines and folds. describe: returns the fields of the line for a side of a seam."""
+    """Return stitching lines and folds. describe: returns the fields of Line (such as name) for a side of a seam."""
     lines = []
     for own in laid.outlines:
         for run in own.runs:
@@ -139,7 +140,7 @@ def _sewn(laid: Laid, describe: Callable[[Side], Mapping[str, str]]) -> list[Lin
 def finished(
     laid: Laid, points: Sequence[Point], describe: Callable[[Side], Mapping[str, str]], material: str
 ) -> PatternPiece:
-    """Return the piece, still without texts. describe: returns the fields of the line for a side of a seam."""
+    """Return the piece without texts. points: its marks. describe: returns the fields of Line for a side of a seam."""
     lines = [*closed_cuts(laid), *(Line("inner_cut", slit) for own in laid.outlines for slit in own.slits)]
     lines += [*_sewn(laid, describe), *laid.wires]
     lines.append(grain_line(laid.sew_loops, [wire.points for wire in laid.wires], laid.grain))
@@ -159,7 +160,7 @@ def finished(
 
 
 def outlined(laid: Laid) -> PatternPiece:
-    """Return the piece's lines without names and marks."""
+    """Return the piece with its lines, without names, marks and texts."""
     sewn = _sewn(laid, lambda *_: {})
     lines = [*closed_cuts(laid), *sewn, *laid.wires]
     return PatternPiece(laid.index + 1, laid.name, lines, [], [], on_fold=any(line.role == "fold" for line in sewn))

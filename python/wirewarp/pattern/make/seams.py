@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Seams on the flat pieces: their sides and lengths, the sewing order, and the ease."""
+"""Finds the sides of seams on flat pieces, their lengths and ease, and the seams that are sewn first at a junction."""
 
 import math
 from collections import defaultdict
@@ -13,13 +13,15 @@ from ..geometry import lengths_along, right_normals
 from ..units import UnitSystem
 from .outline import Side
 
-LEAST = 0.5  # millimeters; smaller eases are ignored (errors of single precision are far smaller)
-GATHERED = 0.15  # share of the shorter side; with more ease, fabric would get pleats, so it is gathered
+LEAST = 0.5  # millimeters; smaller differences are ignored (errors of single precision are far smaller)
+GATHERED = 0.15  # share of the shorter side; a side with more ease is gathered, because it would get pleats
 
 
 def longer_text(length: float, shortest: float, length_text: Callable[[float], str]) -> str:
-    """Return a text such as "12 mm longer, ease between notches" for a side; empty for the shortest sides. length_text:
-    writes a length as text. All lengths are in millimeters."""
+    """Return a text such as "12 mm longer, ease between notches" for a side of a seam, or "" for a shortest side.
+
+    shortest: length of the shortest side. length_text: writes a length as a text. Lengths are in millimeters.
+    """
     more = length - shortest
     if more < LEAST:
         return ""
@@ -28,13 +30,13 @@ def longer_text(length: float, shortest: float, length_text: Callable[[float], s
 
 
 def longer_texts(lengths: Sequence[float], units: UnitSystem) -> list[str]:
-    """Return the texts of all sides of a seam."""
+    """Return the text of longer_text() for each side of a seam. lengths: in millimeters."""
     return [longer_text(length, min(lengths), units.text) for length in lengths]
 
 
-STRAIGHT = math.radians(1)  # radians; crossing lines are equally straight if their turns differ by less
-SAME_LENGTH = 0.01  # millimeters
-AT_VERTEX = 1e-6  # millimeters; a place this close to a point of the side is that point, except for rounding
+STRAIGHT = math.radians(1)  # radians; lines across a seam are equally straight if their turns differ by less
+SAME_LENGTH = 0.01  # millimeters; lengths that differ by less count as equal
+AT_VERTEX = 1e-6  # millimeters; a place closer to a point of the side counts as this point
 
 
 @dataclass(frozen=True)
@@ -42,8 +44,8 @@ class SewnSide:
     """A side of a seam. All sides of the seam begin at the same vertex of the model."""
 
     side: Side
-    is_forward: bool = True  # in the direction of the outline
-    start: int = 0  # row of the side at which the seam begins; 0 unless the side is a whole outline
+    is_forward: bool = True  # whether the seam runs in the direction of the outline
+    start: int = 0  # row of the side at which the seam begins; 0 if the side is not a whole outline
 
     @property
     def sources(self) -> np.ndarray:
@@ -63,33 +65,33 @@ class SewnSide:
         return lengths_along(self.points)
 
     def at(self, length: float) -> tuple[np.ndarray, np.ndarray]:
-        """Return the point at this length from the start, and the unit vector that points out of the piece there."""
+        """Return the point (2,) at this length from the start, and the unit vector (2,) out of the piece there."""
         along, points = self.along, self.points
         row = min(int(np.searchsorted(along, length, side="right")) - 1, len(points) - 2)
         share = (length - along[row]) / (along[row + 1] - along[row])
         nearest = row + round(share)
         steps = points[row : row + 2]
         if abs(along[nearest] - length) < AT_VERTEX:
-            # halfway between the steps on both sides, so that symmetric places stay symmetric
+            # The mean of the normals on both sides is used, so that symmetric places stay symmetric.
             if 0 < nearest < len(points) - 1:
                 steps = points[nearest - 1 : nearest + 2]
             elif self.side.is_closed:
                 steps = points[[-2, 0, 1]]
         normal = right_normals(steps).sum(axis=0)
-        # the length is 0 if the outline turns back on itself
+        # the sum of the normals is 0 if the outline turns back on itself
         normal /= max(float(np.linalg.norm(normal)), np.finfo(float).tiny)
         return points[row] + share * (points[row + 1] - points[row]), normal if self.is_forward else -normal
 
 
 @dataclass(frozen=True)
 class SewnLengths:
-    """Lengths along a seam as it is sewn: along its shortest side, which has no ease.
+    """Lengths along a seam as it is sewn, which are those of its shortest side.
 
-    The sides were one edge chain of the model, so their edges correspond one by one. Within an edge, lengths scale with
-    the edge, because its ease is spread evenly.
+    All sides are the same chain of edges of the model, so their edges correspond one by one. Within an edge, ease is
+    spread evenly.
     """
 
-    along: np.ndarray  # (k,) to each vertex of the seam
+    along: np.ndarray  # (k,) length from the start to each vertex of the seam, millimeters
 
     @classmethod
     def of(cls, sides: Sequence[SewnSide]) -> "SewnLengths":
@@ -101,16 +103,16 @@ class SewnLengths:
         return float(self.along[-1])
 
     def on(self, side: SewnSide, place: float) -> float:
-        """Return the length along this side at this place of the seam."""
+        """Return the length along a side at this place, which is a sewn length from the start of the seam."""
         return float(np.interp(place, self.along, side.along))
 
     def of_side(self, side: SewnSide, lengths: np.ndarray) -> np.ndarray:
-        """Return the places in the seam for these lengths (p,) along this side."""
+        """Return the places (p,) in the seam, as sewn lengths, for these lengths (p,) along a side."""
         return np.interp(lengths, side.along, self.along)
 
 
 def fixed_starts(sides: Iterable[Side]) -> dict[int, int]:
-    """Return the vertex where each seam around a tube begins: the end of the seam along the tube, which opens it."""
+    """Return the vertex at which each seam around an opened tube begins: the end of the seam along the tube."""
     return {
         side.seam: int(side.sources[0])
         for side in sides
@@ -121,10 +123,10 @@ def fixed_starts(sides: Iterable[Side]) -> dict[int, int]:
 def sewn_sides(
     loops: Sequence[Sequence[Side]], count: int, starts: Mapping[int, int] | None = None
 ) -> list[list[SewnSide]]:
-    """Return the sides of each of the `count` seams, over the outlines of all pieces.
+    """Return the sides of each of the `count` seams. loops: outlines of all pieces.
 
-    starts: for each seam, the vertex where its sides that are whole outlines begin. The default is the end of a side
-    that is open, or else their lowest vertex.
+    starts: by seam, the vertex at which sides that are whole outlines begin. By default, this is the end of an open
+    side of the seam, or the lowest vertex if all sides are whole outlines.
     """
     sides: list[list[Side]] = [[] for _ in range(count)]
     for side in (side for loop in loops for side in loop):
@@ -135,7 +137,7 @@ def sewn_sides(
 
 
 def _begun_together(sides: Sequence[Side], vertex: int | None) -> list[SewnSide]:
-    """Return the sides of one seam. vertex: where whole outlines begin; None for the lowest."""
+    """Return the sides of one seam. vertex: vertex at which whole outlines begin; None for the lowest vertex."""
     begun: list[SewnSide] = []
     for side in sides:
         start = row_of(side, vertex) if side.is_closed else 0
@@ -146,7 +148,7 @@ def _begun_together(sides: Sequence[Side], vertex: int | None) -> list[SewnSide]
 
 
 def row_of(side: Side, vertex: int | None) -> int:
-    """Return the row of this vertex in a side that is a whole outline. vertex: None for the lowest."""
+    """Return the row of a vertex in a side that is a whole outline. vertex: None for the lowest vertex."""
     sources = side.sources[:-1]
     return int(np.argmin(sources) if vertex is None else np.flatnonzero(sources == vertex)[0])
 
@@ -154,8 +156,8 @@ def row_of(side: Side, vertex: int | None) -> int:
 def is_dart(first: Side, second: Side, widest: float) -> bool:
     """Return whether two successive sides of an outline are the legs of a dart with its tip between them.
 
-    widest: largest angle of the gap in radians, at the tip and from there to the mouth; a wider gap is the opening of a
-    cone.
+    widest: largest angle of a dart in radians, both between the legs at the tip and from the tip to the ends of the
+    mouth. A wider gap is the opening of a cone.
     """
     if first.seam is None or first.seam != second.seam or first.piece != second.piece:
         return False
@@ -170,20 +172,20 @@ def _angle(first: np.ndarray, second: np.ndarray) -> float:
 
 
 def turn_between(first: Side, second: Side) -> float:
-    """Return the left turn of the outline from the first to the second side, radians; -pi at the tip of a slit."""
+    """Return the left turn of the outline from the first to the second side in radians; -pi at the tip of a slit."""
     (a,), (b,) = right_normals(first.points[-2:]), right_normals(second.points[:2])
     turn = math.atan2(a[0] * b[1] - a[1] * b[0], a @ b)
     return turn - 2 * math.pi if turn > math.pi - 1e-6 else turn
 
 
 def sewn_first(loops: Sequence[Sequence[Side]]) -> set[tuple[int, int]]:
-    """Return (vertex of the junction, seam) for each seam that is sewn before the seams that cross its end.
+    """Return pairs (vertex, seam): at the junction at this vertex, the seam is sewn before seams that cross its end.
 
-    Once a seam is sewn, a line that crosses it should continue straight. At each junction, the first seam is therefore
-    the one whose two neighbors form the straightest line across it, or the shorter one if two are equal. Other seams of
-    the junction follow if they share no corner with a chosen one. Equal neighbors, as at the pole of a ball, are both
-    left out, so that symmetric pieces stay symmetric. The answer is the same on both sides of a seam, so that its two
-    allowances end alike.
+    When a seam is sewn, lines that cross it should continue straight. At each junction, the first seam is therefore
+    the seam across which its two neighbors form the straightest line, or the shortest of several such seams. More seams
+    are chosen if they share no corner with a chosen seam. If two neighbors rank equally, as at the pole of a ball,
+    neither is chosen, so that symmetric pieces stay symmetric. The choice is the same for both sides of a seam, so that
+    both allowances end in the same way.
     """
     angles: dict[int, dict[int, list[float]]] = defaultdict(lambda: defaultdict(list))
     beside: dict[tuple[int, int], set[int]] = defaultdict(set)

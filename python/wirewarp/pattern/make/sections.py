@@ -18,11 +18,11 @@ from .seams import is_dart, sewn_first
 from .widths import Widths
 
 Darts = Literal["close", "cut", "slit"]
-# radians; a dart of this angle is folded; a wider gap, such as that of a cone, is cut out
+# Radians. A gap with a smaller angle is a dart. A wider gap, such as the gap of a cone, is cut out.
 WIDEST_DART = math.radians(50)
-WIDEST_FOLD = 50.0  # millimeters of fabric in a closed dart: 25 on each side; a wider dart is cut out, as tailors do
-LEAST_GAP = 0.01  # millimeters; no cut line fits between the legs of a narrower dart, which is cut as one line
-HIGHEST_CAP = 1.0  # multiple of the mouth of the dart; a cap that would extend farther is made flat
+WIDEST_FOLD = 50.0  # millimeters of fabric in a closed dart, 25 on each side; tailors cut wider darts out
+LEAST_GAP = 0.01  # millimeters; a narrower dart has no room between its legs, and is cut as one line
+HIGHEST_CAP = 1.0  # height of a cap as a multiple of the mouth of the dart; a higher cap is replaced by a line
 
 
 @dataclass(frozen=True)
@@ -31,13 +31,13 @@ class Run:
 
     side: Side
     points: np.ndarray  # (k,2)
-    width: float | None  # None: a leg of a closed dart, where nothing is cut
+    width: float | None  # None for a leg of a closed dart, where the fabric is not cut
     is_fold: bool = False
 
 
 @dataclass(frozen=True)
 class Dart:
-    first: Side  # the leg that runs towards the tip
+    first: Side  # the leg that runs toward the tip
     second: Side
 
     @property
@@ -51,16 +51,16 @@ class Dart:
 
     @property
     def gap(self) -> float:
-        """Return the largest distance in millimeters between its legs."""
+        """Return the largest distance between the legs, in millimeters."""
         return float(np.linalg.norm(self.first.points - self.second.points[::-1], axis=1).max())
 
 
 @dataclass(frozen=True)
 class Outline:
     runs: list[Run]  # sewn or hemmed parts, in order
-    sections: list[Section]  # the parts of the cut line; none for a slit inside the piece
+    sections: list[Section]  # parts from which the cutting line is made; none for a slit inside the piece
     darts: list[Dart]
-    slits: list[np.ndarray]  # (k,2) each: darts without a gap that are cut along their legs
+    slits: list[np.ndarray]  # (k,2) cuts along the legs of darts without a gap
 
     @property
     def closed_darts(self) -> list[Dart]:
@@ -81,10 +81,10 @@ class Rules:
         self._first = sewn_first(loops) if corner == "auto" else set()
 
     def corner(self, first: Side, second: Side) -> Corner:
-        """Return the corner between two sides of one outline.
+        """Return the rule for the corner between two successive sides of an outline.
 
-        A seam that is sewn first is pressed open, so its allowance ends on the cut line of the crossing seam. A hem is
-        folded last, onto the allowances of the seams that end at it.
+        The allowance of a seam that is sewn first is folded back and ends on the cutting line of the crossing seam. A
+        hem is folded last, onto the allowances of the seams that end at the hem.
         """
         if self._corner != "auto":
             return Corner(self._corner)  # type: ignore[arg-type]
@@ -106,7 +106,7 @@ def outline(loop: Sequence[Side], widths: Widths, rules: Rules) -> Outline:
         darts = [dart for dart in darts if dart.gap <= WIDEST_FOLD]
     is_outer = signed_area(np.concatenate([side.points[:-1] for side in loop])) > 0
     if rules.darts == "close" and is_outer and 2 * len(darts) == count:
-        darts = []  # no part of the outline is between the darts, so they are cut out
+        darts = []  # the darts are cut out, because no other part of the outline is between them
     legs = [side for dart in darts for side in (dart.first, dart.second)]
 
     def is_leg(side: Side) -> bool:
@@ -128,10 +128,10 @@ def outline(loop: Sequence[Side], widths: Widths, rules: Rules) -> Outline:
         following = loop[(number + 1) % count]
         if rules.darts == "close" and is_leg(side):
             dart = next((dart for dart in darts if dart.first is side), None)
-            # without a gap, the outline continues
+            # without a gap, the outline continues past the dart
             if dart and np.linalg.norm(dart.mouth[1] - dart.mouth[0]) > LEAST_GAP:
                 before, after = by_side[number - 1][-1], by_side[(number + 2) % count][0]
-                # Nothing of the outline is between two darts that begin at one point.
+                # if two darts begin at the same point, no part of the outline is between them
                 cap = dart.mouth if None in (before.width, after.width) else _cap(dart, before, after)
                 sections.append(Section(cap, _width_before(by_side, number)))
             continue
@@ -152,7 +152,7 @@ def _runs(side: Side, widths: np.ndarray, folds: np.ndarray) -> list[Run]:
 
 
 def _width_before(by_side: Sequence[Sequence[Run]], number: int) -> float:
-    """Return the allowance of the nearest run before a side that is not a leg of a closed dart. number: its index."""
+    """Return the allowance of the last run before a side, except legs of closed darts. number: index of the side."""
     runs = [run for own in (*by_side[number:], *by_side[:number]) for run in own]
     return next(run.width for run in reversed(runs) if run.width is not None)
 
@@ -160,8 +160,8 @@ def _width_before(by_side: Sequence[Sequence[Run]], number: int) -> float:
 def _cap(dart: Dart, before: Run, after: Run) -> np.ndarray:
     """Return the line (k,2) across the mouth of a dart.
 
-    When the dart is folded, the line continues the outlines on both sides. It therefore consists of the two outlines,
-    each reflected in its leg, up to the point where they meet.
+    When the dart is folded, the line continues the outlines before and after the dart. It therefore consists of these
+    outlines, each reflected at its leg, up to the point where they meet.
     """
     a, b = dart.mouth
     flat = np.array([a, b])

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Finds an order in which the seams can be sewn: darts, flat seams, rings, and last the seams that close a body.
 
-Each assembly of pieces is stored as the closed loops of sides around it. Sewing two sides of different assemblies makes
-one flat assembly. Sewing two successive sides of a loop keeps the assembly flat. Sewing any other two sides of one loop
-closes a ring, such as a sleeve or a neckline.
+An assembly is a set of pieces that are already sewn together. It is stored as the closed loops of its open sides.
+Sewing two sides of different assemblies makes one flat assembly. Sewing two successive sides of a loop keeps the
+assembly flat. Sewing any other two sides of a loop closes a ring, such as a sleeve or a neckline.
 """
 
 from collections.abc import Mapping, Sequence
@@ -19,20 +19,20 @@ from .seams import SewnSide, is_dart, sewn_first
 from .sections import WIDEST_DART
 
 RANKS: dict[StepKind, int] = {"dart": 0, "flat": 1, "ring": 2, "all around": 2, "closing": 3}
-Likeness = tuple[set[int], float]
-# millimeters; in a shorter seam, an opening as wide as a hand (75 mm) would be more than half of the seam
+Likeness = tuple[set[int], float]  # pieces of a seam, and its length in millimeters
+# Millimeters. In a shorter seam, an opening as wide as a hand (75 mm) would be more than half of the seam.
 ROOM_FOR_GAP = 150.0
 
 
 def sewing_steps(
     laid: Sequence[Laid], seams: Sequence[Sequence[SewnSide]], names: Sequence[str]
 ) -> Steps[list[SewingStep]]:
-    """Return each seam once, in sewing order. names: names of the seams. In a body without an open edge, one
-    seam has an opening through which it is turned."""
+    """Return each seam once, in sewing order. names: names of the seams. If a body has no open edge, one of its seams
+    has an opening through which the body is turned."""
     first = sewn_first([loop for piece in laid for loop in piece.loops])
     waiting = {number: [own.side for own in sides] for number, sides in enumerate(seams) if len(sides) > 1}
     ends = {number: {int(sides[0].sources[0]), int(sides[0].sources[-1])} for number, sides in waiting.items()}
-    meeting: dict[int, set[int]] = {}  # seams that are not sewn yet, by the vertices of the model at which they end
+    meeting: dict[int, set[int]] = {}  # seams that are not sewn yet, by the vertices at which they end
     for number, own in ends.items():
         for vertex in own:
             meeting.setdefault(vertex, set()).add(number)
@@ -58,7 +58,8 @@ def sewing_steps(
 
 
 def _gaps(laid: Sequence[Laid], seams: Mapping[int, Sequence[Side]]) -> set[int]:
-    """Return one seam of each body without an open edge: the straightest that is long enough, otherwise the longest."""
+    """Return one seam for each body without an open edge: its straightest seam that is long enough for an opening, or
+    its longest seam if all are too short."""
     bodies = [{piece.index} for piece in laid]
     for sides in seams.values():
         joined = {side.piece for side in sides}
@@ -80,14 +81,14 @@ def _fitness(side: Side) -> tuple[bool, float]:
 
 
 def _likeness(sides: Sequence[Side]) -> Likeness:
-    """Return the pieces and the length of a seam. The next seam to sew is its counterpart, which has the same."""
+    """Return the pieces and the rounded length of a seam. A seam with the same pieces and length is sewn next."""
     return {side.piece for side in sides}, round(float(sides[0].along[-1]), 1)
 
 
 class _Assemblies:
     def __init__(self, laid: Sequence[Laid]) -> None:
-        self._loops: dict[int, list[int]] = {}  # id() of each side of each loop, in order
-        self._of_side: dict[int, int] = {}  # loop of each side, by the id() of the side
+        self._loops: dict[int, list[int]] = {}  # by number of the loop, the id() of each of its sides, in order
+        self._of_side: dict[int, int] = {}  # number of the loop of each side, by the id() of the side
         self._assembly = list(range(len(laid)))  # assembly of each piece
         self._areas = [piece.area for piece in laid]  # area of each assembly
         self._legs: set[int] = set()  # the id() of each side of a dart
@@ -98,7 +99,7 @@ class _Assemblies:
                     self._legs |= {id(side), id(following)}
 
     def area(self, side: Side) -> float:
-        """Return the area of the whole assembly to which the side belongs."""
+        """Return the area of the assembly to which the side belongs, in square millimeters."""
         return self._areas[self._assembly[side.piece]]
 
     def kind(self, sides: Sequence[Side]) -> StepKind:
@@ -117,7 +118,7 @@ class _Assemblies:
         return "flat" if any(between) else "closing"
 
     def sew(self, sides: Sequence[Side]) -> StepKind:
-        """Sew two sides. Further sides, such as those of a pocket, are on top of these."""
+        """Sew the first two sides, and return the kind of step. More sides, such as those of a pocket, are on top."""
         kind, (first, second) = self.kind(sides), sides[:2]
         if self._of_side[id(first)] == self._of_side[id(second)]:
             left = self._between(first, second)
@@ -138,13 +139,14 @@ class _Assemblies:
         self._of_side.update(dict.fromkeys(loop, number))
 
     def _after(self, side: Side) -> list[int]:
-        """Return the other sides of this side's loop, starting at its end."""
+        """Return the id() of the other sides of a side's loop, beginning with the side after it."""
         loop = self._loops[self._of_side[id(side)]]
         at = loop.index(id(side))
         return loop[at + 1 :] + loop[:at]
 
     def _between(self, first: Side, second: Side) -> tuple[list[int], list[int]]:
-        """Return the sides between two sides of one loop, in both directions."""
+        """Return the id() of the sides between two sides of one loop: from `first` to `second`, and then back to
+        `first`."""
         after = self._after(first)
         at = after.index(id(second))
         return after[:at], after[at + 1 :]

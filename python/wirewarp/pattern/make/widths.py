@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Widths of the allowance along each edge of the outlines."""
+"""Finds the width of the allowance along each edge of the outlines."""
 
 import numpy as np
 import numpy.typing as npt
@@ -10,7 +10,7 @@ from .outline import Side
 
 
 class Widths:
-    """Widths of the allowance: defaults for seams and outlines, and those of single edges and single sides of edges."""
+    """Widths of the allowance: defaults for seams and open outlines, and widths of single edges and sides of edges."""
 
     def __init__(
         self,
@@ -20,7 +20,7 @@ class Widths:
         sides: npt.ArrayLike | None,
         folds: npt.ArrayLike | None,
     ) -> None:
-        """Take the widths. both, sides (k,3) and folds (k,2): as in Pattern.from_result."""
+        """Check and keep the widths. both, sides and folds: allowances, side_allowances and folds of PatternOptions."""
         self._seam = checked_length("allowance", allowance)
         self._hem = self._seam if hem is None else checked_length("hem", hem)
         self._both = {(min(pair), max(pair)): width for pair, width in _rows("allowances", both).items()}
@@ -29,23 +29,27 @@ class Widths:
         self._unused = set(self._both) | set(self._sides) | self._folds
 
     def of(self, side: Side) -> tuple[np.ndarray, np.ndarray]:
-        """Return the width (k-1,) of the allowance at each step of the side, and whether it is a fold (width 0). Raises
-        FlattenError for a fold that is sewn."""
+        """Return the width (k-1,) of the allowance at each step of the side, and whether the step is a fold, which has
+        width 0. Raises FlattenError for a fold that is sewn."""
         default = self._hem if side.seam is None else self._seam
         pairs = list(zip(side.sources[:-1].tolist(), side.sources[1:].tolist(), strict=True))
         widths = np.array([self._width(pair[::-1] if side.is_turned else pair, default) for pair in pairs])
         folds = np.array([(min(pair), max(pair)) in self._folds for pair in pairs])
         if side.seam is not None and folds.any():
             a, b = pairs[int(np.argmax(folds))]
-            raise FlattenError("invalid_option", f"Edge {a}-{b} is a fold, but it is sewn.", edges=[(a, b)])
+            raise FlattenError(
+                "invalid_option",
+                f"Edge {a}-{b} is a fold, but it is sewn. Remove the fold or the seam.",
+                edges=[(a, b)],
+            )
         return np.where(folds, 0.0, widths), folds
 
     def check_all_used(self) -> None:
-        """Check that each edge with a given width is on an outline. Raises FlattenError."""
+        """Raise FlattenError if an edge with its own width or with a fold is not on an outline."""
         if self._unused:
             edges = sorted(self._unused)
             a, b = edges[0]
-            message = f"Edge {a}-{b} has an allowance or a fold, but is not on the outline of a piece."
+            message = f"Edge {a}-{b} is not on the outline of a piece. Remove its allowance or fold."
             raise FlattenError("invalid_option", message, edges=edges)
 
     def _width(self, edge: tuple[int, int], default: float) -> float:
@@ -55,7 +59,7 @@ class Widths:
 
 
 def _pairs(name: str, values: npt.ArrayLike | None) -> list[tuple[int, int]]:
-    """Return the edges of a table. Raises FlattenError for invalid tables."""
+    """Return the edges of the table (k,2) with this name. Raises FlattenError for an invalid table."""
     table = np.empty((0, 2)) if values is None else np.asarray(values)
     if table.size == 0 and table.ndim <= 2:
         table = table.reshape(-1, 2)
@@ -67,7 +71,8 @@ def _pairs(name: str, values: npt.ArrayLike | None) -> list[tuple[int, int]]:
 
 
 def _rows(name: str, values: npt.ArrayLike | None) -> dict[tuple[int, int], float]:
-    """Return the widths of a table, keyed by vertex pairs. Raises FlattenError for invalid tables."""
+    """Return the widths of the table (k,3) with this name, by their vertex pairs. Raises FlattenError for an invalid
+    table."""
     if values is None:
         return {}
     try:

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Finds markers: places of the pieces on the fabric."""
+"""Finds markers, which are the places of the pieces on the fabric."""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The items to nest: for each piece an outline with room around it, its allowed turns, and its number of copies."""
+"""Makes the items to nest. An item is a piece as an outline with room around it, and the number of its copies."""
 
 import math
 from collections.abc import Generator, Iterable, Sequence
@@ -13,9 +13,9 @@ from ..geometry import GRID, Motion, signed_area
 from ..model import PatternPiece
 
 Grain = Literal["one way", "both ways", "free"]
-# millimeters; largest outward error of simplified outlines, which have fewer points and make searches faster
+# Millimeters: largest error of simplified outlines, which have fewer points and make searches faster.
 NEAR = 0.2
-ROUND = 0.01  # millimeters; error of an arc that consists of straight lines
+ROUND = 0.01  # millimeters: error of an arc that consists of straight lines
 
 
 @dataclass(frozen=True)
@@ -23,36 +23,36 @@ class Item:
     piece: int  # number of the piece
     mirrored: bool
     count: int
-    outline: np.ndarray  # (k,2) counterclockwise, already mirrored, with `room` around the piece
-    upright: float  # degrees by which the piece is turned so that its grain is along the fabric
-    area: float  # area of one piece, square millimeters
+    outline: np.ndarray  # (k,2) counterclockwise, already mirrored, with room() around the piece
+    upright: float  # degrees counterclockwise by which the piece must turn until its grain is along the fabric
+    area: float  # area of one copy, square millimeters
 
     def turned(self, angle: float) -> np.ndarray:
         return Motion(np.zeros(2), angle).points(self.outline)
 
 
 def angles(item: Item, grain: Grain, step: float) -> list[float]:
-    """Return the allowed turns of the item in degrees. step: degrees between trials if it may be turned freely."""
+    """Return the allowed turns of the item in degrees. step: degrees between two turns if all turns are allowed."""
     turns = {"one way": [0.0], "both ways": [0.0, 180.0], "free": np.arange(0.0, 360.0, step).tolist()}[grain]
     return [item.upright + turn for turn in turns]
 
 
 def room(gap: float) -> float:
-    """Return the room around each piece in millimeters."""
+    """Return the width of the room around each piece in millimeters."""
     return gap / 2 + NEAR
 
 
 def room_at_edges(gap: float, grain: Grain) -> float:
-    """Return the length by which pieces with their room may extend beyond the edges of the fabric, in millimeters.
+    """Return by how many millimeters outlines with room may extend beyond the edges of the fabric.
 
-    This is the whole room if the widths are exact. The outline of a piece that may be turned freely is simplified, and
-    may be narrower by NEAR.
+    This is the whole room if the width of outlines is exact. If pieces may turn freely, their simplified outlines may
+    be narrower by NEAR.
     """
     return room(gap) - (NEAR if grain == "free" else 0.0)
 
 
 def items_of(pieces: Sequence[PatternPiece], gap: float, times: int) -> Generator[None, None, list[Item]]:
-    """Make the items in steps, one for each piece."""
+    """Return the items, in steps, one step for each piece. times: number of copies of the whole pattern."""
     found = []
     for piece in pieces:
         yield
@@ -75,8 +75,8 @@ def _upright(piece: PatternPiece) -> float:
 
 
 def _outline(piece: PatternPiece, gap: float, upright: float) -> np.ndarray:
-    """Return the cut line with room around it, simplified. Its width and height are exact if the piece is upright.
-    Parts that touch are united."""
+    """Return the simplified outline of the cutting line with room around it. If the piece is upright, width and height
+    are exact. Parts that touch are united."""
     offset = pyclipper.PyclipperOffset(arc_tolerance=ROUND / GRID)
     for line in piece.of_role("cut"):
         path = np.rint(line.points / GRID).astype(np.int64)
@@ -89,8 +89,10 @@ def _outline(piece: PatternPiece, gap: float, upright: float) -> np.ndarray:
 
 
 def simplified(outline: np.ndarray, within: float, kept: Iterable[int]) -> np.ndarray:
-    """Return the closed outline (k,2) with fewer points, by Douglas and Peucker, with an error of at most `within`.
-    kept: indices of points that must remain, at least two."""
+    """Return the closed outline (k,2) with fewer points, by the algorithm of Douglas and Peucker.
+
+    within: largest error in millimeters. kept: indices of points that must remain, at least two.
+    """
     closed = np.concatenate([outline, outline[:1]])
     fixed = sorted({0, *kept})
     found, spans = set(fixed), list(zip(fixed, [*fixed[1:], len(outline)], strict=True))

@@ -22,17 +22,17 @@ from .items import Grain, Item, items_of, room_at_edges
 from .slide_packing import Place, SlidePacking, TooLargeError
 from .spyrrow_nesting import SpyrrowError, is_installed, searched
 
-WIDEST = 100_000.0  # millimeters; a larger value must have been given in another unit
-MOST_GAP = 100.0
-MOST_PIECES = 10_000  # largest total number of pieces to cut
-LONGEST = 3600.0  # seconds
+WIDEST = 100_000.0  # millimeters; a larger value is probably in another unit
+MOST_GAP = 100.0  # millimeters
+MOST_PIECES = 10_000  # largest number of pieces to cut, including all copies
+LONGEST = 3600.0  # seconds: longest duration of a search
 
 Preview = Callable[[Marker], object]
 
 
 @dataclass(frozen=True)
 class Cloth:
-    """The fabric and how it is cut. Lengths are in millimeters."""
+    """The fabric and the rules for placing pieces on it. Lengths are in millimeters."""
 
     width: float
     length: float | None  # length of a sheet; None for a roll
@@ -52,10 +52,10 @@ class Cloth:
 def nesting(
     pieces: Sequence[PatternPiece], cloth: Cloth, times: int, seconds: float, units: UnitSystem, preview: Preview | None
 ) -> Steps[Marker]:
-    """Do the work of Pattern.nesting. pieces: those on the fold are opened already."""
+    """Do the work of Pattern.nesting(). pieces: the pieces, with pieces on the fold already opened."""
     count = sum(sum(piece.quantity) for piece in pieces)
     if type(times) is not int or not 1 <= times * count <= MOST_PIECES:
-        raise problem(f"times is {times!r}: give a whole number from 1, for at most {MOST_PIECES} pieces in all.")
+        raise problem(f"times is {times!r}: give a whole number from 1, and at most {MOST_PIECES} pieces in total.")
     if not isinstance(seconds, Real) or not 0 <= seconds <= LONGEST:
         raise problem(f"seconds is {seconds!r}: give a number from 0 to {LONGEST:g}.")
     begin = time.monotonic()
@@ -66,7 +66,7 @@ def nesting(
     search = _Search(pieces, cloth, times, units)
     best: Marker | None = None
     try:
-        # closed here, so that no process continues to search after an error
+        # closing() ends the search after an error, so that no process continues
         with closing(search.markers(seconds)) as markers:
             for marker in markers:
                 yield "nesting", share()
@@ -98,8 +98,8 @@ class _Search:
         self._width = cloth.width + 2 * self._room
 
     def markers(self, seconds: float) -> Generator[Marker | None, None, None]:
-        """Yield markers, or None after a short time without a new one. Raises FlattenError for a piece larger than the
-        fabric."""
+        """Yield markers, and None after a short time without a new marker. Raises FlattenError for a piece that is
+        larger than the fabric."""
         self._items = yield from items_of(self._pieces, self._cloth.gap, self._times)
         asks_spyrrow = self._cloth.length is None and seconds > 0 and is_installed()
         for places in self._slides():
@@ -145,5 +145,5 @@ def _too_large(piece: PatternPiece, cloth: Cloth, units: UnitSystem) -> str:
         where = f"a roll of {units.text(cloth.width)}"
     else:
         where = f"sheets of {units.text(cloth.width)} x {units.text(cloth.length)}"
-    turned = "however it is turned" if cloth.grain == "free" else "as its grain runs"
+    turned = "however it is turned" if cloth.grain == "free" else "with its grain lengthwise"
     return f'"{piece.name}" is {size}: too large for {where}, {turned}.'

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Packs pieces without a library: each slides along the fabric until it touches those already placed.
+"""Packs pieces without a library: each piece slides along the fabric until it touches the pieces already placed.
 
-The fabric is divided lengthwise into narrow rows. For each row, the length used so far is stored, and for each piece
-its start and end in the rows that it covers. Gaps behind pieces stay empty. Other orders are tried while there is time.
+The fabric is divided lengthwise into narrow rows. The length used so far is stored for each row. For each piece, its
+start and end are stored for each row that the piece covers. Gaps behind pieces stay empty. Other orders of the pieces
+are tried while there is time.
 """
 
 import math
@@ -13,13 +14,13 @@ import numpy as np
 
 from .items import Grain, Item, angles
 
-ROWS = 400  # number of rows; each is 4 mm wide on a cloth of 1.5 m
-FREE_STEP = 30.0  # degrees between the trials if all turns are allowed
+ROWS = 400  # number of rows; a row is 4 mm wide on a fabric of 1.5 m
+FREE_STEP = 30.0  # degrees between two turns of a piece if all turns are allowed
 
 
 @dataclass(frozen=True)
 class Place:
-    """Place of an item on the cloth, including the room at its edges."""
+    """Place of an item on the fabric, which is enlarged by the room at its edges. Lengths are in millimeters."""
 
     item: int
     angle: float
@@ -29,12 +30,12 @@ class Place:
 
 @dataclass(frozen=True)
 class _Profile:
-    """An item in one of its turns."""
+    """The start and end of an item in each row, after one of its turns. Lengths are in millimeters."""
 
     angle: float
-    low: np.ndarray  # (r,) start in each row that the item covers, from its lowest point
-    high: np.ndarray  # (r,)
-    corner: np.ndarray  # (2,) lowest corner of its box
+    low: np.ndarray  # (r,) start in each row that the item covers, above its lowest point
+    high: np.ndarray  # (r,) end in each row, above its lowest point
+    corner: np.ndarray  # (2,) lower left corner of the box of the turned item
 
     @property
     def height(self) -> float:
@@ -43,22 +44,22 @@ class _Profile:
 
 class TooLargeError(Exception):
     def __init__(self, item: int) -> None:
-        """item: index of the item that is too large."""
+        """Store the index of the item that is too large."""
         super().__init__(item)
         self.item = item
 
 
 class SlidePacking:
     def __init__(self, items: Sequence[Item], grain: Grain, width: float, length: float) -> None:
-        """Prepare to pack the items. length: of a sheet; infinite for a roll."""
+        """Prepare to pack the items. length: length of a sheet, or infinity for a roll."""
         self._items, self._grain, self._length = items, grain, length
         self._row = width / ROWS
         self._profiles: list[list[_Profile]] = []
         self._random = np.random.default_rng(0)
 
     def trials(self) -> Generator[list[Place] | None, None, None]:
-        """Yield better and better packings without end, and None in between. Each packing has another order of the
-        items. The order is kept if it needs no more fabric. Raises TooLargeError if an item does not fit."""
+        """Yield packings without end, and None in between. Each packing has another order of the items, which is kept
+        if it needs no more fabric than the best order so far. Raises TooLargeError if an item does not fit."""
         for index, item in enumerate(self._items):
             yield None
             turned = (_profile(item, angle, self._row) for angle in angles(item, self._grain, FREE_STEP))
@@ -79,7 +80,8 @@ class SlidePacking:
             tried[first], tried[second] = tried[second], tried[first]
 
     def _packed(self, order: Sequence[int]) -> Generator[None, None, tuple[list[Place], tuple[int, float]]]:
-        """Return the packing, the number of sheets, and the used length of the last sheet."""
+        """Return the packing in this order of items, and its score: the number of sheets and the used length of the
+        last sheet."""
         fronts: list[np.ndarray] = []
         places = []
         for index in order:
@@ -97,13 +99,14 @@ class SlidePacking:
         return places, (len(fronts), float(fronts[-1].max()))
 
     def _best(self, index: int, front: np.ndarray) -> tuple[_Profile, int, float] | None:
-        """Return the turn, the first row and the place with which the piece ends earliest and wastes least."""
+        """Return the turn, the first row and the start with which the item ends earliest and wastes least fabric.
+        Return None if the item does not fit on the sheet. front (ROWS,): used length of each row."""
         best, found = (math.inf, math.inf), None
         for profile in self._profiles[index]:
             taken = np.lib.stride_tricks.sliding_window_view(front, len(profile.low))
             y = (taken - profile.low).max(axis=1)
             end = np.round(y + profile.height, 1)
-            # compared in whole millimeters; of equal places, the leftmost counts
+            # in whole millimeters, so that the leftmost of nearly equal places is chosen
             wasted = np.round((y[:, None] + profile.low - taken).mean(axis=1))
             row = int(np.lexsort((wasted, end))[0])
             rank = (float(end[row]), float(wasted[row]))
@@ -119,7 +122,7 @@ def _profile(item: Item, angle: float, row: float) -> _Profile:
     rows = max(math.ceil(points[:, 0].max() / row - 1e-9), 1)
     low, high = np.full(rows, math.inf), np.full(rows, -math.inf)
     for a, b in zip(points, np.roll(points, -1, axis=0), strict=True):
-        # The outline is cut at the borders of rows, so that each part is in one row.
+        # each side of the outline is divided at the borders of rows, so that each part is in one row
         left, right = sorted((a[0], b[0]))
         borders = row * np.arange(math.floor(left / row) + 1, math.ceil(right / row))
         shares = np.sort((borders - a[0]) / (b[0] - a[0])) if len(borders) else np.empty(0)

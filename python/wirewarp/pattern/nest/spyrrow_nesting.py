@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Nests with spyrrow, if it is installed, in a process that can be stopped."""
+"""Nests with spyrrow, if it is installed, in a separate process that can be stopped."""
 
 import importlib.util
 import json
@@ -20,11 +20,11 @@ from .slide_packing import Place
 PROGRAM = Path(__file__).with_name("spyrrow_process.py")
 OFTEN = 0.02  # seconds between checks for results
 OVERTIME = 5.0  # seconds to wait for a search that does not end by itself
-NO_WINDOW = getattr(subprocess, "CREATE_NO_WINDOW", 0)  # only on Windows, which shows a console otherwise
+NO_WINDOW = getattr(subprocess, "CREATE_NO_WINDOW", 0)  # exists on Windows, which would show a console
 
 
 class SpyrrowError(Exception):
-    """Raised with the error of spyrrow in str()."""
+    """Raised if spyrrow fails. str() is its error."""
 
 
 def is_installed() -> bool:
@@ -34,8 +34,8 @@ def is_installed() -> bool:
 def searched(
     items: Sequence[Item], grain: Grain, width: float, seconds: float
 ) -> Generator[list[Place] | None, None, None]:
-    """Yield better and better places on a roll, and None at intervals if there are no new ones. The search ends when
-    its time is over or the iterator is closed. Raises SpyrrowError."""
+    """Yield better and better places on a roll, and None after a short time without new places. The search ends when
+    its time is over or when the generator is closed. Raises SpyrrowError."""
     spec = importlib.util.find_spec("spyrrow")
     assert spec is not None and spec.origin is not None
     task = {
@@ -44,7 +44,7 @@ def searched(
         "seconds": max(math.ceil(seconds), 1),
         "items": [_described(item, grain) for item in items],
     }
-    # Uses files, because not every system can check a pipe for data without a thread.
+    # Data is exchanged in files, because some systems cannot check a pipe for data without a thread.
     with TemporaryDirectory(prefix="wirewarp-") as folder:
         given, found, said = (Path(folder) / name for name in ("given", "found", "said"))
         given.write_text(json.dumps(task), encoding="utf-8")
@@ -52,7 +52,7 @@ def searched(
             try:
                 process = subprocess.Popen(
                     [sys.executable, "-I", str(PROGRAM), str(given)],
-                    # never written to; it closes when this process is killed, and the search then ends
+                    # Nothing is written to this pipe. It closes when this process is killed, and the search then ends.
                     stdin=subprocess.PIPE,
                     stdout=writes,
                     stderr=complains,
@@ -71,7 +71,7 @@ def searched(
 
 
 def _described(item: Item, grain: Grain) -> dict[str, object]:
-    """Return the task of spyrrow, whose strip has x along the cloth. Everything is turned by -90 degrees there."""
+    """Return an item for spyrrow, turned by -90 degrees, because its strip has x along the fabric."""
     allowed = None if grain == "free" else [angle % 360.0 for angle in angles(item, grain, math.inf)]
     return {"outline": item.turned(-90.0).tolist(), "count": item.count, "angles": allowed}
 
@@ -83,7 +83,7 @@ def _read(
     end, line, has_ended = time.monotonic() + seconds, b"", False
     with found.open("rb") as lines:
         while not has_ended and time.monotonic() < end:
-            has_ended = process.poll() is not None  # checked before the last reading
+            has_ended = process.poll() is not None  # checked before reading, so that the last lines are read
             for part in lines:
                 line += part  # the last line may be incomplete
                 if line.endswith(b"\n"):

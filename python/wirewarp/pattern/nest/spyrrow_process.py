@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A program, not a module: runs spyrrow, and prints each better solution as a line of JSON.
+"""Runs spyrrow, and prints each better solution as a line of JSON. This file is a program and is never imported.
 
-Its argument is the file with the task, in a folder of its own; spyrrow_nesting.py starts it. It is a process of its
-own, because spyrrow cannot be stopped and a panic ends its process.
+spyrrow_nesting.py starts it. The argument is the file with the task, in its own folder. spyrrow needs its own process,
+because a search cannot be canceled and a panic ends the process.
 """
 
 import json
@@ -29,7 +29,7 @@ def main() -> None:
         for number, each in enumerate(task["items"])
     ]
     instance = spyrrow.StripPackingInstance("", task["width"], items)
-    # The seed is fixed for consistency, although the time limit makes each search different.
+    # The seed is fixed, but the time limit still makes each search different.
     config = spyrrow.StripPackingConfig(total_computation_time=task["seconds"], seed=1)
     reports = spyrrow.ProgressQueue()
     failures: list[BaseException] = []
@@ -53,9 +53,9 @@ def main() -> None:
 
 
 def _end_with_caller(folder: Path) -> None:
-    """End this process when its caller ends. Nobody writes to the standard input; it closes when the process that
-    started this one ends."""
-    os.read(0, 1)  # sys.stdin would be locked when Python ends
+    """End this process when its caller ends. Nobody writes to the standard input, which closes when the caller ends.
+    folder: folder with the task, which is removed."""
+    os.read(0, 1)  # waits; sys.stdin would be locked when Python ends
     shutil.rmtree(folder, ignore_errors=True)  # Windows keeps files that this process has open
     os._exit(1)
 

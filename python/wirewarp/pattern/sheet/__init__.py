@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Papers, their content, and the look of lines in every format."""
+"""Draws patterns: papers, their content, and the look of lines in every format."""

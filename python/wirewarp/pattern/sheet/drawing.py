@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A pattern as strokes and texts by role, which every writer draws."""
+"""Divides a pattern into strokes and texts with roles, which every writer draws. A role decides the look."""
 
 import math
 from collections.abc import Iterator
@@ -15,15 +15,15 @@ from ..model import PatternPiece, Text
 class Look(NamedTuple):
     layer: str  # name of the layer in SVG and PDF
     color: str
-    stroke: float  # millimeters
-    dashes: tuple[float, ...]
+    stroke: float  # width of the line in millimeters
+    dashes: tuple[float, ...]  # lengths of dashes and gaps in millimeters
     dxf_layer: str  # layer of apparel DXF, by ASTM D6673
     dxf_color: int  # AutoCAD's color index in plain DXF
     pen: int  # number of the pen of plotters
     label: str = ""  # name in the legend; "" for lines that the legend does not list
 
 
-# Colors differ enough even for cutters' programs that replace each color with the nearest one of their own.
+# The colors differ enough for programs of cutters that replace each color with the nearest color of their own.
 LOOKS = {
     "cut": Look("Cut", "#000000", 0.5, (), "1", 1, 1, "Cutting line"),
     "inner_cut": Look("Cut", "#000000", 0.5, (), "11", 1, 1),
@@ -43,12 +43,12 @@ LOOKS = {
     "scale": Look("Scale", "#808080", 0.3, (), "8", 8, 3),
 }
 SHEET = Look("Sheets", "#909090", 0.3, (), "8", 8, 3)  # frames and marks of the sheets of a PDF
-WIRES = {"rigid": "rigid wire", "elastic": "elastic wire", "super_elastic": "free wire"}  # keys: Line.kind
+WIRES = {"rigid": "rigid wire", "elastic": "elastic wire", "super_elastic": "free wire"}  # roles by Line.kind
 LAYERS = tuple(dict.fromkeys(look.layer for look in LOOKS.values()))
 
 
 ARROW = 6.0  # millimeters: length of the heads of grain arrows
-CROSS = 4.0  # size of the cross in a drill hole
+CROSS = 4.0  # millimeters; the cross of a drill hole is half as wide as the sum of this and the diameter
 
 
 @dataclass(frozen=True)
@@ -69,8 +69,7 @@ class Stroke:
 
 
 def strokes_of(piece: PatternPiece) -> Iterator[Stroke]:
-    """Return everything of a piece except its texts. Cut lines are last, so that inner lines are cut before
-    outlines."""
+    """Yield all strokes of a piece. Cutting lines are last, so that inner lines are cut before the outline."""
     for line in sorted(piece.lines, key=lambda line: (line.role == "cut", line.role == "inner_cut")):
         if line.role == "cut":
             break
@@ -90,7 +89,7 @@ def strokes_of(piece: PatternPiece) -> Iterator[Stroke]:
 
 
 def _arrow_heads(line: np.ndarray) -> list[np.ndarray]:
-    """Return a head (3,2) for each end of the line."""
+    """Return an arrow head (3,2) for each end of the line (2,2)."""
     heads = []
     for tip, other in (line, line[::-1]):
         back = (other - tip) / np.linalg.norm(other - tip) * min(ARROW, np.linalg.norm(other - tip) / 3)
@@ -105,7 +104,7 @@ def _cross(at: np.ndarray, size: float) -> list[np.ndarray]:
 
 
 def letters_baselines(text: Text, line_height: float) -> Iterator[tuple[str, np.ndarray]]:
-    """Return each line of the text with the middle (2,) of its base line, after the text is turned about its center."""
+    """Yield each line of the turned text with the middle (2,) of its base line, in millimeters."""
     angle = math.radians(text.angle)
     up = np.array([-math.sin(angle), math.cos(angle)])
     for line, below in base_lines(text, line_height):
@@ -113,7 +112,7 @@ def letters_baselines(text: Text, line_height: float) -> Iterator[tuple[str, np.
 
 
 def base_lines(text: Text, line_height: float) -> Iterator[tuple[str, float]]:
-    """Return each line of the text and the distance of its base line below the center, in millimeters."""
+    """Yield each line of the text with the distance of its base line below the center of the text, in millimeters."""
     for number, line in enumerate(text.lines):
         # the height of capitals is 0.72 of the font size
         below = line_height * (number - (len(text.lines) - 1) / 2) + 0.36

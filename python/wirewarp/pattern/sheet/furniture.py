@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Prints squares and bars to measure, marks that join sheets, and a map of the sheets."""
+"""Draws squares and bars to measure, marks for joining sheets, and a map of the sheets."""
 
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
@@ -18,18 +18,18 @@ from .papers import MARGIN, sheet_name
 from .tiles import Tile, Tiles
 
 SIZE = np.array([166.0, 158.0])  # size of the squares and bars in millimeters; fits on A4 and Letter
-CORNER = 4.0
+CORNER = 4.0  # millimeters between the lower left corner of the block and its bars
 NAME_TEXT, NEIGHBOR_TEXT = 5.0, 4.0  # millimeters: height of the name of a sheet, and of the names of its neighbors
-# Places to try: for the name of a sheet, as shares of its width and height; for the name of a neighbor, in millimeters
-# from the middle of the edge, and from the middle of the overlap inwards
-NAME_PLACES = np.linspace(0, 1, 9)
+NAME_PLACES = np.linspace(0, 1, 9)  # places to try for the name of a sheet, as shares of its width and height
+# Places to try for the name of a neighbor, in millimeters: steps along the edge from its middle, and depths inwards
+# from the middle of the overlap.
 NEIGHBOR_STEP, DEPTHS = 12.0, (0.0, OVERLAP, 2 * OVERLAP)
-KEY = (18.0, 150.0)  # millimeters from the lower left corner of all squares and bars to the upper left one of the key
+KEY = (18.0, 150.0)  # millimeters from the lower left corner of the block to the upper left corner of the key
 KEY_ROWS, KEY_WIDTH, KEY_HEIGHT, KEY_SAMPLE, KEY_TEXT = 3, 44.0, 7.0, 12.0, 3.0
-TICK = 3.0
+TICK = 3.0  # millimeters: half of the length of a tick
 UNIT = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
 SHEET_LAYER, GRID_LAYER = "Sheets", "Grid"
-GRID_STEP = {"metric": 50.0, "imperial": 2 * INCH}
+GRID_STEP = {"metric": 50.0, "imperial": 2 * INCH}  # millimeters
 
 
 class Marks(NamedTuple):
@@ -41,7 +41,8 @@ class Marks(NamedTuple):
 
 
 def scale_marks(pattern: PatternData, corner: np.ndarray) -> Marks:
-    """Return squares and bars to measure, the allowance, and a key of the lines. corner (2,): lower left corner."""
+    """Return a block with squares and bars to measure, the allowance, and a key of the lines. corner (2,): its lower
+    left corner."""
     strokes, texts = _scale_block(corner, pattern.units)
     key = _key_of_lines(pattern, corner + KEY)
     included = f"Allowance included: {pattern.allowance_text}"
@@ -50,7 +51,7 @@ def scale_marks(pattern: PatternData, corner: np.ndarray) -> Marks:
 
 
 def _key_of_lines(pattern: PatternData, corner: np.ndarray) -> Marks:
-    """Return a sample of each kind of line that is drawn. corner (2,): upper left corner."""
+    """Return a sample of each kind of line in the pattern. corner (2,): upper left corner of the key."""
     roles = {stroke.role for piece in pattern.pieces for stroke in strokes_of(piece)}
     shown = [role for role, look in LOOKS.items() if look.label and role in roles]
     strokes, texts = [], []
@@ -81,7 +82,7 @@ def _scale_block(corner: np.ndarray, units: UnitSystem) -> tuple[list[Stroke], l
 
 
 def _bar(origin: np.ndarray, length: float, along: np.ndarray) -> Iterator[Stroke]:
-    """Return a bar with a tick at both ends, whose distance is the length."""
+    """Yield the strokes of a bar of this length, with a tick at both ends. along (2,): unit vector of its direction."""
     aside = np.array([-along[1], along[0]]) * TICK
     yield Stroke("scale", np.array([origin, origin + length * along]))
     for end in (origin, origin + length * along):
@@ -89,7 +90,7 @@ def _bar(origin: np.ndarray, length: float, along: np.ndarray) -> Iterator[Strok
 
 
 def grid_marks(pattern: PatternData, size: np.ndarray) -> Marks:
-    """Return lines over the whole page of this size (2,), for adjusting a projector."""
+    """Return the grid over the whole page of this size (2,), for adjusting a projector."""
     step, (width, height) = GRID_STEP[pattern.units.name], size
     lines = [[[x, 0.0], [x, height]] for x in np.arange(step, width, step)]
     lines += [[[0.0, y], [width, y]] for y in np.arange(step, height, step)]
@@ -97,8 +98,10 @@ def grid_marks(pattern: PatternData, size: np.ndarray) -> Marks:
 
 
 def sheet_marks(plan: Tiles, tile: Tile, pieces: Sequence[PatternPiece]) -> Marks:
-    """Return the frame, the sheet's name, half diamonds that the neighbors complete, and the names of the neighbors.
-    The names do not cross other lines and texts if there is room. pieces: those on the sheet, in their places."""
+    """Return the frame of a sheet, its name, diamonds at the overlaps, and the names of its neighbors.
+
+    Names do not cross lines and other texts if there is room. pieces: the pieces on the sheet, in their places.
+    """
     row, column = tile.row, tile.column
     low, high = np.array([MARGIN, MARGIN]), MARGIN + plan.shown
     middle = (low + high) / 2
@@ -112,7 +115,7 @@ def sheet_marks(plan: Tiles, tile: Tile, pieces: Sequence[PatternPiece]) -> Mark
     diamonds, names = [], [_own_names(plan, tile)]
     for outward, other, at in sides:
         if plan.overlap and other in printed:
-            # Both sheets show the whole overlap, so the two diamonds in its middle coincide.
+            # Both sheets show the whole overlap with a diamond in its middle, and these diamonds coincide.
             diamonds.append(Stroke("sheet", at + OVERLAP / 2 * np.array([[1, 0], [0, 1], [-1, 0], [0, -1]]), True))
             names.append(_neighbor_names(sheet_name(*other), at, outward, plan.shown))
     drawn = _segments(pieces, diamonds, MARGIN - tile.low)
@@ -124,8 +127,10 @@ def sheet_marks(plan: Tiles, tile: Tile, pieces: Sequence[PatternPiece]) -> Mark
 
 
 def _neighbor_names(name: str, at: np.ndarray, outward: np.ndarray, shown: np.ndarray) -> list[Text]:
-    """Return places for the name of a neighbor, the nearest to its diamond first. at (2,): the diamond. outward (2,):
-    unit vector to the neighbor. shown (2,): size of the sheet."""
+    """Return the name of a neighbor at each place to try, the nearest to the diamond first.
+
+    at (2,): center of the diamond. outward (2,): unit vector toward the neighbor. shown (2,): size of the sheet.
+    """
     along, angle = np.abs(outward[::-1]), 90.0 if outward[0] else 0.0
     steps = np.arange(NEIGHBOR_STEP, shown @ along / 2 - NEIGHBOR_STEP, NEIGHBOR_STEP)
     places = [at + sign * step * along - depth * outward for depth in DEPTHS for step in steps for sign in (1, -1)]
@@ -133,7 +138,7 @@ def _neighbor_names(name: str, at: np.ndarray, outward: np.ndarray, shown: np.nd
 
 
 def _own_names(plan: Tiles, tile: Tile) -> list[Text]:
-    """Return places for a text such as "C3 of 11": the corners of the sheet, then the nearest places to them."""
+    """Return a text such as "C3 of 11" at each place to try: first the corners of the sheet, then places near them."""
     words = f"{tile.name} of {len(plan.tiles)}"
     inset = np.array([text_width(words, NAME_TEXT) / 2 + 2.0, 7.0])
     shares = [np.array([x, y]) for y in NAME_PLACES for x in NAME_PLACES]
@@ -142,15 +147,17 @@ def _own_names(plan: Tiles, tile: Tile) -> list[Text]:
 
 
 def _segments(pieces: Sequence[PatternPiece], marks: Sequence[Stroke], offset: np.ndarray) -> Segments:
-    """Return all lines and texts of the pieces, moved by the offset (2,), and the marks."""
+    """Return the segments of the marks, and those of the lines and texts of the pieces, moved by the offset (2,)."""
     texts = [text_strokes(text) for piece in pieces for text in piece.texts]
     first, second = joined([*(stroke.segments for piece in pieces for stroke in strokes_of(piece)), *texts])
     return joined([(first + offset, second + offset), *(mark.segments for mark in marks)])
 
 
 def part_marks(corner: np.ndarray, size: np.ndarray, page: int, is_first: bool, is_last: bool) -> Marks:
-    """Return the edges of a page's part of a marker, of this size (2,), and the pages above and below. page: its
-    number."""
+    """Return the edges of the part of a marker on one page, and the numbers of the pages that continue it.
+
+    corner, size (2,): lower left corner and size of the part, in millimeters; page: number of the page.
+    """
     texts = [
         Text((f"{what} page {other}",), corner + (size[0] / 2, y), 4.0)
         for is_joined, what, other, y in (
@@ -163,7 +170,10 @@ def part_marks(corner: np.ndarray, size: np.ndarray, page: int, is_first: bool, 
 
 
 def map_marks(plan: Tiles, paper: np.ndarray) -> list[Marks]:
-    """Return a first page: title and advice, the sheets with the pieces on them, and the squares to measure."""
+    """Return the marks of the first page: title and advice, a map of the sheets and pieces, and squares to measure.
+
+    paper (2,): size of the page in millimeters.
+    """
     pattern = plan.pattern
     top = paper[1] - MARGIN
     room = np.array([paper[0] - 2 * MARGIN, top - 31 - MARGIN - SIZE[1]])
@@ -197,7 +207,7 @@ def _advice(plan: Tiles) -> list[str]:
     pattern, count = plan.pattern, counted(len(plan.tiles), "sheet")
     skipped = plan.rows * plan.columns - len(plan.tiles)
     sheets = f"{count} in {counted(plan.rows, 'row')} of {plan.columns}"
-    sheets += f", {skipped} more are empty and left out" if skipped else ""
+    sheets += f", without {counted(skipped, 'empty sheet')}" if skipped else ""
     return [
         pattern.title or "Pattern",
         "Print at 100% (actual size). Turn off Fit to Page. Measure the squares before you cut.",

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Papers for patterns, by their usual names."""
+"""Lists papers for patterns by their usual names."""
 
 from dataclasses import dataclass
 from typing import NamedTuple
@@ -14,8 +14,8 @@ class Paper(NamedTuple):
     """A kind of paper. Lengths are in millimeters."""
 
     label: str
-    width: float | None = None  # width of an upright sheet, or of a roll; None: as wide as the pattern
-    height: float | None = None  # height of an upright sheet
+    width: float | None = None  # width of an upright sheet or a roll; None: as wide as the pattern
+    height: float | None = None  # height of an upright sheet; None for rolls and projectors
 
 
 PROJECTOR = "projector"
@@ -31,21 +31,21 @@ PAPERS = {
     PROJECTOR: Paper("Projector"),
 }
 SHEETS = {name: (paper.width, paper.height) for name, paper in PAPERS.items() if paper.width and paper.height}
-LONGEST = 5000.0  # millimeters; PDF viewers support pages up to 5.08 m
-MARGIN = 10.0  # few printers print nearer to the edge of a sheet
+LONGEST = 5000.0  # millimeters: longest page; PDF viewers support pages up to 5.08 m
+MARGIN = 10.0  # millimeters; few printers print nearer to the edge of a sheet
 
 
 @dataclass(frozen=True)
 class Page:
-    """A page of a file to print, and its part of the pattern. Lengths are in millimeters."""
+    """A page of a file to print, and the part of the pattern that it shows. Lengths are in millimeters."""
 
-    name: str  # "A1" for sheets to tape together, otherwise its number
-    low: np.ndarray  # (2,) lower left corner
-    size: np.ndarray  # (2,) width and height; of sheets, without the margins
+    name: str  # a name such as "A1" for sheets to tape together, otherwise the number of the page
+    low: np.ndarray  # (2,) lower left corner of the shown part, in the pattern
+    size: np.ndarray  # (2,) width and height of the shown part; sheets have margins around it
 
 
 def sheet_name(row: int, column: int) -> str:
-    """Return the name of a sheet: "A1" is the first one of the top row; row AA follows row Z."""
+    """Return the name of a sheet, such as "A1" for the first sheet of the top row. Row AA follows row Z."""
     letters = ""
     row += 1
     while row:
@@ -55,7 +55,7 @@ def sheet_name(row: int, column: int) -> str:
 
 
 def roll_width(paper: str | float) -> float | None:
-    """Return millimeters, or None if the paper is not a roll. Raises FlattenError for an unknown paper."""
+    """Return the width of a roll in millimeters; None for other papers. Raises FlattenError for an unknown paper."""
     if isinstance(paper, str):
         if paper not in PAPERS:
             known = ", ".join(PAPERS)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Plans the sheets of a PDF: the parts of the pattern and the marks on each. Only this module distinguishes papers."""
+"""Plans the pages of a PDF, each with a part of the pattern and its marks. Only this module distinguishes papers."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -19,18 +19,18 @@ from .papers import LONGEST, MARGIN, PROJECTOR, SHEETS, Page, roll_width
 from .tiles import Tile, Tiles, divided
 
 PROJECTED = 0.5  # millimeters; a projector shows thinner lines as dots
-BORDER = 5.0  # millimeters around a piece's box, for notches and letters that extend beyond it
+BORDER = 5.0  # millimeters around the box of a piece, for letters and lines that extend beyond the box
 AT_MARGIN = np.array([MARGIN, MARGIN])
 P = TypeVar("P", bound=PatternData)
 
 
 @dataclass(frozen=True)
 class Sheet(Page):
-    paper: np.ndarray  # (2,) width and height, margins included
+    paper: np.ndarray  # (2,) width and height in millimeters, including margins
     corner: np.ndarray  # (2,) place of `low` on the paper
     pieces: Sequence[int]  # indices of the pieces on the sheet
-    marks: Callable[[PatternData], list[Marks]]  # for the drawn pattern; called only when they are drawn
-    is_clipped: bool = False  # the drawing is clipped to the shown part
+    marks: Callable[[PatternData], list[Marks]]  # returns the marks for the drawn pattern
+    is_clipped: bool = False  # whether the drawing is clipped to the shown part
 
 
 @dataclass(frozen=True)
@@ -40,7 +40,7 @@ class Plan(Generic[P]):
     layers: tuple[str, ...] = ()  # layers of the file besides the layers of the pieces
     hidden: tuple[str, ...] = ()  # layers that are shown only on request
     thinnest: float = 0.0  # millimeters: least width of all lines
-    cover: Sheet | None = None  # the first page, with a map of the others
+    cover: Sheet | None = None  # the first page, with a map of the sheets
     text_sheets: Sheets | None = None  # sheets to tape together; each text should be on one sheet
 
     @property
@@ -49,7 +49,7 @@ class Plan(Generic[P]):
 
 
 def plan(pattern: P, paper: str | float | None, keep_places: bool) -> Plan[P]:
-    """Return the plan. paper and keep_places: as for write_pdf. Raises FlattenError if it does not fit on the paper."""
+    """Return the plan. paper and keep_places: as for write_pdf(). Raises FlattenError if the paper is too small."""
     if paper is None:
         paper = page_width(pattern.marker, None, pattern.units) if pattern.marker else "a4"
     width = roll_width(paper)
@@ -59,7 +59,7 @@ def plan(pattern: P, paper: str | float | None, keep_places: bool) -> Plan[P]:
 
 
 def _one_page(pattern: P) -> Plan[P]:
-    """Plan one page of the necessary size, with a grid that is hidden at first."""
+    """Return the plan of one page of the necessary size, with a hidden layer for the grid."""
     size: np.ndarray = np.maximum(pattern.size, (SIZE[0], 0)) + 2 * MARGIN + (0, SIZE[1])
     if size.max() > LONGEST:
         width, height, most = (pattern.units.text(float(side)) for side in (*size, LONGEST))
@@ -77,13 +77,13 @@ def _one_page(pattern: P) -> Plan[P]:
 
 
 def _roll(pattern: P, width: float, keep_places: bool) -> Plan[P]:
-    """Plan pages as wide as the roll, on which pieces stay whole."""
+    """Return the plan of pages as wide as the roll. Each piece is whole on one page."""
     arranged = _on_roll(pattern, width, keep_places)
     sheets = []
     for number, pieces in enumerate(_pages_of_rows(arranged.pieces)):
         bounds = np.array([arranged.pieces[index].bounds for index in pieces])
         low, high = bounds[:, 0, 1].min(), bounds[:, 1, 1].max()
-        block = SIZE[1] if number == 0 else 0.0  # the squares to measure
+        block = SIZE[1] if number == 0 else 0.0  # height of the squares to measure
         size = np.array([width, high - low + 2 * MARGIN + block])
         marks = partial(_scale_on_first, number)
         corner = np.array([-MARGIN, low - MARGIN - block])
@@ -96,18 +96,18 @@ def _scale_on_first(number: int, pattern: PatternData) -> list[Marks]:
 
 
 def _on_roll(pattern: P, width: float, keep_places: bool) -> P:
-    """Return the pieces in rows across the roll, or in their places. Raises FlattenError if one is too large for it."""
+    """Return the pattern in rows across the roll, or in its places. Raises FlattenError if a piece is too large."""
     inner, units = width - 2 * MARGIN, pattern.units
     for piece in pattern.pieces:
         if piece.size[0] > inner or piece.size[1] > LONGEST - 2 * MARGIN - SIZE[1]:
             size = " x ".join(units.measured(float(side)) for side in piece.size)
             raise problem(
-                f'"{piece.name}" is {size}: too large for a roll of {units.text(width)}. Only {units.text(inner)} of '
-                f"it can be printed, on pages of up to {units.text(LONGEST)}. Choose a wider roll or sheets."
+                f'"{piece.name}" is {size}: too large for a roll of {units.text(width)}. Its printed width is '
+                f"{units.text(inner)}, and pages are at most {units.text(LONGEST)} long. Choose a wider roll or sheets."
             )
     if inner < SIZE[0]:
         raise problem(
-            f"A roll of {units.text(width)} is too narrow for the square to measure: choose a wider one or sheets."
+            f"A roll of {units.text(width)} is too narrow for the test square: choose a wider roll or sheets."
         )
     if keep_places and pattern.size[0] > inner:
         raise problem(
@@ -118,7 +118,7 @@ def _on_roll(pattern: P, width: float, keep_places: bool) -> P:
 
 
 def _pages_of_rows(pieces: Sequence[PatternPiece]) -> list[list[int]]:
-    """Return the indices of the pieces of each page, none longer than PDF viewers support."""
+    """Return the indices of the pieces on each page. No page is longer than PDF viewers support."""
     pages: list[list[int]] = []
     low = 0.0
     room = LONGEST - 2 * MARGIN - SIZE[1]
@@ -132,8 +132,8 @@ def _pages_of_rows(pieces: Sequence[PatternPiece]) -> list[list[int]]:
 
 
 def page_width(marker: Marker, roll: float | None, units: UnitSystem) -> float:
-    """Return the width of the page. roll: width of the paper; None: as wide as necessary. Raises FlattenError if the
-    roll is too narrow."""
+    """Return the width of the pages for a marker, in millimeters. roll: width of the paper, or None for the necessary
+    width. Raises FlattenError if the roll is too narrow."""
     needed = max(marker.width, float(SIZE[0])) + 2 * MARGIN
     if roll is not None and roll < needed - 1e-6:
         raise problem(
@@ -148,8 +148,8 @@ def page_width(marker: Marker, roll: float | None, units: UnitSystem) -> float:
 
 
 def _marker(pattern: P, marker: Marker, width: float) -> Plan[P]:
-    """Plan the fabric with its edges, on pages as wide as the roll of paper. If there are several pages, they
-    overlap."""
+    """Return the plan of a marker with the edges of the fabric, on pages as wide as the roll of paper. If the fabric
+    needs several pages, they overlap."""
     page_width(marker, width, pattern.units)
     length = marker.length if marker.sheet_length is None else marker.sheet_length
     most = LONGEST - 2 * MARGIN - SIZE[1]
@@ -180,7 +180,7 @@ def _marker_marks(
 
 
 def _tiles(pattern: P, paper: str, keep_places: bool) -> Plan[P]:
-    """Plan a first page with a map and squares to measure, then the sheets."""
+    """Return the plan of a first page with a map and squares to measure, and of the sheets."""
     tiles = divided(pattern, paper, keep_places)
     upright = np.array(SHEETS[paper])
     cover = Sheet("", np.zeros(2), upright, upright, np.zeros(2), (), lambda _: map_marks(tiles, upright))
@@ -198,6 +198,6 @@ def _tile_marks(tiles: Tiles[P], tile: Tile, met: Sequence[int], pattern: Patter
 
 
 def _met(pieces: Sequence[PatternPiece], low: np.ndarray, high: np.ndarray) -> list[int]:
-    """Return the indices of the pieces whose box, with its border, meets the box from low (2,) to high (2,)."""
+    """Return the indices of the pieces whose box with its border overlaps the box from low (2,) to high (2,)."""
     boxes = (piece.bounds for piece in pieces)
     return [n for n, box in enumerate(boxes) if np.all(box[0] - BORDER < high) and np.all(box[1] + BORDER > low)]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Pages to check before cutting: every piece with its size, every seam with the lengths of its sides."""
+"""Makes pages to check before cutting: tables of pieces, measures and seams, and a sewing order."""
 
 from collections.abc import Sequence
 
@@ -17,14 +17,14 @@ from .papers import MARGIN
 HEIGHT, LINE = 3.2, 5.0  # millimeters: height of letters, and distance between the base lines of rows
 COLUMNS = (0.0, 0.32, 0.55, 0.77, 0.89)  # starts of the columns, as shares of the width
 SHOWN = 0.0005  # millimeters; a smaller difference is printed as 0.000 mm
-CLOTHS = (900.0, 1400.0, 1500.0)  # millimeters: usual widths
+CLOTHS = (900.0, 1400.0, 1500.0)  # millimeters: usual widths of fabric
 AT_ONCE = 6  # number of notches whose places are printed in one row
 SHORTENED = "..."
 Row = Sequence[str]
 
 
 def proof_pages(pattern: PatternData, paper: np.ndarray) -> list[list[Text]]:
-    """Return the texts of the necessary number of pages of this size (2,)."""
+    """Return the texts of each page. paper (2,): size of a page in millimeters."""
     parts = [_piece_rows(pattern), _measure_rows(pattern), _step_rows(pattern), _seam_rows(pattern)]
     rows = [row for part in parts if part for row in ((), *part)][1:]
     at_once = max(int((paper[1] - 2 * MARGIN) / LINE), 1)
@@ -51,7 +51,7 @@ def _piece_rows(pattern: PatternData) -> list[Row]:
 
 
 def _measure_rows(pattern: PatternData) -> list[Row]:
-    """Return the lengths of rigid wires in the finished work."""
+    """Return the rows for finished measures, such as the lengths of rigid wires."""
     if not pattern.measures:
         return []
     rows = [("", name, pattern.units.measured(length)) for name, length in pattern.measures]
@@ -59,7 +59,7 @@ def _measure_rows(pattern: PatternData) -> list[Row]:
 
 
 def _step_rows(pattern: PatternData) -> list[Row]:
-    """Return an order in which the seams can be sewn."""
+    """Return the rows for an order in which the seams can be sewn."""
     rows = [(f"{number}  {step.seam}", _step_text(step)) for number, step in enumerate(pattern.steps, start=1)]
     if rows and any(step.has_gap for step in pattern.steps):
         rows.append((f"{len(rows) + 1}", "Turn the work through the gap and close the gap by hand"))
@@ -76,14 +76,14 @@ def _step_text(step: SewingStep) -> str:
         case _:
             what = f"the two sides of {names} together" if len(step.pieces) == 1 else names
             text = f"Sew {what}{', which closes a ring' if step.kind == 'ring' else ''}"
-    return f"{text}; leave a gap for turning" if step.has_gap else text
+    return f"{text}, and leave a gap for turning" if step.has_gap else text
 
 
 def _seam_rows(pattern: PatternData) -> list[Row]:
-    """Return a row for each side of each seam, the difference between their lengths, and the notches."""
+    """Return the rows for each seam: its sides with lengths and allowances, their difference, and the notches."""
     rows: list[Row] = [("Seam", "Side", "Sewn length", "Allowance", "Difference")]
     for walk in pattern.walks:
-        if not walk.lengths:  # pieces without a layout
+        if not walk.lengths:  # true for pieces without a layout
             continue
         difference = max(walk.lengths) - min(walk.lengths)
         sides = zip(walk.pieces, walk.lengths, walk.allowances, strict=True)
@@ -98,7 +98,8 @@ def _seam_rows(pattern: PatternData) -> list[Row]:
 
 
 def _notch_rows(walk: SeamWalk, units: UnitSystem) -> list[Row]:
-    """Return the places of notches of a seam from the same end on all sides, separately for sides that differ."""
+    """Return the rows for the notches of a seam, as lengths from the same end of all sides. If sides differ, each side
+    has its own rows."""
     sides = [[units.measured(place) for place in places] for places in walk.notches]
     if not any(sides):
         return []
@@ -109,7 +110,7 @@ def _notch_rows(walk: SeamWalk, units: UnitSystem) -> list[Row]:
 
 
 def _in_lines(begin: str, places: Sequence[str]) -> list[Row]:
-    """Return rows of the places, AT_ONCE in each. The first row begins with this text."""
+    """Return rows with AT_ONCE places each. The first row begins with the text `begin`."""
     lines = [", ".join(places[start : start + AT_ONCE]) for start in range(0, len(places), AT_ONCE)]
     return [("", (begin if number == 0 else "") + line) for number, line in enumerate(lines)]
 
@@ -128,7 +129,7 @@ def _page(rows: Sequence[Row], paper: np.ndarray) -> list[Text]:
 
 
 def _fitted(words: str, room: float) -> str:
-    """Return the text, cut off before the next column."""
+    """Return the text, shortened if it is wider than `room` millimeters."""
     shown = words
     while _width(shown) > room and len(shown) > len(SHORTENED):
         shown = shown.removesuffix(SHORTENED)[:-1] + SHORTENED
@@ -136,7 +137,7 @@ def _fitted(words: str, room: float) -> str:
 
 
 def _width(words: str) -> float:
-    """Return the width in millimeters; 0 for letters that cannot be drawn."""
+    """Return the width of a text in millimeters; 0 if its letters cannot be drawn."""
     letters = helvetica.encoded(words)
     if letters is not None:
         return helvetica.width(letters, HEIGHT)

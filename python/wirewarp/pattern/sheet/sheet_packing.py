@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Packs pieces on sheets to tape together, so that they need the fewest sheets.
+"""Packs pieces on as few sheets as possible, which are taped together.
 
-The sheets are divided into cells. Each piece goes where it needs the fewest sheets that no earlier piece needs; a piece
-that ends in the overlap of two sheets needs one of them. Pieces may be turned together with their grain lines.
+The sheets are divided into cells. Each piece is placed where it adds the fewest sheets. A piece that ends in the
+overlap of two sheets needs only one of these sheets. Pieces may be turned together with their grain lines.
 """
 
 from collections.abc import Iterable, Sequence
@@ -14,24 +14,24 @@ import numpy as np
 from ..geometry import are_inside, sampled
 from ..pattern_data import OVERLAP
 
-# most cells times pieces and turns, over all arrangements on one kind of sheet; takes half a second
+# Largest number of cells times pieces and turns, in all arrangements on one kind of sheet. This takes half a second.
 MOST_WORK = 3_000_000
 CELL = OVERLAP  # millimeters, approximately; the overlap of two sheets is one cell
 
 
 @dataclass(frozen=True)
 class Shape:
-    """The cells that a piece covers. A sheet has n by m cells."""
+    """The cells that a piece covers, and the sheets that it needs. A sheet has n by m cells."""
 
     cells: np.ndarray  # (columns, rows) bool
-    needed: np.ndarray  # (n, m, columns, rows) bool: the sheets that the piece needs if it begins in that cell
+    needed: np.ndarray  # (n, m, columns, rows) bool: the sheets that the piece needs if it begins in cell n, m
 
 
 class Placed(NamedTuple):
     sheets: int  # number of sheets needed
     columns: int
-    corners: np.ndarray  # (p,2) lower left corners of the pieces, from the corner of the lowest, leftmost sheet
-    turns: list[int]  # for each piece, which of its outlines is placed
+    corners: np.ndarray  # (p,2) lower left corners of the pieces, from the lower left corner of all sheets
+    turns: list[int]  # for each piece, the index of its placed rotation
 
 
 def placed_on_sheets(
@@ -41,11 +41,12 @@ def placed_on_sheets(
     columns: Iterable[int],
     fewest: int,
 ) -> Placed | None:
-    """Return the best arrangement on one of these numbers of columns; None if each needs at least `fewest` sheets.
+    """Return the arrangement with the fewest sheets. Return None if no arrangement needs fewer than `fewest` sheets.
 
-    outlines: the outlines of each piece in each of its rotations, with the lower left corner at 0, 0. step (2,): from
-    one sheet to the next. inset: millimeters from the edge of the printed area to the nearest piece, and half of the
-    distance between pieces.
+    outlines: by piece and rotation, the outlines of the piece with the lower left corner at 0, 0. step (2,): distance
+    between two neighboring sheets across and upwards. inset: distance between the edge of the printed area and the
+    nearest piece, and half of the distance between pieces. columns: numbers of columns to try. Lengths are in
+    millimeters.
     """
     per_sheet = np.maximum(np.rint(step / CELL), 2).astype(int)
     cell = step / per_sheet
@@ -58,10 +59,10 @@ def placed_on_sheets(
     best, work = None, 0
     for count in columns:
         narrowest = [min(shape.cells.shape[0] for shape in turned) for turned in shapes]
-        if max(narrowest) > count * per_sheet[0] + 1:  # no sheet follows the last one, so its overlap is usable, too
+        if max(narrowest) > count * per_sheet[0] + 1:  # the overlap at the edge of the last sheet is usable, too
             continue
         for order in orders:
-            # Each piece is tried in about all cells that the result uses.
+            # each piece is tried in about as many cells as the result covers
             work += sum(len(turned) for turned in shapes) * sum(width * height for width, height in sizes)
             if work > MOST_WORK:
                 return best
@@ -78,15 +79,15 @@ def placed_on_sheets(
 def _placed(
     shapes: Sequence[Sequence[Shape]], columns: int, per_sheet: np.ndarray, fewest: int
 ) -> tuple[int, np.ndarray, list[int]] | None:
-    """Return the number of sheets, the start cells (p,2) of the pieces, and their turns. Return None if this does not
-    need fewer sheets than the best arrangement so far."""
+    """Return the number of sheets, the start cells (p,2) of the pieces, and their turns. Return None if the pieces need
+    at least `fewest` sheets. shapes: by piece, its shape in each rotation."""
     width = columns * per_sheet[0] + 1
     taken = np.zeros((width, 0), dtype=bool)  # cells of placed pieces
     used = np.zeros((columns, 0), dtype=bool)  # sheets with pieces
     corners, turns = [], []
     for turned in shapes:
         tallest = max(shape.cells.shape[1] for shape in turned)
-        more = -(-tallest // per_sheet[1]) + 1  # adds rows of sheets, so that this piece has room above all others
+        more = -(-tallest // per_sheet[1]) + 1  # rows of sheets to add, so that this piece has room above the others
         taken = np.pad(taken, ((0, 0), (0, more * per_sheet[1])))
         used = np.pad(used, ((0, 0), (0, more)))
         tried = [
@@ -109,7 +110,7 @@ def _placed(
 
 
 def _best_cell(taken: np.ndarray, used: np.ndarray, shape: Shape, per_sheet: np.ndarray) -> tuple[int, int, int]:
-    """Return the number of new sheets that the piece needs, and the lowest, leftmost start cell (y, x) with so few."""
+    """Return the least number of new sheets that a piece needs, and its lowest, leftmost start cell (y, x)."""
     cost = _new_sheets(used, shape.needed, per_sheet)
     collides = _collides(taken, shape.cells)
     fits = tuple(slice(min(sizes)) for sizes in zip(cost.shape, collides.shape, strict=True))
@@ -120,14 +121,14 @@ def _best_cell(taken: np.ndarray, used: np.ndarray, shape: Shape, per_sheet: np.
 
 
 def _mark(whole: np.ndarray, part: np.ndarray, at: np.ndarray) -> None:
-    """Mark the cells of the part in the whole, beginning at `at` (2,)."""
+    """Mark the true cells of `part` in `whole`. at (2,): cell of `whole` at which the part begins."""
     target = whole[at[0] : at[0] + part.shape[0], at[1] : at[1] + part.shape[1]]
     target |= part[: target.shape[0], : target.shape[1]]
 
 
 def _collides(taken: np.ndarray, cells: np.ndarray) -> np.ndarray:
-    """Return for each start cell whether the piece would overlap others."""
-    shape = [_quick(size) for size in taken.shape]  # counts where the piece does not fit are wrong, and not used
+    """Return for each start cell whether the piece would overlap other pieces."""
+    shape = [_quick(size) for size in taken.shape]  # wrong counts, where the piece does not fit, are not used
     product = np.fft.rfft2(taken, shape) * np.conj(np.fft.rfft2(cells, shape))
     counts = np.fft.irfft2(product, shape)
     fits = [size - own + 1 for size, own in zip(taken.shape, cells.shape, strict=True)]
@@ -136,7 +137,8 @@ def _collides(taken: np.ndarray, cells: np.ndarray) -> np.ndarray:
 
 
 def _quick(size: int) -> int:
-    """Return the next size with only the prime factors 2, 3 and 5, because other sizes take longer to transform."""
+    """Return the least number that is at least `size` and has only the prime factors 2, 3 and 5. Such sizes are fast to
+    transform."""
     while True:
         rest = size
         for prime in (2, 3, 5):
@@ -148,11 +150,11 @@ def _quick(size: int) -> int:
 
 
 def _new_sheets(used: np.ndarray, needed: np.ndarray, per_sheet: np.ndarray) -> np.ndarray:
-    """Return for each start cell the number of new sheets that the piece needs."""
+    """Return for each start cell the number of sheets that the piece needs and that are not used yet."""
     n, m, columns, rows = needed.shape
     unused = np.pad(~used, ((0, columns), (0, rows)), constant_values=True)
     windows = np.lib.stride_tricks.sliding_window_view(unused, (columns, rows))[: used.shape[0], : used.shape[1]]
-    # tensordot uses BLAS, which is fast
+    # tensordot() uses BLAS, which is fast
     costs = np.tensordot(windows.astype(float), needed.astype(float), axes=([2, 3], [2, 3]))
     return costs.transpose(0, 2, 1, 3).reshape(used.shape[0] * n, used.shape[1] * m).astype(np.int64)
 
@@ -170,7 +172,8 @@ def _shape(outlines: Sequence[np.ndarray], cell: np.ndarray, per_sheet: np.ndarr
 
 
 def _needed(cells: np.ndarray, per_sheet: np.ndarray) -> np.ndarray:
-    """Return Shape.needed. A part that is only in the first cells of a sheet is shown by the sheet before."""
+    """Return the array Shape.needed. A part in the first cells of a sheet is in the overlap, so the sheet before shows
+    this part, too."""
     sums = np.pad(cells.cumsum(axis=0).cumsum(axis=1), ((1, 0), (1, 0)))
     ends = []
     for count, own in zip(cells.shape, per_sheet.tolist(), strict=True):

@@ -1,8 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Divides a pattern into sheets.
-
-Every piece is on one sheet, or extends over the edges of sheets that are taped together.
-"""
+"""Divides a pattern into sheets. Each piece is on one sheet, or crosses the edges of sheets that are taped together."""
 
 import math
 from collections.abc import Sequence
@@ -20,19 +17,19 @@ from ..pattern_data import OVERLAP, PatternData, in_rows
 from .papers import MARGIN, SHEETS, sheet_name
 from .sheet_packing import placed_on_sheets
 
-INSET = 5.0  # millimeters around the pattern, so that no cut line is on the edge of the printed area
+INSET = 5.0  # millimeters around the pattern, so that no cutting line is on the edge of the printed area
 MOST_SHEETS = 2000
-MOST_PACKED = 60  # number of sheets above which no better arrangement is searched for, because that would take seconds
-MOST_WIDTHS = 8  # number of different column counts to try, for the same reason
-TURNS = (0.0, 90.0, 180.0, 270.0)  # degrees; on paper a piece could be turned freely, but looks better at right angles
+MOST_PACKED = 60  # largest number of sheets for which packing is tried; with more sheets, it would take seconds
+MOST_WIDTHS = 8  # number of column counts to try with packing; with more, it would take seconds
+TURNS = (0.0, 90.0, 180.0, 270.0)  # degrees; all turns are possible on paper, but right angles look better
 P = TypeVar("P", bound=PatternData)
 
 
 @dataclass(frozen=True)
 class Tile:
-    row: int  # number of the row from the top
+    row: int  # index of the row, from the top
     column: int
-    low: np.ndarray  # (2,) lower left corner of the shown part
+    low: np.ndarray  # (2,) lower left corner of the shown part, in the pattern
 
     @property
     def name(self) -> str:
@@ -41,16 +38,16 @@ class Tile:
 
 @dataclass(frozen=True)
 class Tiles(Generic[P]):
-    """A pattern on sheets."""
+    """A pattern on sheets. Lengths are in millimeters."""
 
     pattern: P
     paper: np.ndarray  # (2,) width and height of a sheet
-    shown: np.ndarray  # (2,) shown part of each sheet, inside its margins
-    overlap: float  # overlap of neighboring sheets; 0 if every piece is on one sheet
+    shown: np.ndarray  # (2,) width and height of the printed area of each sheet, inside its margins
+    overlap: float  # overlap of neighboring sheets; 0 if each piece is on one sheet
     rows: int
     columns: int
     low: np.ndarray  # (2,) lower left corner of all sheets
-    tiles: list[Tile]  # sheets with a part that no other sheet shows
+    tiles: list[Tile]  # sheets to print; each shows a part that no other sheet shows
 
     @property
     def boxes(self) -> list[Box]:
@@ -58,8 +55,8 @@ class Tiles(Generic[P]):
 
     @property
     def borders(self) -> list[np.ndarray]:
-        """Return the middle (2,2) of the overlap at the left and the lower edge of each sheet with a neighbor there. A
-        line that does not cross them is on one sheet."""
+        """Return the middle lines (2,2) of all overlaps of neighboring sheets. A line that crosses none of them is on
+        one sheet."""
         if not self.overlap:
             return []
         found = []
@@ -71,15 +68,18 @@ class Tiles(Generic[P]):
 
 
 class Shape(NamedTuple):
-    """A piece, for Clipper."""
+    """The cutting lines of a piece, for Clipper."""
 
-    outlines: list[list[list[int]]]  # cut lines of the piece, on Clipper's grid
-    bounds: tuple[np.ndarray, np.ndarray]
+    outlines: list[list[list[int]]]  # points on Clipper's grid
+    bounds: tuple[np.ndarray, np.ndarray]  # lower left and upper right corner (2,) in millimeters
 
 
 def divided(pattern: P, paper: str, keep_places: bool) -> Tiles[P]:
-    """Divide the pattern into the fewest sheets, upright or turned; every piece on one sheet if that needs no more. A
-    marker keeps its places, and so does a pattern with keep_places. Raises FlattenError for too many sheets."""
+    """Return the pattern on the fewest sheets, which are all upright or all turned.
+
+    If this needs no more sheets, each piece is on one sheet. Markers keep their places. keep_places: whether other
+    patterns keep their places, too. Raises FlattenError for too many sheets.
+    """
     if pattern.marker or keep_places:
         moved = pattern.at_origin()
         plans = [_with_tiles(moved, np.array(upright)) for upright in (SHEETS[paper], SHEETS[paper][::-1])]
@@ -91,7 +91,7 @@ def divided(pattern: P, paper: str, keep_places: bool) -> Tiles[P]:
 
 
 def _whole(pattern: P, sheet: np.ndarray) -> Tiles[P] | None:
-    """Return rows of pieces, each row on one sheet; None if a piece is larger than that."""
+    """Return the pieces in rows, each row on one sheet; None if a piece is larger than a sheet."""
     shown = sheet - 2 * MARGIN
     room = shown - 2 * INSET
     sizes = np.array([piece.size for piece in pattern.pieces])
@@ -110,7 +110,7 @@ def _whole(pattern: P, sheet: np.ndarray) -> Tiles[P] | None:
 
 
 def _taped(pattern: P, paper: str) -> Tiles[P]:
-    """Return the arrangement with the fewest sheets of all that are tried. Raises FlattenError for too many."""
+    """Return the arrangement with the fewest sheets of all that are tried. Raises FlattenError for too many sheets."""
     sizes = np.array([piece.size for piece in pattern.pieces])
     in_row: tuple[int, float, np.ndarray] | None = None
     tried = []
@@ -149,27 +149,27 @@ def _taped(pattern: P, paper: str) -> Tiles[P]:
 
 
 def _cut_lines(piece: PatternPiece) -> list[np.ndarray]:
-    """Return the cut lines with the lower left corner of the piece at 0, 0."""
+    """Return the cutting lines (k,2) of a piece, with its lower left corner at 0, 0."""
     return [line.points - piece.bounds[0] for line in piece.of_role("cut")]
 
 
 def _counts(size: np.ndarray, step: np.ndarray) -> np.ndarray:
-    """Return the numbers of columns and rows (2,) of sheets for this size. Each sheet begins a step after the one
-    before."""
+    """Return the numbers of columns and rows (2,) of sheets for a pattern of this size (2,). step (2,): distance
+    between neighboring sheets."""
     counts: np.ndarray = np.maximum(np.ceil((size + 2 * INSET - OVERLAP) / step - 1e-9), 1).astype(int)
     return counts
 
 
 def _check_count(count: int, pattern: PatternData) -> None:
-    """Check the number of sheets. Raises FlattenError if there are too many."""
+    """Raise FlattenError if there are too many sheets."""
     if count > MOST_SHEETS:
         size = " x ".join(pattern.units.text(float(side)) for side in pattern.size)
-        raise problem(f"The pattern is {size}: more than {MOST_SHEETS} sheets; see millimeters_per_unit.")
+        raise problem(f"The pattern is {size}: more than {MOST_SHEETS} sheets. Check millimeters_per_unit.")
 
 
 def _with_tiles(pattern: P, sheet: np.ndarray, columns: int | None = None) -> Tiles[P]:
-    """Return the pattern on sheets. columns: number of columns, from 0, 0 to the right and upwards. None: as many as
-    needed, from the upper left."""
+    """Return the pattern on sheets. columns: number of columns if the sheets begin at 0, 0, the lower left. None: as
+    many columns as needed, with the sheets beginning at the upper left."""
     shown = sheet - 2 * MARGIN
     step, top = shown - OVERLAP, pattern.size[1] + INSET
     if columns is None:
@@ -193,7 +193,7 @@ def _with_tiles(pattern: P, sheet: np.ndarray, columns: int | None = None) -> Ti
 
 
 def _needed(tiles: list[Tile], shown: np.ndarray, shapes: Sequence[Shape]) -> list[Tile]:
-    """Remove the sheets that others show completely: two sheets both show their overlap."""
+    """Return the sheets without those whose whole content is in overlaps, which other sheets show, too."""
     kept = list(tiles)
     for tile in tiles:
         others = [other for other in kept if other != tile and np.all(np.abs(other.low - tile.low) < shown)]
@@ -209,7 +209,8 @@ def _box(low: np.ndarray, high: np.ndarray) -> list[list[int]]:
 
 
 def _shows(low: np.ndarray, high: np.ndarray, shape: Shape, others: Sequence[list[list[int]]] = ()) -> bool:
-    """Return whether a sheet from low to high shows a part of a piece that no other sheet shows."""
+    """Return whether a sheet from low (2,) to high (2,) shows a part of a piece that no other sheet shows. others:
+    boxes of the other sheets on Clipper's grid."""
     if np.any(shape.bounds[0] >= high) or np.any(shape.bounds[1] <= low):
         return False
     part = _clipped(shape.outlines, [_box(low, high)], pyclipper.CT_INTERSECTION)
