@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Faults of whole pieces: their shape, their lengths, and what their errors say.
+// Tests of fixed faults of whole pieces, in their shapes, lengths and errors.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,9 +18,9 @@
 namespace wirewarp::bugs_of_pieces_test {
 namespace {
 
-// Flat sheets stopped close to their shape: strained, "stopped short", flipped, or overlapping along a slit. For edges
-// of a millionth of the piece, bending is stiffer than doubles can represent beside the other terms; and flat nets of
-// rigid wires are rigid only to second order.
+// For some flat sheets, the solver stopped close to the flat shape. The result was strained, "stopped short", flipped,
+// or overlapping along a slit. There were two causes. For edges of a millionth of the piece's size, bending is so stiff
+// that the other terms are lost in rounding. Flat nets of rigid wires are rigid only to second order.
 
 constexpr double kRounding = 1e-20;  // rounding error of E, for strains of 1e-10
 
@@ -72,8 +72,8 @@ TEST(Bugs, AFlatNetOfRigidWiresConverges) {
   expect_flat_without_strain(input);
 }
 
-// A failed piece that was flipped was upside down with Orientation::up: its area is negative, so the mean gradient over
-// it had the wrong sign.
+// With Orientation::up, a flipped piece was upside down. Its area is negative, so the mean gradient of the height over
+// the piece had the wrong sign.
 TEST(Bugs, AFlippedPieceIsUprightToo) {
   const Charts charts = test::charts_of(test::flat_rectangle(4, 3, 2, 1));
   const Positions2 uv = test::planar_positions(charts.charts.at(0));
@@ -84,8 +84,8 @@ TEST(Bugs, AFlippedPieceIsUprightToo) {
   }
 }
 
-// The error of a ring that is flipped somewhere proposed only the seam that opens it, although a dart or a wire with
-// tolerance may help.
+// If a face of a ring was flipped, the error suggested only the seam that opens the ring. A dart or a wire with
+// tolerance may help, too.
 TEST(Bugs, TheErrorOfARingProposesEveryRemedy) {
   const int around = 16;
   FlattenInput input = test::flat_annulus(around, 4, 1, 3);
@@ -107,7 +107,7 @@ TEST(Bugs, TheErrorOfARingProposesEveryRemedy) {
   }
 }
 
-// A wire of one vertex that the mesh does not have was refused as too short, and the error named that vertex.
+// A wire of a single vertex that the mesh does not have was refused as too short. The error named the missing vertex.
 TEST(Bugs, AShortWireOfNoVertexIsOutOfRange) {
   FlattenInput input = test::flat_rectangle(1, 1, 1, 1);
   const auto beyond = static_cast<int>(input.vertices.rows());
@@ -115,10 +115,11 @@ TEST(Bugs, AShortWireOfNoVertexIsOutOfRange) {
   EXPECT_EQ(test::error_of([&] { flatten(input); }).code, ErrorCode::vertex_out_of_range);
 }
 
-// Pieces of a stretched cloth were refused or overlapped themselves although they were good without the stretch. If the
-// sides of a seam shrink by very different shares, their mean could not be reached in one step; nothing prevented
-// overlaps; and a piece that is flipped anyway lost its layout and its suggestion, even if it had a shape with all
-// stretched lengths. Later it kept its layout with lengths without the stretch, so that its seams had two lengths.
+// Pieces of a stretched fabric failed or overlapped themselves, although they were good without the stretch. If the
+// sides of a seam shrink by very different shares, one step could not reach their mean length. Nothing prevented
+// overlaps. A piece that is flipped even without the stretch lost its layout and its suggestion, even if it had a shape
+// with all stretched lengths. In a later version, such a piece kept its layout, but with lengths without the stretch.
+// Its seams then had two lengths.
 
 Options stretched(double weft, double warp) {
   Options options;
@@ -128,7 +129,7 @@ Options stretched(double weft, double warp) {
   return options;
 }
 
-/// Returns two sheets of 2 by 2, one with its grain along the seam, the other with its grain across it.
+/// Returns two sheets of 2 by 2, one with its grain along the seam, the other with its grain across the seam.
 FlattenInput sheets_with_crossed_grain(double bump) {
   FlattenInput input = test::make_grid(8, 4, [=](double s, double t) -> Eigen::Vector3d {
     return {4 * s, 2 * t, bump * std::sin(3 * s) * std::sin(3 * t)};
@@ -140,7 +141,7 @@ FlattenInput sheets_with_crossed_grain(double bump) {
   return input;
 }
 
-/// Returns a ruffle that goes almost all the way around. When flat, it would extend past its start.
+/// Returns a ruffle around almost a full circle. In the plane, its end would extend past its start.
 FlattenInput ruffle() {
   return test::make_grid(24, 3, [](double s, double t) -> Eigen::Vector3d {
     const double angle = 0.95 * 2 * kPi * s, radius = 1 + t;
@@ -184,7 +185,7 @@ TEST(Bugs, StretchedElasticSeamsHaveTheirEaseIfNoOtherLengthIsFound) {
   }
 }
 
-/// Returns two sheets side by side, the left one with more rigid wires than its bump can have.
+/// Returns two sheets side by side. The left sheet has a bump, and more rigid wires than it can keep without flips.
 FlattenInput flipped_beside_good() {
   FlattenInput input = test::make_grid(8, 4, [](double s, double t) -> Eigen::Vector3d {
     return {2 * s, t, 2 * std::exp(-12 * ((2 * s - 0.5) * (2 * s - 0.5) + (t - 0.5) * (t - 0.5)))};
@@ -217,7 +218,7 @@ TEST(Bugs, TheSidesOfASeamHaveOneLengthBesideAFlippedPiece) {
     ASSERT_TRUE(result.pieces.at(0).error && result.pieces[0].error->code == ErrorCode::flipped_faces);
     EXPECT_FALSE(result.pieces.at(1).error);
     const SeamReport& seam = result.seams.at(0);
-    // The length is between those of a seam along the weft and of one along the warp, within the tolerance.
+    // The length is between the lengths of a seam along the weft and of a seam along the warp, within the tolerance.
     EXPECT_GT(seam.length_2d.at(0), (1 - tolerance) * seam.length_3d / 1.2);
     EXPECT_LT(seam.length_2d.at(0), (1 + tolerance) * seam.length_3d / 1.05);
     EXPECT_LT(seam.mismatch, 1e-9 * seam.length_3d);

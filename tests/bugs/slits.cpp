@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Faults of slits: seams inside one piece, whose rims often connect the same two vertices.
+// Tests of fixed faults of slits, which are seams inside one piece. The rims of a slit often connect the same two
+// vertices.
 #include "surface/charts/slits.h"
 
 #include <gtest/gtest.h>
@@ -21,8 +22,8 @@
 namespace wirewarp::bugs_of_slits_test {
 namespace {
 
-// The key of the cache did not contain which rims are the same edges of the input. So a piece with a hole got the shape
-// of another piece with equal geometry whose hole was a slit.
+// The key of the cache did not contain which rims come from the same edges of the input. So a piece with a hole got the
+// shape of another piece with equal geometry whose hole was a slit.
 
 constexpr int kQuads = 8;
 
@@ -42,8 +43,8 @@ FlattenInput with_slit() {
   return input;
 }
 
-/// Returns the mesh with the slit cut open: its inner vertices are doubled, as in flatten(). The lower rim is
-/// sewn to a third piece.
+/// Returns the dome with the slit cut open into a hole. The slit's inner vertices are doubled, as in flatten(). The
+/// lower rim of the hole is sewn to a second piece.
 FlattenInput with_sewn_hole() {
   const FlattenInput whole = dome();
   FlattenInput input;
@@ -86,10 +87,10 @@ TEST(Bugs, ACachedSlitIsNotReusedForAHoleOfTheSameGeometry) {
   EXPECT_TRUE(cached.corner_uv == alone.corner_uv);
 }
 
-// Slits of two and three edges on a dome stopped after 100 factorizations at 1.7 to 2.7 times the objective, or with
-// rims that cross each other: at a closed slit, the branches of exact shapes cross.
+// On a dome, slits of two and three edges stopped after 100 factorizations. Their objective was 1.7 to 2.7 times the
+// best one, or their rims crossed each other. The reason is that branches of exact shapes cross at a closed slit.
 
-/// Steps (i, j) on the grid from the middle.
+/// Direction of a slit on the grid. corner: along a row first, then along a column.
 enum class Way { along_row, along_column, diagonal, corner };
 
 std::vector<int> slit(int n, Way way, int num_edges) {
@@ -109,7 +110,7 @@ FlattenInput dome(int n, double height) {
       n, n, [&](double s, double t) { return Eigen::Vector3d(s, t, height * (s * (1 - s) + t * (1 - t))); });
 }
 
-/// Returns f over the area of the best shape with all slits closed.
+/// Returns the objective f of the best shape with all slits closed, divided by the surface area.
 double shut_objective(const FlattenInput& input, const Options& options) {
   const Chart chart = test::chart_of(input);
   const SewnChart sewn = *sew(chart, find_slits(chart));
@@ -142,18 +143,18 @@ TEST(Bugs, ClosedSlitsOfAFewEdgesTakeHardlyLongerThanWires) {
   }
 }
 
-// On a rough surface, a slit that turns more to the left than the outline was taken for the outer loop. Only the other
-// slits were sewn, but the rims of this slit still became one edge. Memory was then written at index -1.
+// On a rough surface, a slit that turns more to the left than the outline was mistaken for the outer loop. Only the
+// other slits were sewn, but the rims of this slit still became one edge. Then a value was written at index -1.
 
-/// Returns a sheet with a slit of one edge, which has a high spike at one end and a low one at the other. The slit
-/// therefore turns by nearly 2 pi.
+/// Returns a sheet with two slits of one edge each. One slit connects two high spikes, and therefore turns by nearly 2
+/// pi.
 FlattenInput rough_sheet_with_two_slits() {
   FlattenInput input = test::make_grid(6, 6, [](double s, double t) {
     const bool is_spike = std::abs(s - 0.5) < 1e-9 && (std::abs(t - 0.5) < 1e-9 || std::abs(t - 1.0 / 3) < 1e-9);
     const bool is_corner = (s == 0 || s == 1) && (t == 0 || t == 1);
     return Eigen::Vector3d(s, t, is_spike ? 20 : is_corner ? 0.3 : 0);
   });
-  test::add_seam(input, {3 + 7 * 2, 3 + 7 * 3});  // joins both spikes
+  test::add_seam(input, {3 + 7 * 2, 3 + 7 * 3});  // connects both spikes
   test::add_seam(input, {1 + 7 * 5, 2 + 7 * 5});
   return input;
 }
@@ -189,8 +190,8 @@ TEST(Bugs, TheOutlineOfAClosedSurfaceWithTwoSlitsIsOneOfThem) {
   EXPECT_TRUE(result.pieces[0].error) << "the outline has no area";
 }
 
-// The search for cuts took a slit of one edge for a sewn one, because its rims connect the same two vertices. So it
-// proposed a cut along the slit itself.
+// The search for cuts mistook a slit of one edge for a sewn edge, because both rims connect the same two vertices. So
+// the search suggested a cut along the slit itself.
 TEST(Bugs, NoSeamIsProposedAlongASlitOfOneEdge) {
   const int around = 4;
   FlattenInput input = test::make_tube(around, 8, [](double s, double t) {
@@ -210,8 +211,8 @@ TEST(Bugs, NoSeamIsProposedAlongASlitOfOneEdge) {
   }
 }
 
-// A seam of one edge inside a large piece: both its sides connect the same two vertices. Coarsening confused them and
-// read past the end of the other one's run.
+// Both sides of a slit of one edge connect the same two vertices. In a large piece, coarsening confused the sides, and
+// read past the end of the other side's run.
 TEST(Bugs, ALargePieceMayHaveASlitOfOneEdge) {
   const int n = 104;
   FlattenInput input = test::make_grid(
@@ -227,8 +228,8 @@ TEST(Bugs, ALargePieceMayHaveASlitOfOneEdge) {
   EXPECT_EQ(result.seams.at(0).mismatch, 0);
 }
 
-// A seam of one edge inside a piece took all 100 factorizations. The boundary turns back at both its ends, where the
-// previous and the next vertex are the same, and the Hessian of the fairness did not contain their product.
+// With a slit of one edge, the solver used all 100 factorizations. The outline turns back at each end of the slit, so
+// the previous and the next vertex are the same. The Hessian of the fairness lacked the product of these two vertices.
 TEST(Bugs, ASlitOfOneEdgeTakesNoLongerThanAWire) {
   const auto saddle = [](double s, double t) {
     return Eigen::Vector3d(68 * s, 5 * t, 8.5 * ((s - 0.5) * (s - 0.5) - (t - 0.5) * (t - 0.5)));
@@ -241,18 +242,19 @@ TEST(Bugs, ASlitOfOneEdgeTakesNoLongerThanAWire) {
   EXPECT_LE(result.pieces[0].report.factorizations, 5);
 }
 
-// The two closures of a slit of one edge depend on each other. The regularization of their pivot was scaled by the mean
-// weight of all edges: with tiny edges elsewhere it was lost in rounding, and pieces were "not solvable".
+// The two closure conditions of a slit of one edge depend on each other. The regularization of their pivot was scaled
+// by the mean weight of all edges. With tiny edges elsewhere, it was lost in rounding, and the pieces were "not
+// solvable".
 TEST(Bugs, ASlitOfOneEdgeBesideTinyEdgesHasAFactor) {
   const int n = 12;
   for (int i = 0; i < 3 * (n - 2); ++i) {
     const int slit = i / 3, begin = n + 2 + slit;
     const int end = std::array{begin + 1, begin + n + 1, begin + n + 2}[static_cast<std::size_t>(i % 3)];
-    const auto graded = [](double s, double t) {  // columns from 1 down to 3^-16
+    const auto graded = [](double s, double t) {  // x falls from 1 to 3^-16
       return Eigen::Vector3d(std::pow(3, -16 * s), t, 0.3 * t * t);
     };
     FlattenInput input = test::make_grid(n, 3, graded);
-    test::add_seam(input, {begin, end});  // along an axis, where a closure vanishes, or diagonally
+    test::add_seam(input, {begin, end});  // along an axis, where one closure vanishes, or diagonally
     const Chart chart = test::process(input).refined;
     const WireNetwork network = build_wire_network(chart);
     const Eq1 eq1(network, NodeWeight::length);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Fuzzes the whole of flatten() with libFuzzer: bytes become a mesh with seams, wires, options and the moment of a
-// cancellation. Half of them are a slightly changed small mesh, because random lists of faces are rarely a surface;
-// half are random faces. A result that is not a typed error must keep every guarantee, and measure() must agree.
+// Fuzzes the whole of flatten() with libFuzzer. Bytes become a mesh with seams, wires, options and the moment of a
+// cancellation. Half of the meshes are small valid meshes with a few changes, because random lists of faces are rarely
+// a surface. The other half are random faces. flatten() must throw a FlattenError, or keep every guarantee and agree
+// with measure().
 #include <fuzzer/FuzzedDataProvider.h>
 
 #include <algorithm>
@@ -31,7 +32,7 @@ double any_coordinate(FuzzedDataProvider& bytes) {
   return bytes.ConsumeIntegral<std::int8_t>() / 16.0;
 }
 
-/// Returns a number that usually is a vertex of the mesh.
+/// Returns a number that usually is the index of a vertex of the mesh.
 int any_vertex(FuzzedDataProvider& bytes, int num_vertices) { return bytes.ConsumeIntegralInRange(-1, num_vertices); }
 
 double any_tolerance(FuzzedDataProvider& bytes) {
@@ -48,7 +49,7 @@ double any_tolerance(FuzzedDataProvider& bytes) {
   }
 }
 
-/// Returns options that are usually legal; the defaults if no bytes are left.
+/// Returns options that are usually valid. Returns the defaults if no bytes are left.
 Options any_options(FuzzedDataProvider& bytes) {
   Options options;
   options.method = bytes.PickValueInArray({Method::refined, Method::wirewarp_plus_plus, Method::wirewarping});
@@ -145,7 +146,7 @@ void change_one(RandomStream& random, FlattenInput& input) {
   }
 }
 
-/// Returns a legal sheet, tube or torus of a few quads, of any shape in space, without seams and wires.
+/// Returns a valid sheet, tube or torus of a few quads, with a random shape and without seams and wires.
 FlattenInput small_mesh(RandomStream& random) {
   const int nx = random.whole(1, 5), ny = random.whole(1, 5);
   const bool wraps_x = nx > 2 && random.chance(0.3), wraps_y = ny > 2 && random.chance(0.3);
@@ -174,14 +175,15 @@ FlattenInput small_mesh(RandomStream& random) {
   return input;
 }
 
-/// Removes, flips, splits, welds and adds a few faces: any topology, legal or not.
+/// Removes, flips, splits, welds and adds a few faces. The mesh may become invalid.
 void change_faces(RandomStream& random, FlattenInput& input) {
   for (int changes = random.chance(0.5) ? random.whole(1, 8) : 0; changes > 0 && input.faces.rows() > 1; --changes) {
     change_one(random, input);
   }
 }
 
-/// Returns a mesh whose seams and wires are walks along edges; a flat sheet without them if no bytes are left.
+/// Returns a mesh whose seams and wires are random walks along edges. If no bytes are left, the mesh is a flat sheet
+/// without seams and wires.
 FlattenInput changed_mesh(FuzzedDataProvider& bytes) {
   RandomStream random([&] { return 1 - (bytes.ConsumeIntegral<std::uint16_t>() + 1) / 65536.0; });
   FlattenInput input = small_mesh(random);
@@ -198,16 +200,16 @@ Asked any_case(FuzzedDataProvider& bytes) {
   if (bytes.ConsumeBool()) asked.steps_until_cancelled = bytes.ConsumeIntegralInRange(0, 200);
   asked.options.grain = bytes.ConsumeIntegralInRange(-1, 3);
   asked.input = bytes.ConsumeBool() ? any_input(bytes) : changed_mesh(bytes);
-  // The index of the grain wire is at most one too large.
+  // The index of the grain wire is at most one too large, so that many cases are valid.
   asked.options.grain = std::min(asked.options.grain, static_cast<int>(asked.input.wires.size()));
   if (bytes.ConsumeBool()) asked.options.large_chart = bytes.ConsumeIntegralInRange(1, kMostVertices);
   return asked;
 }
 
-/// Returns the differences between the result and the report of measure(), which must confirm every guarantee.
+/// Returns a sentence for each piece that has no error in the result, but has one in the report of measure().
 std::vector<std::string> differences_of_measure(const Asked& asked, const FlattenResult& result) {
   std::vector<std::string> differences;
-  if (asked.options.mirror) return differences;  // all faces are flipped
+  if (asked.options.mirror) return differences;  // measure() reports all faces as flipped
   const FlattenResult measured = measure(asked.input, result.corner_uv);
   for (std::size_t p = 0; p < result.pieces.size(); ++p) {
     const auto& error = measured.pieces.at(p).error;
@@ -228,7 +230,7 @@ void flatten_and_judge(const Asked& asked) {
   try {
     const FlattenResult result = flatten_with(asked.input, asked.options, progress);
     std::vector<std::string> broken = broken_guarantees(asked.input, asked.options, result);
-    if (steps > asked.steps_until_cancelled) {  // the search for fixes ends, too
+    if (steps > asked.steps_until_cancelled) {  // canceled, maybe before a fix was found
       const auto misses_fix = [](const std::string& s) { return s.find(" is proposed") != std::string::npos; };
       broken.erase(std::remove_if(broken.begin(), broken.end(), misses_fix), broken.end());
     }

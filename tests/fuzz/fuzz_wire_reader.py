@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Coverage-guided fuzzing (atheris, on libFuzzer) of the add-on's reader of wires: any edge attributes become chains.
+"""Fuzzes the add-on's reader of wires with atheris (on libFuzzer). Any edge attributes must become chains of edges.
 
-python tests/fuzz/fuzz_wire_reader.py LIBFUZZER_ARGUMENTS
+Usage: python tests/fuzz/fuzz_wire_reader.py LIBFUZZER_ARGUMENTS
 """
 
 import collections
@@ -18,7 +18,10 @@ with atheris.instrument_imports():
 
 
 def any_marks(raw: bytes) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
-    """Edges of a mesh (each pair of vertices at most once, as in Blender), ids, tolerances and positions."""
+    """Return the edges of a mesh with their wire ids and tolerances, and the positions of the mesh's vertices.
+
+    As in Blender, there is at most one edge between two vertices.
+    """
     bytes_ = atheris.FuzzedDataProvider(raw)
     count = bytes_.ConsumeIntInRange(2, 30)
     pairs: dict[tuple[int, int], tuple[int, float]] = {}
@@ -42,7 +45,7 @@ def edges_of_chain(vertices: list[int]) -> list[tuple[int, int]]:
 
 
 def check(raw: bytes) -> None:
-    """Every marked edge is in exactly one chain, and that chain has its id and its tolerance."""
+    """Check that every marked edge is in exactly one chain, and that this chain has the edge's id and tolerance."""
     edges, ids, tolerances, positions = any_marks(raw)
     marks = {
         (min(edge), max(edge)): (wire_id, np.float32(tolerance))

@@ -12,8 +12,8 @@ namespace {
 struct Topology {
   int num_loops = 0;
   int num_handles = 0;
-  double longest_loop = 0;  // in space
-  double area = 0;          // in space
+  double longest_loop = 0;  // length on the surface
+  double area = 0;          // on the surface
 };
 
 Topology topology_of(const Judged& judged, const Piece& piece) {
@@ -61,7 +61,7 @@ void check_named_elements(Judged& judged, int number) {
   }
 }
 
-/// Checks that proposed tolerances are larger than the wires' tolerances, and that the wires are fixed or elastic.
+/// Checks that tolerances are proposed for wires inside the piece, and are larger than the wires' own tolerances.
 void check_tolerances(Judged& judged, int number) {
   for (const ProposedTolerance& proposed : judged.result.pieces[number].error->elements.proposed_tolerances) {
     const Wire& wire = judged.input.wires[proposed.wire];
@@ -85,8 +85,8 @@ void check_flips(Judged& judged, const Piece& piece) {
   }
 }
 
-/// Returns whether target lengths differ from the lengths on the surface, because the piece has eases, or has a shape
-/// only without the stretch. In such a case, it is possible that neither seams nor tolerances help.
+/// Returns whether target lengths differ from the lengths on the surface. The outline may have other lengths, or the
+/// piece may have a shape only without the stretch. Neither seams nor tolerances may fix the error of such a piece.
 bool has_other_target_lengths(const Judged& judged, int number) {
   const bool is_of_stretch = judged.unstretched && !judged.unstretched->pieces[number].error;
   return is_of_stretch || has_other_outline(judged, judged.result.pieces[number]);
@@ -113,7 +113,7 @@ void check_error(Judged& judged, int number) {
   const FlattenError& error = *piece.error;
   for (std::string& fault : faults_of_error(error, judged.input)) judged.say(std::move(fault));
   if (error.has_layout != judged.has_layout(piece)) judged.say("has_layout is wrong");
-  // The checks below need a valid mesh that was looked at.
+  // The checks below need a valid mesh, and a run that was not canceled.
   if (is_of_mesh(error.code) || error.code == ErrorCode::cancelled) return;
 
   check_named_elements(judged, number);
@@ -132,8 +132,8 @@ void check_error(Judged& judged, int number) {
       if (!has_seams) judged.say("no seam is proposed");
       break;
     case ErrorCode::boundary_too_short: {
-      // An outline of this length encloses more than the minimum share of the area, so it is not too short (see
-      // native/src/surface/charts/isoperimetric.cpp).
+      // Area of a circle with the length of the longest loop, over the piece's area. If this ratio is above the
+      // minimum, the outline is not too short (see native/src/surface/charts/isoperimetric.cpp).
       const double share = topology.longest_loop * topology.longest_loop / (4 * 3.141592653589793 * topology.area);
       if (share > (topology.num_loops > 1 ? 0.45 : 0.25) * (1 + 1e-9)) judged.say("the outline is not too short");
       if (!has_seams) judged.say("no seam is proposed");

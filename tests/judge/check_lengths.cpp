@@ -16,8 +16,8 @@ struct EdgeLengths {
   double slack;  // allowed error of the planar length
 };
 
-/// Returns the lengths of one side without its own ease r. is_stretched: whether the fabric is stretched when worn, so
-/// that flat lengths are shorter.
+/// Returns the lengths of one side of an edge. The planar length and its slack are divided by 1 + ease. is_stretched:
+/// whether a fabric that is stretched when worn shortens the target.
 EdgeLengths lengths_of(const Judged& judged, const Edge& edge, const Side& side, double ease, bool is_stretched) {
   const double in_space = judged.length_3d(edge);
   const int piece = judged.piece_of(side.face);
@@ -25,7 +25,7 @@ EdgeLengths lengths_of(const Judged& judged, const Edge& edge, const Side& side,
   double share = 1;
   if (is_stretched && judged.unstretched) {
     share = stretched_share(judged, edge);
-    // The directions come from this result, so its rounding errors count, too.
+    // The directions come from the result without the stretch, so its rounding errors count, too.
     rounding += kRounding * judged.uv_size(judged.unstretched->pieces[piece]);
   }
   const double slack = 1.0001e-9 * in_space + rounding;
@@ -37,8 +37,8 @@ bool is_all_rigid(const Options& options) {
   return options.method == Method::wirewarping || options.inner == Inner::least_norm;
 }
 
-/// Returns, for each part of a wire, its edges inside pieces that keep their lengths. Parts end on seams and borders,
-/// and where pieces touch.
+/// Returns the lengths of the edges of each part of a wire. Lists only edges inside pieces that keep their lengths.
+/// Parts end at outlines, and where the wire enters another piece.
 std::vector<std::vector<EdgeLengths>> parts_of(const Judged& judged, const Wire& wire) {
   std::vector<std::vector<EdgeLengths>> parts(1);
   const auto piece_at = [&](std::size_t i) {
@@ -53,7 +53,7 @@ std::vector<std::vector<EdgeLengths>> parts_of(const Judged& judged, const Wire&
     const Edge edge = edge_of(wire.vertices[i], wire.vertices[i + 1]);
     const Side side = judged.sides().at(edge).front();
     const Piece& piece = judged.result.pieces[piece_at(i)];
-    if (judged.is_outline(edge) || !keeps_lengths(piece)) continue;  // check_run() and others check outlines
+    if (judged.is_outline(edge) || !keeps_lengths(piece)) continue;  // check_run() checks outlines
     parts.back().push_back(lengths_of(judged, edge, side, 0, wire.ease == 0));
   }
   const bool goes_on = wire.vertices.front() == wire.vertices.back() && !begins_part(0);
@@ -64,11 +64,11 @@ std::vector<std::vector<EdgeLengths>> parts_of(const Judged& judged, const Wire&
   return parts;
 }
 
-/// The range of h for which all edges that were added have planar lengths (1+h) l.
+/// The range of h for which all edges passed to meet() have planar lengths (1+h) l.
 struct Variations {
   double low, high;
 
-  /// Begins with the tolerance of a wire around its ease. tolerance: 0 for a rigid wire.
+  /// Begins with the range from ease - tolerance to ease + tolerance. tolerance: 0 for a rigid wire.
   explicit Variations(double tolerance, double ease = 0) : low(ease - tolerance), high(ease + tolerance) {}
 
   void meet(const EdgeLengths& edge) {
@@ -76,7 +76,7 @@ struct Variations {
     high = std::min(high, (edge.planar + edge.slack) / edge.target - 1);
   }
 
-  /// Returns the distance between the bounds if no h fits; 0 or negative if some h fits.
+  /// Returns the distance between the bounds if no h fits, and 0 or less if some h fits.
   double gap() const { return low - high; }
 };
 
@@ -88,7 +88,7 @@ void check_part(Judged& judged, const Wire& wire, double tolerance, const std::v
   }
 }
 
-/// Returns r of a side.
+/// Returns the ease r of a side, or 0 if it has none.
 double ease_of(const Judged& judged, const Side& side) {
   const int from = judged.vertex(side.face, side.corner), to = judged.vertex(side.face, side.corner + 1);
   for (const Ease& ease : judged.input.eases) {
@@ -99,7 +99,8 @@ double ease_of(const Judged& judged, const Side& side) {
   return 0;
 }
 
-/// Returns the sides of an outline edge in pieces that keep their lengths, without their own eases.
+/// Returns the lengths of an outline edge's sides, without the sides' own eases. Lists only sides in pieces that keep
+/// their lengths.
 std::vector<EdgeLengths> uneased_sides(const Judged& judged, const Edge& edge, bool is_stretched) {
   std::vector<EdgeLengths> sides;
   for (const Side& side : judged.sides().at(edge)) {
@@ -109,7 +110,7 @@ std::vector<EdgeLengths> uneased_sides(const Judged& judged, const Edge& edge, b
   return sides;
 }
 
-/// Returns the lowest face that can be reached around a vertex of a face without crossing an outline.
+/// Returns the lowest index of the faces that can be reached around a vertex of a face without crossing an outline.
 int least_face_around(const Judged& judged, int face, int vertex) {
   std::set<int> reached{face};
   std::vector<int> front{face};
@@ -127,7 +128,7 @@ int least_face_around(const Judged& judged, int face, int vertex) {
   return *reached.begin();
 }
 
-/// Returns the fans on both sides of an edge at one of its ends.
+/// Returns the fans of faces on both sides of an edge, at one of its ends. The lowest face index identifies a fan.
 std::multiset<int> fans_beside(const Judged& judged, const Edge& edge, int vertex) {
   std::multiset<int> fans;
   for (const Side& side : judged.sides().at(edge)) fans.insert(least_face_around(judged, side.face, vertex));
@@ -135,7 +136,7 @@ std::multiset<int> fans_beside(const Judged& judged, const Edge& edge, int verte
 }
 
 /// Returns the runs of a wire along outlines, as lists of edges. A run ends where the wire leaves the outline, and at
-/// junctions of outlines: there the wire does not have two edges, or the fans beside it change.
+/// junctions of outlines. At a junction, more or fewer than two outline edges meet, or the fans beside the wire change.
 std::vector<std::vector<Edge>> runs_along_outlines(const Judged& judged, const Wire& wire) {
   std::vector<std::vector<Edge>> runs;
   const std::size_t count = wire.vertices.size() - 1;
@@ -159,7 +160,7 @@ std::vector<std::vector<Edge>> runs_along_outlines(const Judged& judged, const W
   return runs;
 }
 
-/// Checks that all sides of all edges of a run have planar lengths (1+r)(1+h) l with one h.
+/// Checks that all sides of all edges of a run have planar lengths (1+r)(1+h) l with the same h.
 void check_run(Judged& judged, const Wire& wire, const std::vector<Edge>& run) {
   Variations variations(is_all_rigid(judged.options) ? 0 : wire.tolerance, wire.ease);
   for (const Edge& edge : run) {
@@ -199,7 +200,7 @@ void check_outline(Judged& judged, const Piece& piece) {
         if (with_wire.count(edge) == 0) check_plain_edge(judged, edge);
         continue;
       }
-      for (const Side& other : judged.sides().at(edge)) {  // both sides have the same direction
+      for (const Side& other : judged.sides().at(edge)) {  // both faces have the same planar edge
         const bool turned = judged.vertex(other.face, other.corner) != judged.vertex(face, k);
         const Eigen::Vector2d begin = judged.uv(other.face, other.corner + (turned ? 1 : 0));
         if (begin != judged.uv(face, k)) judged.say("torn at " + name(edge));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Checks Options::orientation in the placed pieces. Makes no check if the choice of a line depends on how exactly wires
-// are divided into parts.
+// Checks that placed pieces have the direction that Options::orientation chooses. Checks nothing if the chosen line
+// depends on details of how wires are divided into parts.
 #include <algorithm>
 #include <optional>
 #include <utility>
@@ -11,17 +11,18 @@ namespace wirewarp::test {
 namespace {
 
 constexpr double kDirectionRounding = 1e-6;
-constexpr double kShortChord = 0.1;  // chord over length; if it is less, the line's box is upright instead of the chord
+// Chord over length. If the ratio is below this limit, the line's box must be upright instead of the chord.
+constexpr double kShortChord = 0.1;
 constexpr double kStraight = 0.087266462599716;  // 5 degrees
 constexpr double kLevel = 0.01;
 
-/// A line in a piece: its planar points in order.
+/// The planar points of a line in a piece, in order.
 struct Line {
   std::vector<Eigen::Vector2d> points;
   double length = 0;
 };
 
-/// Appends an edge, which starts at the input vertex a, with its positions in this piece.
+/// Appends an edge that starts at the input vertex a, with its planar positions on this side.
 void append(const Judged& judged, const Side& side, int a, Line& line) {
   const int begin = judged.vertex(side.face, side.corner) == a ? 0 : 1;
   if (line.points.empty()) line.points.push_back(judged.uv(side.face, side.corner + begin));
@@ -36,8 +37,8 @@ bool runs_through(const Judged& judged, const Wire& wire, int piece) {
   return false;
 }
 
-/// Returns the points of a wire that is one part: open, and on an outline at most at its ends. Returns no points for
-/// other wires.
+/// Returns the points of an open wire that meets outlines only at its ends, if at all. Returns no points for other
+/// wires.
 Line uncut_wire(const Judged& judged, const Wire& wire, int piece) {
   Line line;
   const std::vector<int>& v = wire.vertices;
@@ -66,9 +67,10 @@ void check_upright(Judged& judged, const Line& line, const std::string& what) {
   }
 }
 
-/// Checks that one of the longest chains of the outline is upright. Chains run with their piece on the left.
+/// Checks that the longest chain of the outline is upright, unless two chains are almost equally long. Chains run with
+/// their piece on the left.
 void check_longest_chain(Judged& judged, int number) {
-  std::vector<std::pair<double, Line>> chains;  // keyed by length in space
+  std::vector<std::pair<double, Line>> chains;  // length on the surface, and points
   for (const BoundaryReport& boundary : judged.result.pieces[number].boundaries) {
     Line chain;
     double length = 0;
@@ -105,12 +107,12 @@ void check_wire_upright(Judged& judged, int piece) {
   check_longest_chain(judged, piece);
 }
 
-/// Checks that the consecutive outline edges that point upward within 5 degrees are together at least as long as any
-/// single edge.
+/// Checks that some consecutive outline edges point upward within 5 degrees, and are together at least as long as the
+/// longest outline edge.
 void check_straightest_section(Judged& judged, int number) {
   const Piece& piece = judged.result.pieces[number];
   double longest_edge = 0;
-  std::map<int, Eigen::Vector2d> upright;  // outline edge that leaves each piece vertex
+  std::map<int, Eigen::Vector2d> upright;  // upward outline edges by their first piece vertex
   std::map<int, int> next;
   for (const auto& [a, b] : judged.outline_of(piece)) {
     const Eigen::Vector2d edge = (piece.vertices.row(b) - piece.vertices.row(a)).transpose();
@@ -128,8 +130,9 @@ void check_straightest_section(Judged& judged, int number) {
   if (longest_section < (1 - 1e-4) * longest_edge) judged.say("no straight section of the outline is upright");
 }
 
-/// Returns the mean gradient of the height over the piece, Σ h n / 2 over the sides n of each triangle (n: outward
-/// normal), or nothing if about half of the piece is flipped.
+/// Returns the mean gradient of the height over the piece, or nullopt if about half of the piece is flipped. The
+/// gradient's integral over a triangle is Σ h n / 2 over its corners, with their heights h. n: inward normal of the
+/// opposite side, as long as the side.
 std::optional<Eigen::Vector2d> mean_rise(const Judged& judged, const Piece& piece) {
   const Eigen::Vector3d up = Eigen::Vector3d(judged.options.up.data()).stableNormalized();
   const Eigen::Vector3d origin = judged.position(judged.vertex(piece.source_face[0], 0));

@@ -10,7 +10,7 @@ namespace {
 struct Box {
   Eigen::Vector2d low = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity());
   Eigen::Vector2d high = -low;
-  bool has_helpers = false;  // skipped: helper wires may extend beyond a flipped piece
+  bool has_helpers = false;  // helper wires may extend beyond a flipped piece
 };
 
 Box box_of(const Judged& judged, const Piece& piece) {
@@ -34,7 +34,7 @@ double area_of(const Judged& judged, const Piece& piece) {
   return std::abs(area);
 }
 
-/// Returns the side of a square with the area of all boxes and their gaps.
+/// Returns the side of a square whose area is that of all boxes with their gaps.
 double side_of_all(const std::vector<Box>& boxes, double gap) {
   double area = 0;
   for (const Box& box : boxes) area += ((box.high - box.low).array() + gap).prod();

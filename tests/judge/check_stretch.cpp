@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Checks the lengths for a fabric that is stretched when worn, which depend on the directions without the stretch.
+// Checks the lengths of a fabric that is stretched when worn. A share is a flat length over the length on the surface,
+// and depends on the edge's direction in the result without the stretch.
 #include "checks.h"
 
 namespace wirewarp::test {
 namespace {
 
-constexpr double kEven = 1e-12;  // rounding error of differences of shares
-// Largest E over the area of a piece that unfolds; other pieces have several minima.
+constexpr double kEven = 1e-12;  // allowed difference between equal shares
+// Largest E, over the area, of a piece that counts as unfolded. Other pieces have several minima, so their shapes are
+// not compared.
 constexpr double kWithoutStrain = 1e-18;
 constexpr double kSamePlace = 1e-6;  // allowed distance of vertices from their expected places, over the piece's size
 
@@ -29,8 +31,8 @@ bool has_unstretched_layout(const Judged& judged, const Side& side) {
   return unstretched_uv(judged, side.face, 0).allFinite();
 }
 
-/// Returns whether only their directions determine how much the lengths of a piece shrink. Wires with an ease or along
-/// the outline may have other lengths.
+/// Returns whether every length of a piece shrinks by the share of its direction. Eases, elastic wires along the
+/// outline and seams whose sides shrink differently give other lengths.
 bool is_even(const Judged& judged, const Piece& piece) {
   const int number = judged.piece_of(piece.source_face.front());
   if (!judged.input.eases.empty()) return false;

@@ -13,12 +13,13 @@
 namespace wirewarp::test {
 namespace {
 
-// Allowed gaps where faces of an unfolded surface meet again: relative to the piece's size, and as a strain, because
-// the error of a short side grows over a long face.
+// Largest gaps where faces of an unfolded surface meet again. kCloses: gap over the piece's size. kStrain: gap over the
+// length of the common side, times the longest side of both faces over this length. The error of a short side grows
+// over a long face.
 constexpr double kCloses = 1e-11, kStrain = 1e-7;
 
-// Largest E (Eq. 4) over the 3D area of a shape without distortion: with rounding errors only, and with the angle error
-// at which Eq. 1 stops.
+// Largest E (Eq. 4) over the 3D area of a shape without distortion. kUndistorted allows for rounding errors only,
+// kUndistortedAngles for the angle error at which Eq. 1 stops.
 constexpr double kUndistorted = 1e-12, kUndistortedAngles = 1e-9;
 
 double triangle_area(const PlanarTriangle& t) { return static_cast<double>(doubled_area(t)) / 2; }
@@ -35,11 +36,11 @@ Eigen::Vector2d place_third(const Judged& judged, const Side& side, const Eigen:
   return a + ahead * planar + aside * Eigen::Vector2d(-planar.y(), planar.x());
 }
 
-/// Unfolds the faces of a piece one after the other, across long edges first. Returns nullopt if gaps remain where
-/// faces meet again.
+/// Unfolds the faces of a piece one by one, across the longest edge first. Returns nullopt if gaps remain where faces
+/// meet again.
 std::optional<std::map<int, PlanarTriangle>> unfold(const Judged& judged, const Piece& piece) {
-  std::map<int, PlanarTriangle> placed;                              // keyed by face, corners in order
-  std::priority_queue<std::pair<double, std::array<int, 2>>> front;  // length, side
+  std::map<int, PlanarTriangle> placed;                              // keyed by face
+  std::priority_queue<std::pair<double, std::array<int, 2>>> front;  // length of a side, face, corner
   double size = 0;
   const auto longest_side = [&](int face) {
     double longest = 0;
@@ -83,7 +84,7 @@ std::optional<std::map<int, PlanarTriangle>> unfold(const Judged& judged, const 
   return placed;
 }
 
-/// Returns E of Eq. (4) of the map between two triangles: 2 (|z| - 1)² + 2 |w|², with z the similarity part and w the
+/// Returns E of Eq. (4) of the map between two triangles: 2 (|z| - 1)² + 2 |w|². z: similarity part of the map. w:
 /// reflection part of the map.
 double energy(const PlanarTriangle& from, const PlanarTriangle& to) {
   Eigen::Matrix2d before, after;
@@ -119,7 +120,7 @@ void check_unfolding(Judged& judged, const Piece& piece) {
   if (judged.unstretched || has_other_outline(judged, piece)) return;
   const bool is_refined = judged.options.method == Method::refined;
   if (is_refined && judged.may_stop_anywhere()) return;
-  // The paper's methods may flip faces or stop early, and report it.
+  // The paper's methods may flip faces or stop early, and then say so in the report.
   if (!is_refined && (piece.error || piece.report.termination != Termination::converged)) return;
   const auto unfolded = unfold(judged, piece);
   if (!unfolded) return;

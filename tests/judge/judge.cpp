@@ -45,8 +45,8 @@ void check_shape(Judged& judged, const Piece& piece) {
 
 void check_piece(Judged& judged, int number) {
   const Piece& piece = judged.result.pieces[number];
-  // For a fabric, only the direction between two vertices is defined, and the stretch turns directions other than weft
-  // and warp.
+  // With a fabric, Options::orientation only chooses a direction between two vertices, and the stretch turns all
+  // directions except weft and warp.
   if (judged.has_layout(piece) && !judged.options.cloth) check_orientation(judged, number);
   if (piece.error) {
     check_error(judged, number);

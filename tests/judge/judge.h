@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Judges the results of flatten() by the guarantees only, without the library's own measurements.
+// Judges the results of flatten() by the guarantees, without the library's own measurements.
 #pragma once
 
 #include <optional>
@@ -15,14 +15,14 @@ namespace wirewarp::test {
 std::vector<std::string> broken_guarantees(const FlattenInput& input, const Options& options,
                                            const FlattenResult& result, const FlattenResult* unstretched = nullptr);
 
-/// Returns a sentence for every broken expectation beyond the guarantees: a piece that unfolds must be flat, and no
-/// piece of legal input may fail for internal reasons of the solver. fault: the fault that was added to the input, if
-/// any.
+/// Returns a sentence for every broken expectation beyond the guarantees. A piece that unfolds must be flat, and no
+/// piece of legal input may fail for internal reasons of the solver. fault: the error code of the fault that was added
+/// to the input, if any.
 std::vector<std::string> broken_expectations(const FlattenInput& input, const Options& options,
                                              const FlattenResult& result, const std::optional<ErrorCode>& fault,
                                              const FlattenResult* unstretched = nullptr);
 
-/// Returns the differences in errors and shapes from another result, whose options differ only in the placement of
+/// Returns the differences in errors and shapes between two results, whose options differ only in the placement of
 /// pieces.
 std::vector<std::string> differences_of_layout(const FlattenInput& input, const Options& options,
                                                const FlattenResult& result, const FlattenResult& other);

@@ -33,7 +33,7 @@ class Judged {
   Judged(const FlattenInput& input, const Options& options, const FlattenResult& result,
          const FlattenResult* unstretched = nullptr);
 
-  /// Adds a broken guarantee, except after ten.
+  /// Adds a sentence about a broken guarantee. Keeps only the first ten sentences.
   void say(std::string sentence) {
     if (sentences_.size() < 10) sentences_.push_back(std::move(sentence));
   }
@@ -45,11 +45,11 @@ class Judged {
     return result.corner_uv.block<1, 2>(face, 2 * (corner % 3)).transpose();
   }
 
-  /// Returns max |uv| of a piece, NaN without a layout.
+  /// Returns the largest |u| or |v| of a piece, or NaN if the piece has no layout.
   double uv_size(const Piece& piece) const;
   bool has_layout(const Piece& piece) const { return !std::isnan(uv_size(piece)); }
 
-  /// Returns whether the refined method may make only a few factorizations, so that it may stop anywhere.
+  /// Returns whether the limit on factorizations is so low that the refined method may stop before it converges.
   bool may_stop_anywhere() const { return options.max_factorizations < 20; }
 
   const std::map<Edge, std::vector<Side>>& sides() const { return sides_; }
@@ -78,7 +78,7 @@ class Judged {
  private:
   std::map<Edge, std::vector<Side>> sides_;
   std::set<Edge> seams_;
-  std::multiset<int> outline_vertices_;  // one entry per edge
+  std::multiset<int> outline_vertices_;  // one entry for each outline edge at the vertex
   std::vector<int> piece_of_;
   Sentences sentences_;
 };

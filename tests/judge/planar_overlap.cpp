@@ -8,8 +8,8 @@
 namespace wirewarp::test {
 namespace {
 
-/// Returns the largest distance between a side of the first triangle and the second triangle outside of it. The result
-/// is negative if the second triangle is not entirely outside of any side.
+/// Returns the largest distance of the second triangle beyond a side of the first triangle. The result is negative if
+/// no side has the whole second triangle beyond it.
 double distance_beyond(const PlanarTriangle& first, const PlanarTriangle& second) {
   double farthest = -1e300;
   for (std::size_t k = 0; k < 3; ++k) {

@@ -10,10 +10,11 @@ namespace wirewarp::test {
 
 using PlanarTriangle = std::array<Eigen::Vector2d, 3>;
 
-/// Returns twice the signed area, in extended precision.
+/// Returns twice the signed area of a triangle, in extended precision.
 long double doubled_area(const PlanarTriangle& triangle);
 
-/// Returns two counter-clockwise triangles that overlap by more than rounding errors, or (-1, -1).
+/// Returns the indices of two triangles that overlap by more than rounding errors, or (-1, -1). All triangles must be
+/// counter-clockwise.
 std::pair<int, int> find_overlap(const std::vector<PlanarTriangle>& triangles);
 
 }  // namespace wirewarp::test

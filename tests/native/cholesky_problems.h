@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Symmetric positive definite matrices on graphs, for the tests of src/numerics/cholesky.
+// Makes symmetric positive definite matrices on graphs, for the tests of src/numerics/cholesky.
 #pragma once
 
 #include <Eigen/SparseCore>
@@ -28,15 +28,15 @@ struct CholeskyProblem {
 /// Returns a graph with every edge in both directions.
 Graph graph_of(int num_vertices, const GraphEdges& edges);
 
-/// Returns the lower triangle of 0.1 I + Σ B_eᵀ B_e over the edges e, with random k by 2k matrices B_e with entries
-/// from -1 to 1.
+/// Returns the lower triangle of 0.1 I + Σ B_eᵀ B_e over the edges e. B_e: random k by 2k matrices with entries from -1
+/// to 1.
 SparseMatrix random_positive_definite(int num_vertices, const GraphEdges& edges, int k, unsigned seed);
 
-/// Returns a triangulated square of n by n jittered vertices with k unknowns each. Long edges imitate the terms of
-/// bending.
+/// Returns a triangulated square of n by n jittered vertices with k unknowns each. Some edges are twice as long, like
+/// the terms of bending.
 CholeskyProblem mesh_problem(int n, int k);
 
-/// Returns meshes, random and disconnected graphs, isolated vertices, and graphs with useless positions.
+/// Returns meshes, random and disconnected graphs, isolated vertices, and a mesh whose vertices all have one position.
 std::vector<CholeskyProblem> cholesky_problems();
 
 }  // namespace wirewarp

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Closed surfaces, and surfaces side by side.
+// Makes closed surfaces, and puts two surfaces side by side.
 #pragma once
 
 #include <functional>
@@ -9,14 +9,14 @@
 namespace wirewarp::test {
 
 /// Returns a closed surface from pole to pole. shape: maps unit vectors to points. rises: returns whether the diagonal
-/// of the cell (i, j), around and from pole to pole, goes up with i.
+/// of the cell (i, j) goes up with i. i counts around the axis, and j from the south pole.
 FlattenInput closed_surface(int around, int rings, const std::function<Eigen::Vector3d(const Eigen::Vector3d&)>& shape,
                             const std::function<bool(int, int)>& rises);
 
 /// Returns the surface of the unit cubes (i, j, k) of a grid for which is_solid(i, j, k) is true.
 FlattenInput cubes(int nx, int ny, int nz, const std::function<bool(int, int, int)>& is_solid);
 
-/// Returns both surfaces with their seams, the second one moved along x.
+/// Returns both surfaces with their seams in one input. The second surface is moved along x by `apart`.
 FlattenInput beside(FlattenInput first, const FlattenInput& second, double apart);
 
 }  // namespace wirewarp::test

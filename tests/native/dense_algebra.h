@@ -7,25 +7,25 @@
 
 namespace wirewarp::test {
 
-/// The product a·b of large matrices.
+/// Returns the product a·b of large matrices.
 Eigen::MatrixXd product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
 
-/// spaceᵀ·a·space.
+/// Returns spaceᵀ·a·space.
 Eigen::MatrixXd reduced_to(const Eigen::MatrixXd& space, const Eigen::MatrixXd& a);
 
-/// An orthonormal basis of the span of the columns.
+/// Returns an orthonormal basis of the span of the columns.
 Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns);
 
-/// An orthonormal basis of the null space {x: a x = 0}.
+/// Returns an orthonormal basis of the null space {x: a x = 0}.
 Eigen::MatrixXd null_space(const Eigen::MatrixXd& a);
 
-/// The solution x of a x = b; a is regular.
+/// Returns the solution x of a x = b. a must be regular.
 Eigen::MatrixXd solve(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
 
-/// The eigenvalues of a symmetric matrix, in ascending order.
+/// Returns the eigenvalues of a symmetric matrix, in ascending order.
 Eigen::VectorXd eigenvalues(const Eigen::MatrixXd& symmetric);
 
-/// The eigenvalues λ of symmetric·x = λ·metric·x, in ascending order; the metric is positive definite.
+/// Returns the eigenvalues λ of symmetric·x = λ·metric·x, in ascending order. metric must be positive definite.
 Eigen::VectorXd eigenvalues(const Eigen::MatrixXd& symmetric, const Eigen::MatrixXd& metric);
 
 }  // namespace wirewarp::test

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sheets with a seam, and eases for its sides.
+// Makes a sheet with a seam, and eases for the sides of the seam.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ inline void expect_good(const FlattenInput& input, const FlattenResult& result) 
   for (const Piece& piece : result.pieces) EXPECT_FALSE(piece.error) << piece.error->what();
 }
 
-/// A sheet of 4 by 2. Its left half is flat and its right half is a saddle, with a seam between them.
+/// Returns a sheet of 4 by 2. Its left half is flat and its right half is doubly curved, with a seam between them.
 inline FlattenInput sheet_and_saddle() {
   const int n = 8;
   FlattenInput input = make_grid(2 * n, n, [](double s, double t) {

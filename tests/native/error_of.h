@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Helpers for tests of errors: return the error that a call throws, and search its message.
+// Returns the error that a call throws, and searches its message for words.
 #pragma once
 
 #include <gtest/gtest.h>

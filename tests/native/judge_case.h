@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Good results, and changes that break one guarantee each. The judge of tests/judge must report every change.
+// Makes good results, and changes that break one guarantee each. The judge of tests/judge must report every change.
 #pragma once
 
 #include <functional>
@@ -18,8 +18,9 @@ struct JudgeCase {
 
 JudgeCase flattened(const FlattenInput& input, const Options& options = {});
 
-/// A saddle of 8 by 8 quads with vertices i + 9 j, cut along i = 4 into two pieces in a row. Wire "rigid" runs
-/// along j = 4 through both, "elastic" along i = 2 in piece 0, where it is upright, and "other" along i = 6 in piece 1.
+/// Returns a saddle of 8 by 8 quads with vertices i + 9 j. It is cut along i = 4 into two pieces, which are laid out in
+/// a row. Wire "rigid" runs along j = 4 through both pieces. Wire "elastic" runs along i = 2 in piece 0 and is upright
+/// there. Wire "other" runs along i = 6 in piece 1.
 JudgeCase two_sheets();
 
 using Spoil = std::function<void(JudgeCase&)>;
@@ -28,16 +29,16 @@ using Spoil = std::function<void(JudgeCase&)>;
 /// contains `sentence`.
 void expect_broken(const std::string& sentence, JudgeCase good, const Spoil& spoil);
 
-/// Expects the same of broken_expectations() without an expected error.
+/// Does what expect_broken() does, but with broken_expectations() and no expected error.
 void expect_broken_expectation(const std::string& sentence, JudgeCase good, const Spoil& spoil);
 
-// Move or turn the piece with this number, together with its corners in corner_uv. Directions are in the plane of the
-// piece.
+// Return changes that move one vertex of a piece, move a whole piece, or turn it, in scene units and radians. They
+// change corner_uv, too. right and up are directions in the piece's own plane.
 Spoil moved_vertex(int number, int source_vertex, double right, double up);
 Spoil moved(int number, double right, double up);
 Spoil turned(int number, double angle);
 
-/// Sets an error with a layout and one named vertex for a piece of two_sheets().
+/// Gives a piece of two_sheets() an error with a layout that names one vertex.
 void fail(JudgeCase& sheets, ErrorCode code, int number = 0);
 
 }  // namespace wirewarp::test

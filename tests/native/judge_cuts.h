@@ -10,21 +10,21 @@
 
 namespace wirewarp::test {
 
-/// Returns the strain of the most strained piece: the value of max(sigma_1, 1/sigma_2) - 1 that 99% of its area does
-/// not exceed. Every piece must have a shape.
+/// Returns the strain of the most strained piece. A piece's strain is the value of max(sigma_1, 1/sigma_2) - 1 that 99%
+/// of its area does not exceed. Every piece must have a shape.
 double most_strain(const FlattenInput& input, const FlattenResult& result);
 
-/// Returns the energy of all pieces over their area.
+/// Returns the energy of all pieces, divided by their area.
 double energy_of(const FlattenResult& result, bool has_cloth = false);
 
 /// Returns each edge once, the smaller vertex first.
 std::set<VertexPair> undirected(const std::vector<VertexPair>& edges);
 std::set<VertexPair> undirected(const VertexPairs& edges);
 
-/// Returns the length of all seams.
+/// Returns the total length of all seams on the surface.
 double length_of_seams(const FlattenInput& input);
 
-/// Returns the model cut along these lines, with seams there.
+/// Returns the model with its mesh cut along these lines, and with a seam along each line.
 FlattenInput with_paths(FlattenInput input, const std::vector<SurfacePath>& paths);
 
 /// The figures of suggested darts, seams and sets of seams.
@@ -33,7 +33,8 @@ struct CutFigures {
   int num_pieces;
 };
 
-/// Expects that each piece of the cut model has a flat shape and that the figures are those of a run, without fabric.
+/// Flattens the cut model without a fabric. Expects that every piece has a flat shape, and that the claimed figures are
+/// those of this run.
 void expect_figures(const FlattenInput& cut, const CutFigures& claimed);
 
 }  // namespace wirewarp::test

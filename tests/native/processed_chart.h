@@ -12,11 +12,12 @@ struct Processed {
   std::size_t num_helpers() const { return refined.wire_parts.size() - chart.wire_parts.size(); }
 };
 
-/// Processes the first chart. Expects that surface and wires stay the same, that helper wires are sound, and that
-/// processing again changes nothing.
+/// Processes the first chart. Expects that surface and wires stay the same, that helper wires are valid, and that
+/// processing the result again changes nothing.
 Processed process(const FlattenInput& input);
 
-/// Returns the largest relative difference between the length of an edge on the surface and in ψ of the 3D lengths.
+/// Returns the largest relative difference between an edge's length on the surface and its length in the flattening ψ
+/// of the lengths on the surface.
 double stretch_of_flattening(const Chart& chart);
 
 }  // namespace wirewarp::test

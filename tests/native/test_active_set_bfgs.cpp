@@ -45,7 +45,7 @@ TEST(ActiveSetBfgs, TheModelDecreasesEvenWithoutACholeskyFactor) {
   EXPECT_NEAR(g.dot(d) + d.dot(flat * d) / 2, -0.5, 1e-6);
 }
 
-/// Rosenbrock's valley with the minimum 0 at (1, 1).
+/// Returns 1 plus Rosenbrock's function, with the minimum 1 at (1, 1).
 std::optional<ValueAndGradient> rosenbrock(const Eigen::VectorXd& x) {
   const double a = 1 - x[0];
   const double b = x[1] - x[0] * x[0];
@@ -75,7 +75,7 @@ TEST(ActiveSetBfgs, AGoodGuessOfTheHessianSavesEvaluations) {
 }
 
 TEST(ActiveSetBfgs, FindsAMinimumAtABound) {
-  // With x0 <= 0.5 the minimum is at x0 = 0.5, x1 = 0.25: the value is 1 + 0.25.
+  // With x0 <= 0.5, the minimum is 1 + 0.25 at x0 = 0.5, x1 = 0.25.
   const BoxMinimum minimum =
       minimize_in_box(rosenbrock, constant(2, -2), Eigen::Vector2d(0.5, 2), Eigen::Vector2d(-1.2, 1), 1e-14, 200);
   EXPECT_TRUE(minimum.converged);

@@ -17,8 +17,9 @@ namespace {
 
 using test::charts_of;
 
-/// Returns the faces and loops of each chart with its wire parts, then each seam with the charts of its sides, such as
-/// "24 faces around 16, elastic part 0 of 2; 1 edge between 0 0".
+/// Returns a text that lists, for each chart, the number of faces, the edges of each loop and the wire parts. Each seam
+/// follows, with its number of edges and the charts of its sides. Example: "24 faces around 16, elastic part 0 of 2; 6
+/// edges between 0 1".
 std::string described(const Charts& charts) {
   std::ostringstream text;
   for (const Chart& chart : charts.charts) {
@@ -72,23 +73,23 @@ FlattenInput sheet(const std::vector<int>& seam, const std::vector<std::vector<i
   return input;
 }
 
-/// The first edges of a line.
+/// Returns the part of a line with this number of edges, from edge `begin` on.
 std::vector<int> part_of(std::vector<int> line, std::size_t edges, std::size_t begin = 0) {
   return {line.begin() + static_cast<long>(begin), line.begin() + static_cast<long>(begin + edges + 1)};
 }
 
 TEST(Charts, HaveTheirFacesLoopsSeamsAndPartsOfWires) {
   const std::vector<int> column = test::grid_column(kN, kN, 2), row = test::grid_row(kN, 3);
-  std::vector<int> up_and_right = part_of(column, 3);  // three edges up the seam, then across to the right
+  std::vector<int> up_and_right = part_of(column, 3);  // three edges up along the seam, then along the row to the right
   up_and_right.insert(up_and_right.end(), row.begin() + 3, row.end());
   const std::vector<std::pair<FlattenInput, std::string>> cases = {
       {sheet(column), "24 faces around 16; 48 faces around 20; 6 edges between 0 1"},
       {sheet(part_of(column, 3)), "72 faces around 30; 3 edges between 0 0"},       // a dart
-      {sheet(part_of(column, 2, 2)), "72 faces around 24 4; 2 edges between 0 0"},  // a slit; the outer loop first
+      {sheet(part_of(column, 2, 2)), "72 faces around 24 4; 2 edges between 0 0"},  // a slit, after the outer loop
       {sheet(test::grid_square(kN, 3, 3, 1)), "64 faces around 24 8; 8 faces around 8; 8 edges between 0 1"},
       {sheet(column, {row}),
        "24 faces around 16, elastic part 0 of 2; 48 faces around 20, elastic part 1 of 4; 6 edges between 0 1"},
-      // through the tip of a dart, and across the dart
+      // One wire leads through the tip of a dart, and one wire across the dart.
       {sheet(part_of(column, 3), {row, test::grid_row(kN, 2)}),
        "72 faces around 30, elastic part 0 of 2, elastic part 1 of 4, elastic part 0 of 2, elastic part 1 of 4; "
        "3 edges between 0 0"},
@@ -127,8 +128,8 @@ TEST(Charts, TheOuterLoopTurnsLeftEvenIfAHoleIsLonger) {
   EXPECT_NEAR(chart.mesh.point(chart.mesh.from_vertex_handle(h)).norm(), 2, 1e-9);
 }
 
-/// Two flat disks of six triangles, one level and one upright, that share vertex 0 as their center. Their rims are
-/// vertices 1 to 6 and 7 to 12.
+/// Returns two flat disks of six triangles, one level and one upright, that share vertex 0 as their center. Their rims
+/// are vertices 1 to 6 and 7 to 12.
 FlattenInput disks_that_touch() {
   FlattenInput input;
   input.vertices.setZero(13, 3);

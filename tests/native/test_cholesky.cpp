@@ -139,8 +139,8 @@ TEST(MultifrontalCholesky, SolvesOnlyWithAFactor) {
   EXPECT_EQ(b, expected);
 }
 
-/// A chain of blocks in which each vertex is coupled with a vertex of the next block: few entries, but large fronts.
-/// The tree is set by hand.
+/// Two chains of blocks. Each vertex is coupled with one vertex of the next block, so the matrix has few entries but
+/// large fronts. The constructor sets the dissection tree, too.
 struct Chains {
   static constexpr int block = 400, length = 24, number = 2;
 
@@ -164,7 +164,7 @@ struct Chains {
 
 TEST(MultifrontalCholesky, PollsTheTokenRegularly) {
   const Chains chains;
-  const int tiles = Chains::block / kTile;  // number of pivots in a front; the rows below are as many
+  const int tiles = Chains::block / kTile;  // tiles of a front's pivots, and of the rows below them
   const double m = tiles;
   const double work_of_a_chain = (Chains::length - 1) * (m * m * m / 6 + m * m * m / 2 + m * m * m / 2);
   for (const bool in_threads : {false, true}) {
@@ -262,7 +262,7 @@ TEST(NestedDissection, SeparatorOfASquareIsAboutOneRow) {
 }
 
 TEST(NestedDissection, CutsAcrossTheShortSide) {
-  // A strip of 4 by 100 vertices along a diagonal: neither a cut in x nor one in y divides it across.
+  // A strip of 4 by 100 vertices along a diagonal. Cuts at one x or one y do not cross the strip at right angles.
   GraphEdges edges;
   Positions2 positions(400, 2);
   for (int i = 0; i < 100; ++i) {

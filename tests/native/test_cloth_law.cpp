@@ -93,7 +93,7 @@ TEST(ClothLaw, FlippedOrDegenerateTrianglesAreInfinite) {
   EXPECT_EQ(law.density(Eigen::Matrix2d::Zero()), std::numeric_limits<double>::infinity());
 }
 
-/// ARAP is |J − R|²: at rest, ½ dJ·H dJ is the square of the symmetric part of dJ.
+/// The ARAP energy is |J − R|². Its term of second order at rest, ½ dJ·H dJ, is the square of the symmetric part of dJ.
 TEST(ClothLaw, IsotropicClothIsArapToSecondOrder) {
   const ClothLaw law(cloth_of(1, 1, 0.5));
   Eigen::Matrix4d arap;  // Hessian with respect to J₁₁, J₁₂, J₂₁, J₂₂
@@ -108,7 +108,7 @@ class ClothLawOnRandomMaps : public testing::Test {
  protected:
   static Eigen::Vector4d flat(const Eigen::Matrix2d& m) { return {m(0, 0), m(0, 1), m(1, 0), m(1, 1)}; }
 
-  /// Stretched, squeezed and sheared maps, beyond locking and before it.
+  /// Returns stretched, squeezed and sheared maps, with shear below and beyond locking.
   static std::vector<Eigen::Matrix2d> maps() {
     std::mt19937 random(5);
     std::normal_distribution<double> normal;
@@ -157,7 +157,7 @@ TEST_F(ClothLawOnRandomMaps, TheConvexHessianIsPositiveAndAboveTheExactHessian) 
 
 /// The unit square has two triangles with a common diagonal of length l = √2. Their centroids are √2/3 apart.
 TEST(ShearSmoothing, AFoldCostsTheSquareOfItsAngle) {
-  const Charts charts = test::charts_of(test::flat_rectangle(1, 1, 1, 1));  // cut from (0, 0) to (1, 1)
+  const Charts charts = test::charts_of(test::flat_rectangle(1, 1, 1, 1));  // diagonal from (0, 0) to (1, 1)
   const Chart& chart = charts.charts.at(0);
   const double slope = 0.3, height = std::sqrt(0.5);
   Positions2 uv = test::planar_positions(chart);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Coarse charts: wires keep their course and length, every removed vertex has a place, and shapes are prolonged.
+// Tests of coarse charts. Wires keep their course and length, every removed vertex has a place in a coarse triangle,
+// and shapes are prolonged to the fine chart.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -135,7 +136,8 @@ Positions2 mapped(const HalfEdgeMesh& mesh, const std::function<Eigen::Vector2d(
   return uv;
 }
 
-/// A gently quadratic map: the error of piecewise linear interpolation is h²/8 times its second derivative.
+/// The map is weakly quadratic. Linear interpolation in triangles of size h would have the error h²/8 times the second
+/// derivative.
 TEST(Prolong, FollowsQuadraticMaps) {
   const int n = 40;
   const double bend = 0.01;
@@ -149,7 +151,7 @@ TEST(Prolong, FollowsQuadraticMaps) {
   for (const VertexHandle v : c.chart.mesh.vertices()) {
     const CoarsePlace& place = c.coarse.places[v.idx()];
     if ((c.fine_point(v.idx()) - Eigen::Vector3d(1, 1, 0)).cwiseAbs().maxCoeff() > 0.8)
-      continue;  // near the outline, Jᵢ is a one-sided derivative
+      continue;  // near the outline, derivatives are one-sided
     Eigen::RowVector2d flat_place(0, 0);
     for (int k = 0; k < 3; ++k) flat_place += place.weights[k] * coarse_uv.row(place.vertices[k]);
     linear += (flat_place - wanted.row(v.idx())).squaredNorm();
@@ -172,7 +174,7 @@ TEST(Prolong, FlipsNoTriangleOfAJitteredSheet) {
   EXPECT_LT(((uv - smooth).rowwise().norm().array() > 0).count(), uv.rows() / 10) << "all other vertices stay";
 }
 
-/// Expects that the coarse shape leads to the same minimum as a start from scratch, in few factorizations.
+/// Expects that the coarse shape leads to the same minimum as a start from scratch, in at most max_factorizations.
 void expect_same_minimum(const FlattenInput& input, double fairness = 0.3, int max_factorizations = 2) {
   const Chart chart = test::chart_of(input);
   Problem problem(chart, fairness);
@@ -191,7 +193,7 @@ void expect_same_minimum(const FlattenInput& input, double fairness = 0.3, int m
 TEST(CoarseStart, ReachesTheSameMinimum) {
   expect_same_minimum(with_cross(jittered_grid(48, 0.1, dome), 48, 0.03));
   expect_same_minimum(with_cross(jittered_grid(64, 0.25, dome), 64, 0.05));  // with jagged wires
-  expect_same_minimum(test::quarter_sphere(40), 0.1, 3);  // far from developable: takes 13 factorizations from scratch
+  expect_same_minimum(test::quarter_sphere(40), 0.1, 3);  // far from developable, 13 factorizations from scratch
   FlattenInput plate = test::flat_plate_with_two_holes(24);
   for (int v = 0; v < plate.vertices.rows(); ++v) {
     plate.vertices(v, 2) = 0.2 * std::sin(2 * plate.vertices(v, 0)) * std::cos(1.5 * plate.vertices(v, 1));
@@ -219,7 +221,7 @@ TEST(CoarseStart, StopsWhenAsked) {
   int asked = 0;
   refine_chart(charts.charts.at(0), options, StopToken([&](const char*) { return ++asked > 0; }));
   bool was_exact = false;
-  for (int last = 0; last < asked; ++last) {  // all limits, including those that end in the coarse chart
+  for (int last = 0; last < asked; ++last) {  // also limits that are reached in the coarse chart
     int count = 0;
     const StopToken stop([&](const char*) { return ++count <= last; });
     const Solution stopped = refine_chart(charts.charts.at(0), options, stop);
@@ -232,7 +234,7 @@ TEST(CoarseStart, StopsWhenAsked) {
   EXPECT_TRUE(was_exact);
 }
 
-/// Every edge is rigid on a curved surface, so the coarse chart equals the fine one and has no flat shape.
+/// Every edge of a curved surface is rigid, so the coarse chart equals the fine chart and has no flat shape.
 TEST(CoarseStart, IsRejectedIfTheCoarseChartHasNoExactLengths) {
   FlattenInput input = test::quarter_sphere(5);
   input.wires.clear();

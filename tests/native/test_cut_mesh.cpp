@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Meshes cut along lines: the surface stays the same, lines become edges, and there are no slivers.
+// Tests of meshes that are cut along lines. The surface stays the same, lines become edges, and no slivers appear.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ Eigen::Vector3d corner(const Positions3& vertices, const Triangles& faces, Eigen
   return vertices.row(faces(f, k)).transpose();
 }
 
-/// Returns the area vector times two.
+/// Returns twice the area vector of a face.
 Eigen::Vector3d doubled_area_of(const Positions3& vertices, const Triangles& faces, Eigen::Index f) {
   const Eigen::Vector3d a = corner(vertices, faces, f, 0);
   return (corner(vertices, faces, f, 1) - a).cross(corner(vertices, faces, f, 2) - a);
@@ -71,8 +71,8 @@ SurfacePath scribble(const FlattenInput& mesh, std::mt19937& random, int steps) 
   return path_of(faces, points);
 }
 
-/// Returns the line where a plane cuts the mesh, from the outline to its end. distance: signed distance of each vertex
-/// from the plane.
+/// Returns the line where a plane cuts the mesh, from outline to outline. distance: signed distance of each vertex from
+/// the plane.
 SurfacePath line_in_plane(const FlattenInput& mesh, const Eigen::VectorXd& distance) {
   const EdgeTable edges(mesh.faces, static_cast<int>(mesh.vertices.rows()));
   const auto share = [&](int side) {
@@ -111,7 +111,8 @@ SurfacePath line_in_random_plane(const FlattenInput& mesh, std::mt19937& random)
              : line_in_random_plane(mesh, random);  // again if the line cuts off only a corner of the mesh
 }
 
-/// Returns the smallest ratio of a face's height to the smallest height of the input face that contains it.
+/// Returns the smallest ratio of a face's height to the height of the input face that contains it. Heights are measured
+/// from the longest side.
 double least_height(const FlattenInput& mesh, const CutMesh& cut) {
   const auto height = [](const Positions3& vertices, const Triangles& faces, Eigen::Index f) {
     double longest = 0;
@@ -128,7 +129,7 @@ double least_height(const FlattenInput& mesh, const CutMesh& cut) {
   return least;
 }
 
-/// Expects that a cut mesh has the same surface: no flipped faces, and parts that fill each face.
+/// Expects that a cut mesh has the same surface. No face is flipped, and the parts of each input face fill it.
 void expect_same_surface(const FlattenInput& mesh, const CutMesh& cut) {
   ASSERT_EQ(cut.vertices.topRows(mesh.vertices.rows()), mesh.vertices);
   ASSERT_EQ(cut.sources.faces.size(), static_cast<std::size_t>(cut.faces.rows()));
@@ -178,7 +179,8 @@ void expect_same_surface(const FlattenInput& mesh, const CutMesh& cut) {
 }
 
 TEST(CutMesh, ALineAcrossASquareIsStraightAndKeepsItsLength) {
-  // Two triangles; the line crosses their diagonal from (0, 1/4) to (1, 1/2), at (x, x) with x = 1/4 + x/4: x = 1/3.
+  // The line goes from (0, 1/4) to (1, 1/2). It crosses the diagonal of the square at (x, x) with x = 1/4 + x/4, so x =
+  // 1/3.
   const FlattenInput square = test::flat_rectangle(1, 1, 1, 1);  // faces 0-1-3 and 0-3-2
   const SurfacePath path = path_of({1, 1, 0}, {{0.75, 0, 0.25}, {2.0 / 3, 1.0 / 3, 0}, {0, 0.5, 0.5}});
   const CutMesh cut = cut_mesh(square.vertices, square.faces, {path});
@@ -236,8 +238,8 @@ TEST(CutMesh, AStraightLineLeavesNoSlivers) {
     const CutMesh cut = cut_mesh(mesh.vertices, mesh.faces, {path}, snap);
     SCOPED_TRACE(i);
     expect_same_surface(mesh, cut);
-    // A line that crosses two sides of a face at the shares s and t from their common corner cuts off the share s t of
-    // the area. s or t may be 1 - snap.
+    // A line may cross two sides of a face at the fractions s and t of their lengths, from their common corner. It cuts
+    // off the fraction s t of the area. The smallest height results from s = snap and t = 1 - snap.
     EXPECT_GT(least_height(mesh, cut), snap * (1 - snap) * (1 - 1e-9));
   }
 }
@@ -252,8 +254,8 @@ TEST(CutMesh, ScribblesKeepTheSurface) {
     const CutMesh cut = cut_mesh(mesh.vertices, mesh.faces, paths, snap);
     SCOPED_TRACE(i);
     expect_same_surface(mesh, cut);
-    // The cut edges contain each path from its first point to its last.
-    const double reach = 3 * snap * 0.7;  // longest edge of the meshes
+    // The cut edges reach the first and the last point of each path.
+    const double reach = 3 * snap * 0.7;  // 0.7: longest edge of the meshes
     for (const SurfacePath& path : paths) {
       for (const std::size_t at : {std::size_t{0}, path.faces.size() - 1}) {
         double nearest = 1;

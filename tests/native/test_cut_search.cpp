@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Cuts proposed for one of several pieces. Their energy is that of a new run of the whole model, because a cut may also
-// change other pieces.
+// Tests of cuts that are suggested for one of several pieces. Their energy is that of a new run of the whole model,
+// because a cut may also change other pieces. Further tests are of parts of the search.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,7 +22,8 @@
 namespace wirewarp::test_cut_search {
 namespace {
 
-/// Cases in which a cut of one piece changes others, because elastic seams or stretched fabric couple their lengths.
+/// A case in which a cut of one piece may change other pieces, because elastic seams or a stretched fabric couple their
+/// lengths.
 struct Neighbors {
   const char* name;
   FlattenInput input;
@@ -32,8 +33,8 @@ struct Neighbors {
 /// Names the case in test reports.
 void PrintTo(const Neighbors& test, std::ostream* out) { *out << test.name; }
 
-/// A hill cut into three pieces side by side, with a wire across all three. One side of a seam is longer than the
-/// other.
+/// Returns a hill cut into three pieces side by side, with a wire across all three pieces. One side of a seam is longer
+/// than the other side.
 FlattenInput three_pieces(int n) {
   FlattenInput input = test::hill(n);
   for (const int column : {n / 4, 3 * n / 4}) test::add_seam(input, test::grid_column(n, n, column));
@@ -89,9 +90,10 @@ INSTANTIATE_TEST_SUITE_P(Models, CutsBesideNeighbors,
                          testing::Values(with_elastic_seam(8), with_stretched_cloth(8), with_thick_material(8)),
                          [](const testing::TestParamInfo<Neighbors>& test) { return std::string(test.param.name); });
 
-// The order of a chart's vertices does not depend on their numbers in the input.
+// Tests of allowed strains, of the canonical order of a chart's vertices, and of mirror images.
 
-/// A regular polygon with a vertex in its center, so that all walks around it look the same.
+/// Returns a regular polygon with a vertex in its center, so that walks around the outline look the same from every
+/// start.
 FlattenInput regular_polygon(int corners) {
   FlattenInput input;
   input.vertices.setZero(corners + 1, 3);
@@ -107,8 +109,8 @@ FlattenInput regular_polygon(int corners) {
 TEST(CutSetSearch, AllowsStrainsUpToThatOfPlushOrTwiceTheTarget) {
   using Strains = std::vector<double>;
   EXPECT_EQ(allowed_strains(0.05, 0.05), (Strains{0.05, 0.1, 0.2}));  // 0.2 is the strain of plush
-  EXPECT_EQ(allowed_strains(0.15, 0.05), Strains{0.15});              // 0.2 / 0.15 < 0.3 / 0.2
-  EXPECT_EQ(allowed_strains(0.13, 0.05), (Strains{0.13, 0.26}));      // 0.2 / 0.13 > 0.26 / 0.2
+  EXPECT_EQ(allowed_strains(0.15, 0.05), Strains{0.15});              // by ratio, 0.15 is nearer to 0.2 than 0.3
+  EXPECT_EQ(allowed_strains(0.13, 0.05), (Strains{0.13, 0.26}));      // by ratio, 0.26 is nearer to 0.2 than 0.13
   EXPECT_EQ(allowed_strains(0.2, 0.2), (Strains{0.2, 0.4}));          // 0.4 is twice the target
   EXPECT_EQ(allowed_strains(0.01, 0.01), (Strains{0.01, 0.02, 0.04}));
 }
@@ -124,7 +126,8 @@ TEST(CanonicalOrder, TakesWorkProportionalToARegularOutlineAndCanBeStopped) {
 }
 
 TEST(MirrorImage, PathsAcrossFacesWithoutMirrorImagesHaveNoMirrorImage) {
-  // A roof with all diagonals in one direction: vertices, rows and columns have mirror images, but faces do not.
+  // A roof whose vertices, rows and columns have mirror images. Faces have no mirror images if all diagonals have one
+  // direction.
   const int n = 8;
   const auto roof = [](double s, double t) { return Eigen::Vector3d(2 * s - 1, 3 * t, 0.5 - std::abs(s - 0.5)); };
   FlattenInput grid = test::make_grid(n, n, roof);
@@ -137,7 +140,7 @@ TEST(MirrorImage, PathsAcrossFacesWithoutMirrorImagesHaveNoMirrorImage) {
       const auto& sources = chart.source_vertex;
       image.emplace_back(static_cast<int>(std::find(sources.begin(), sources.end(), mirrored_at) - sources.begin()));
     }
-    // All paths from a corner of a face across the opposite edge to the far corner of the next face.
+    // Tries all paths from a corner of a face across the opposite edge to the far corner of the next face.
     int num_mirrored = 0, num_refused = 0;
     for (const HalfedgeHandle h : chart.mesh.halfedges()) {
       if (chart.mesh.is_boundary(chart.mesh.edge_handle(h))) continue;
@@ -163,22 +166,22 @@ TEST(MirrorImage, PathsAcrossFacesWithoutMirrorImagesHaveNoMirrorImage) {
   }
 }
 
-// Paths of cuts along edges.
+// Tests of paths of cuts along edges.
 
 constexpr int kN = 14;  // edges along a side
 constexpr int kMiddle = 6;
 
 bool is_inside(int i, int j) { return i > 0 && j > 0 && i < kN && j < kN; }
 
-/// Returns whether a vertex is in one of the lanes, from the left or from below, or above and to the right of their
-/// crossing.
+/// Returns whether paths may use a vertex. Two lanes come from the left and from below, and are open. The area above
+/// and to the right of their crossing is open, too.
 bool is_open(int i, int j) {
   if (!is_inside(i, j)) return false;
   return (i >= kMiddle && j >= kMiddle) || (j == kMiddle && i < kMiddle) || (i == kMiddle && j < kMiddle);
 }
 
-/// Returns whether an edge is a diagonal at the crossing or at the ends of both lanes next to it, where only edges of
-/// the grid are allowed.
+/// Returns whether an edge is a diagonal at the crossing or at the ends of the lanes next to the crossing. Paths must
+/// not use these diagonals.
 bool is_diagonal_of_the_crossing(int i, int j, int other_i, int other_j) {
   const auto is_near = [](int a, int b) { return a + b <= 2 * kMiddle && a <= kMiddle && b <= kMiddle; };
   return i != other_i && j != other_j && (is_near(i, j) || is_near(other_i, other_j));

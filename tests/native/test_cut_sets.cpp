@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sets of seams proposed for models without seams. A run with the seams confirms their figures, and they do not depend
-// on position, orientation and numbering.
+// Tests of sets of seams that are suggested for models without seams. A run with the seams must confirm their figures.
+// The sets must not depend on position, orientation and numbering.
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
@@ -23,7 +23,7 @@
 namespace wirewarp::test_cut_sets {
 namespace {
 
-/// A closed surface whose diagonals are mirrored across y = 0.
+/// Returns a closed surface whose diagonals are mirrored across y = 0.
 FlattenInput closed(int around, int rings, const std::function<Eigen::Vector3d(const Eigen::Vector3d&)>& shape) {
   return test::closed_surface(around, rings, shape,
                               [around](int i, int j) { return (i < around / 2) == (j % 2 == 0); });
@@ -33,7 +33,8 @@ FlattenInput ball() {
   return closed(12, 10, [](const Eigen::Vector3d& p) { return p; });
 }
 
-/// The plush head of an animal with two ears, mirrored across y = 0; tilt moves it off the plane.
+/// Returns the plush head of an animal with two ears. The head is symmetric across y = 0 if tilt, the y of the snout,
+/// is 0.
 FlattenInput head(double tilt = 0) {
   return closed(12, 8, [tilt](const Eigen::Vector3d& p) -> Eigen::Vector3d {
     const Eigen::Vector3d ear(-0.1, 0.6, 0.8);
@@ -43,12 +44,12 @@ FlattenInput head(double tilt = 0) {
   });
 }
 
-/// An open surface with a flat shape that needs more than 100% of stretch.
+/// Returns an open surface whose flat shape needs more than 100% of stretch.
 FlattenInput hill() {
   return test::height_field(8, [](double x, double y) { return 2 * (1 - x * x) * (1 - y * y); });
 }
 
-/// Options for few cuts, which are quick to find.
+/// Returns options for few cuts, which are quick to find.
 CutOptions rough() {
   CutOptions cut_options;
   cut_options.strain = 0.3;
@@ -140,7 +141,7 @@ TEST(CutSetSearch, FindsSymmetricSeamsOfASymmetricModel) {
 VertexPairs as_rows(const std::set<VertexPair>& edges) {
   VertexPairs rows(static_cast<Eigen::Index>(edges.size()), 2);
   Eigen::Index row = 0;
-  for (const VertexPair& edge : edges) rows.row(row++) << edge[1], edge[0];  // edges in the other direction
+  for (const VertexPair& edge : edges) rows.row(row++) << edge[1], edge[0];  // in the reverse direction
   return rows;
 }
 
@@ -167,7 +168,7 @@ TEST(CutSetSearch, ReturnsASetThatMeetsTheTargetFirst) {
   CutOptions cut_options = rough();
   const std::vector<DartProposal> sets = propose_seams(head(), {}, cut_options);
   ASSERT_GT(sets.size(), 1U);
-  cut_options.strain = 0.99 * sets[1].strain;  // a target that this set misses by 1%
+  cut_options.strain = 0.99 * sets[1].strain;  // a target that sets[1] misses by 1%
   EXPECT_LE(propose_seams(head(), {}, cut_options).front().strain, *cut_options.strain);
 }
 
@@ -203,7 +204,7 @@ TEST(CutSetSearch, CanBeCancelledBeforeTheFirstSet) {
   EXPECT_EQ(asked, 5);
 }
 
-TEST(CutSetSearch, ReturnsTheSetsFoundByThenIfStopped) {
+TEST(CutSetSearch, ReturnsTheSetsFoundSoFarIfStopped) {
   const FlattenInput input = head();
   for (const double share : {0.5, 0.9}) {
     double last = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lines that are cut longer or shorter than on the surface, on all sides or on one side.
+// Tests of lines that are cut longer or shorter than on the surface, on all sides or on one side.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -25,7 +25,7 @@ ErrorCode code_thrown_by(const FlattenInput& input) {
   return test::error_of([&] { flatten(input); }).code;
 }
 
-/// If a grid of wires is shortened, it encloses the most area if its squares stay squares.
+/// A shortened grid of wires encloses the most area if its squares stay squares.
 TEST(Ease, OfAllLinesScalesASheet) {
   const int n = 6;
   const double ease = -0.1;
@@ -87,9 +87,10 @@ TEST(Ease, BetweenTwoMarksAppliesToTheEdgesBetween) {
   EXPECT_NEAR(result.seams.at(0).eases[0], 0.1 * 3 / 8, 1e-9);
 }
 
-/// If one end of a strip of height H becomes longer by a share r, the strip becomes a sector of a ring. At height y,
-/// its threads become circles that are longer by the share r y/H, and E is the integral of the square of this share.
-/// The effect of a strip's free sides is the same at any width, so it cancels out in the difference of two widths.
+/// If one end of a strip of height H becomes longer by the fraction r, the strip becomes a sector of a ring. At the
+/// distance y from the other end, its threads become arcs that are longer by r y/H. E is the integral of the square of
+/// this fraction. The effect of a strip's free sides is the same at any width, so it cancels out in the difference of
+/// two widths.
 TEST(Ease, OfOneEndTurnsACylinderIntoASector) {
   const double ease = 0.05, height = 1;
   const int rows = 8;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Seams with one length for all sides, which is a result of the run.
+// Tests of elastic seams. All sides of such a seam get one length, which the run determines.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -28,7 +28,7 @@ using test::sheet_and_saddle;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// The mean objective of all pieces, weighted by area.
+/// Returns the mean objective of all pieces, weighted by area.
 double objective_of(const FlattenResult& result) {
   double sum = 0, area = 0;
   for (const Piece& piece : result.pieces) {
@@ -38,7 +38,7 @@ double objective_of(const FlattenResult& result) {
   return sum / area;
 }
 
-/// A ball of gores whose seams are wires with this tolerance.
+/// Returns a ball of six gores whose seams are wires with this tolerance and ease.
 FlattenInput gores(double tolerance, double ease = 0) {
   const int num_gores = 6, n = 3, rings = 12;
   FlattenInput input = test::sphere_of_gores(num_gores, n, rings);
@@ -129,7 +129,7 @@ TEST(ElasticSeams, TheObjectiveNeverRisesWithTheTolerance) {
   }
 }
 
-/// Two triangles with sides of length 1, and a wire along the seam between them.
+/// Returns two triangles with sides of length 1, and a wire along the seam between them.
 FlattenInput two_triangles(double tolerance, double ease) {
   const double height = std::sqrt(0.75);
   FlattenInput input =
@@ -141,7 +141,7 @@ FlattenInput two_triangles(double tolerance, double ease) {
 }
 
 TEST(ElasticSeams, StartWithinTheToleranceIfNominalLengthsAreInfeasible) {
-  const FlattenInput input = two_triangles(0.5, 1.2);  // a side of length 2.2 and two of length 1
+  const FlattenInput input = two_triangles(0.5, 1.2);  // a side of length 2.2 and two sides of length 1
   const FlattenResult result = flatten(input);
   expect_good(input, result);
   EXPECT_NEAR(result.seams.at(0).variation, 1.2 - 0.5, 1e-9) << "as short as allowed";
@@ -149,7 +149,8 @@ TEST(ElasticSeams, StartWithinTheToleranceIfNominalLengthsAreInfeasible) {
 
 TEST(ElasticSeams, WithoutAFeasibleLengthAreAnError) {
   FlattenInput input = two_triangles(1.4, 1.5);
-  // One piece has sides 3 and 0.4 times as long and needs a seam of at least 2.6. The other needs a seam of at most 2.
+  // One piece has sides of lengths 3 and 0.4, so it needs a seam of at least 2.6. The other piece needs a seam of at
+  // most 2.
   input.eases = {ease_along({0, 3}, 2), ease_along({3, 1}, -0.6)};
   for (const Piece& piece : flatten(input).pieces) {
     ASSERT_TRUE(piece.error);
@@ -157,8 +158,8 @@ TEST(ElasticSeams, WithoutAFeasibleLengthAreAnError) {
   }
 }
 
-/// A flat ring with a small gap, and a wall on its rim. The wall has less distortion if the seam is longer, because the
-/// top of the wall is shorter.
+/// Returns a flat ring with a small gap, and a wall on its rim. The top of the wall is shortened, so the wall is
+/// distorted less if the seam is longer.
 FlattenInput ring_with_wall(double tolerance) {
   const int around = 48, across = 3;
   FlattenInput input = test::make_grid(around, 2 * across, [](double s, double t) {
@@ -205,8 +206,8 @@ TEST(ElasticSeams, PiecesKeepNominalLengthsIfNoGoodShapeIsFound) {
   }
 }
 
-/// One limit applies to all stages together: with the seam fixed at its ease, with the seam elastic, and for each piece
-/// alone.
+/// One limit applies to three stages together. The seam is fixed at its ease, then it is elastic, then each piece is
+/// solved alone.
 TEST(ElasticSeams, NoPieceExceedsTheLimitOfFactorizations) {
   for (const int most : {1, 4, 12, 25}) {
     Options options;
@@ -217,7 +218,7 @@ TEST(ElasticSeams, NoPieceExceedsTheLimitOfFactorizations) {
   }
 }
 
-/// The second attempt may spend only the rest of the limit, but errors name the limit that the user set.
+/// A second attempt may spend only the rest of the limit, but errors name the limit that the user set.
 TEST(ElasticSeams, ErrorsNameTheLimitThatTheUserSet) {
   const int n = 4;
   FlattenInput input = test::saddle_of_wires(n, 0.2);
@@ -230,7 +231,7 @@ TEST(ElasticSeams, ErrorsNameTheLimitThatTheUserSet) {
   }
 }
 
-/// If the pieces were solved side by side, the last piece would have coordinates of about 100, and edges of length 1/40
+/// If the pieces were solved side by side, the last piece would have coordinates of about 100. Its edges of length 1/40
 /// would lose two digits.
 TEST(ElasticSeams, AHundredCoupledPiecesAreAsExactAsOne) {
   const int num_pieces = 100, along = 40;
@@ -247,7 +248,7 @@ TEST(ElasticSeams, AHundredCoupledPiecesAreAsExactAsOne) {
   }
 }
 
-/// All gores are equal, so all seams have one length, the same as for a single gore with two equal sides.
+/// All gores are equal, so all seams get the length that a single gore with two equal sides would get.
 TEST(ElasticSeams, ABallOfGoresIsLikeOneGoreWithEqualSides) {
   const FlattenResult ball = flatten(gores(kInfinity));
   for (const SeamReport& seam : ball.seams) EXPECT_NEAR(seam.variation, ball.seams[0].variation, 1e-4);

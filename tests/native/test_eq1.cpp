@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Eq. (1) in edge headings: the linear constraints hold for all headings, and derivatives agree with finite
-// differences.
+// Tests Eq. (1) as a function of edge headings. The linear constraints hold for all headings, and derivatives agree
+// with finite differences.
 #include <gtest/gtest.h>
 
 #include <Eigen/OrderingMethods>
@@ -22,8 +22,7 @@
 namespace wirewarp::test_eq1 {
 namespace {
 
-/// A bent plate with two holes, and wires that join the holes to the rim and to each other: patches, holes and
-/// crossings.
+/// Returns a bent plate with two holes, and wires that connect the holes with the rim and with each other.
 FlattenInput bent_plate() {
   const int n = 4;
   FlattenInput input = test::flat_plate_with_two_holes(n);
@@ -61,7 +60,7 @@ struct Problem {
     for (double& x : direction) x = normal(random);
     for (double& x : multipliers) x = normal(random);
   }
-  /// The weights of the wire-nodes: 1, or the mean length over the node's length.
+  /// Returns the weights of the wire nodes: 1, or the mean length of all nodes over the node's length.
   Eigen::VectorXd node_weights(NodeWeight weight) const {
     Eigen::VectorXd lengths_of_nodes(static_cast<Eigen::Index>(network.nodes.size()));
     for (Eigen::Index i = 0; i < lengths_of_nodes.size(); ++i) {
@@ -69,7 +68,8 @@ struct Problem {
     }
     return lengths_of_nodes.mean() * lengths_of_nodes.cwiseInverse();
   }
-  /// Returns θ for the headings: the angles closest to the surface angles, changed by the change of the headings.
+  /// Returns the planar angles θ for the headings psi. If psi is 0, they are the angles with the required sums that are
+  /// closest to the surface angles.
   Eigen::VectorXd planar_angles(NodeWeight weight) const {
     Eigen::VectorXd angles = project_on_angle_sums(network, node_weights(weight));
     for (Eigen::Index i = 0; i < angles.size(); ++i) {
@@ -191,7 +191,7 @@ TEST(Eq1, EdgesMustBeConnected) {
   EXPECT_THROW(Eq1(build_wire_network(chart), NodeWeight::length), std::domain_error);
 }
 
-/// A flat rectangle of n by n quads in which every spacing-th row and column is a wire.
+/// Returns a flat rectangle of n by n quads. Its wires are rows and columns, `spacing` quads apart.
 FlattenInput net_of_wires(int n, int spacing) {
   FlattenInput input = test::flat_rectangle(n, n, 1.2, 1);
   for (int line = spacing; line < n; line += spacing) {
@@ -222,7 +222,8 @@ std::vector<int> places_of(const std::vector<int>& order) {
   return place;
 }
 
-/// Returns the number of entries of L below the diagonal if the optimality system is eliminated in this order.
+/// Returns the number of entries of the factor L below its diagonal if the optimality system is eliminated in this
+/// order.
 long fill_of(const Eq1& eq1, const std::vector<int>& order) {
   const std::vector<int> place = places_of(order);
   std::vector<std::vector<int>> earlier(order.size());
@@ -253,7 +254,7 @@ long fill_of(const Eq1& eq1, const std::vector<int>& order) {
   return fill;
 }
 
-/// The approximate minimum degree order, which may eliminate closures before their edges.
+/// Returns the approximate minimum degree order, which may eliminate closures before their edges.
 std::vector<int> minimum_degree(const Eq1& eq1) {
   const int size = eq1.num_edges() + eq1.num_closures();
   std::vector<Eigen::Triplet<double>> entries;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every code of error.h occurs, and the faulty elements are in the lists and in the message.
+// Tests that every code of error.h occurs, and that errors name the faulty elements in their lists and messages.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -23,7 +23,7 @@ const std::vector<std::array<double, 3>> kPoints{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}
 
 FlattenInput triangles(const std::vector<std::array<int, 3>>& faces) { return test::mesh_of(kPoints, faces); }
 
-/// A unit square, cut from vertex 0 to vertex 2.
+/// Returns a unit square, divided along the diagonal from vertex 0 to vertex 2.
 FlattenInput square() { return triangles({{0, 1, 2}, {0, 2, 3}}); }
 
 FlattenInput with_wire(const std::vector<int>& chain, double tolerance = 0) {
@@ -49,7 +49,7 @@ FlattenInput scaled(FlattenInput input, double factor) {
   return input;
 }
 
-/// Squares that share no vertices.
+/// Returns squares that share no vertices.
 FlattenInput loose_squares(int count, int triangles_of_each) {
   FlattenInput input;
   input.vertices.resize(4 * count, 3);
@@ -131,7 +131,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 class FaultOfAPiece : public testing::TestWithParam<Fault> {};
 
-TEST_P(FaultOfAPiece, IsCarriedByIt) {
+TEST_P(FaultOfAPiece, IsReportedWithThePiece) {
   const FlattenResult result = flatten(GetParam().input);
   ASSERT_TRUE(result.pieces.at(0).error);
   expect_fault(*result.pieces[0].error, GetParam());
@@ -255,7 +255,7 @@ TEST(ErrorCodes, CornersOfTheWrongNumberOfFaces) {
 }
 
 TEST(ErrorCodes, NonManifoldVertex) {
-  // A ring of quads without its last triangle: the two ends touch only at a vertex.
+  // A ring of quads without its last triangle. Its two ends touch only at one vertex.
   const int n = 8;
   FlattenInput input = test::flat_annulus(n, 1, 1, 2);
   const Eigen::RowVector3i left_out = input.faces.bottomRows(1);
@@ -276,8 +276,8 @@ TEST(ErrorCodes, Handles) {
 }
 
 TEST(ErrorCodes, OtherChartsAreFlattenedIfOneIsNotSolvable) {
-  // A pyramid of squares, each 1e-10 times as large as the one below. A random walk along the edges leaves the inner
-  // squares with a probability below rounding errors.
+  // A pyramid of squares, each 1e-10 times as large as the square below it. A random walk along the edges leaves the
+  // inner squares with a probability below rounding errors.
   std::vector<std::array<double, 3>> points;
   std::vector<std::array<int, 3>> faces;
   const int rings = 4;
@@ -301,7 +301,7 @@ TEST(ErrorCodes, OtherChartsAreFlattenedIfOneIsNotSolvable) {
   const FlattenResult result = flatten(test::mesh_of(points, faces));
   ASSERT_TRUE(result.pieces[0].error.has_value());
   EXPECT_EQ(result.pieces[0].error->code, Code::not_solvable) << result.pieces[0].error->what();
-  std::set<int> small;  // all faces except those at a side of the outermost square
+  std::set<int> small;  // all faces that have no side of the outermost square
   for (std::size_t f = 0; f < num_nested; ++f) {
     if (f >= 8 || f % 2 == 1) small.insert(static_cast<int>(f));
   }
@@ -327,7 +327,7 @@ TEST(ErrorCodes, WiresThatCannotBeJoinedNameThemselvesAndTheRefinedMethod) {
   expect_words(error, "use the refined method");
 }
 
-// A surface that cannot be oriented by flipping faces.
+// Flipping faces cannot give a one-sided surface one orientation.
 TEST(OneSidedSurface, AMobiusStripIsCutWhereFacesFlip) {
   constexpr int n = 12;
   FlattenInput strip;
@@ -340,7 +340,7 @@ TEST(OneSidedSurface, AMobiusStripIsCutWhereFacesFlip) {
       strip.vertices.row(2 * i + side) << radius * std::cos(around), radius * std::sin(around),
           across * std::sin(twist);
     }
-    const bool is_last = i + 1 == n;  // the strip is joined upside down
+    const bool is_last = i + 1 == n;  // the ends are joined upside down
     const int a = 2 * i, b = 2 * i + 1, c = is_last ? 1 : a + 2, d = is_last ? 0 : b + 2;
     strip.faces.row(2 * i) << a, c, b;
     strip.faces.row(2 * i + 1) << b, c, d;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Extreme but legal input, which nobody models on purpose, but which some files contain.
+// Tests of extreme but valid input, which nobody models on purpose, but which some files contain.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -15,7 +15,7 @@ namespace {
 
 Eigen::Vector3d dome(double s, double t) { return {s, t, 0.2 * std::cos(kPi * (s - 0.5)) * std::cos(kPi * (t - 0.5))}; }
 
-/// A dome with a rigid wire along row 5 and an elastic wire along column 3.
+/// Returns a dome with a rigid wire along row 5 and an elastic wire along column 3.
 FlattenInput dome_with_wires() {
   FlattenInput input = test::make_grid(10, 10, dome);
   test::add_wire(input, test::grid_row(10, 5));
@@ -53,8 +53,8 @@ TEST(ExtremeInput, EdgesThatDifferByAMillion) {
 }
 
 TEST(ExtremeInput, EdgesThatDifferByAMillionDoNotStopTheRefinedMethod) {
-  // In the second case, the distances of both rows and columns grow: the bending stiffness at the shortest edges is a
-  // million times that of the sheet.
+  // In the second case, the distances between rows differ by a factor of a million, too. The bending stiffness at the
+  // shortest edges is then a million times that of the sheet.
   for (const bool in_both : {false, true}) {
     FlattenInput input = test::make_grid(
         10, 10, [&](double s, double t) { return dome(std::pow(1e-6, 1 - s), in_both ? std::pow(1e-6, 1 - t) : t); });
@@ -79,7 +79,7 @@ TEST(ExtremeInput, TinyBesideHuge) {
   expect_flat(test::beside(tiny, huge, 0));
 }
 
-/// Rounding of the coordinates alone causes strains of 1e-11, so the search converges at such strains.
+/// Rounding of the coordinates alone causes strains of 1e-11, so the solver converges at such strains.
 TEST(ExtremeInput, AFlatStripThirtyThousandTimesAsLongAsWide) {
   for (const int n : {1, 30, 100}) {
     const FlattenResult result = flatten(test::flat_rectangle(n, 4, 1, 3e-5));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Charts that cannot be flattened have an error and no figures of a flat shape, and do not affect other charts.
+// Tests that charts that cannot be flattened have an error, have no figures of a flat shape, and do not affect other
+// charts.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -72,7 +73,8 @@ TEST(FailedPieces, OtherChartsAreFlattenedIfOneIsBad) {
   }
 }
 
-/// A cap of five triangles around an apex, with a rigid wire on every edge: no flat shape has these lengths.
+/// Returns a cap of five triangles around an apex, with a rigid wire on every inner edge. No flat shape has these
+/// lengths.
 FlattenInput cap_of_rigid_edges() {
   FlattenInput input;
   input.vertices.resize(6, 3);
@@ -102,12 +104,14 @@ TEST(FailedPieces, ReportTheirWorkButNoFiguresOfAShape) {
   }
 }
 
-// Outlines that are too short to enclose their surface in the plane: the bound for their length, and their error.
+// Tests of outlines that are too short to enclose their surface in the plane, with the bound for their length and their
+// error.
 
 TEST(Isoperimetric, TheLeastShapeErrorIsReachedByUniformShrinking) {
-  // Both singular values are s: E / area = 2 (1 - s)^2, and the area ratio is s^2.
+  // If both singular values are s, then E / area = 2 (1 - s)^2, and the area ratio is s^2.
   for (const double s : {0.5, 0.6, 0.9, 1.0}) EXPECT_NEAR(least_shape_error(s * s), 2 * (1 - s) * (1 - s), 1e-15);
-  // Below 1/4, the singular values are 1 - s and s: E / area = s^2 + (1 - s)^2, and the area ratio is s (1 - s).
+  // For area ratios below 1/4, the singular values are 1 - s and s. Then E / area = s^2 + (1 - s)^2, and the area ratio
+  // is s (1 - s).
   for (const double s : {0.1, 0.3, 0.5}) {
     EXPECT_NEAR(least_shape_error(s * (1 - s)), s * s + (1 - s) * (1 - s), 1e-15);
   }

@@ -54,9 +54,9 @@ class FairShapeErrorOnASaddle : public testing::Test {
     return Eigen::MatrixXd(Eigen::MatrixXd(matrix.lower()).selfadjointView<Eigen::Lower>());
   }
 
-  /// Compares with central differences along the line uv + t d. With h = 1e-6, their error is h² times the third
-  /// derivative plus rounding errors over h, or h times the barrier's second derivative if a triangle enters the
-  /// barrier.
+  /// Compares gradient and Hessian with central differences along the line uv + t d. The differences have the error h²
+  /// times the third derivative plus rounding errors over h. If a triangle enters the barrier, the error is h times the
+  /// barrier's second derivative.
   void expect_derivatives(const Positions2& uv, const Positions2& d, double hessian_tolerance) {
     const double h = 1e-6;
     Positions2 gradient, ahead, behind;
@@ -124,7 +124,7 @@ TEST_F(FairShapeErrorOnASaddle, DerivativesOfTheInfiniteBarrierEqualDifferences)
   EXPECT_GT(test::eigenvalues(convex).minCoeff(), -1e-12 * convex.norm());
 }
 
-/// The same sheet of a fabric that locks, with triangles that are stretched and squeezed, but not flipped.
+/// The sheet of FairShapeErrorOnASaddle, of a fabric that locks. Triangles are stretched and squeezed, but not flipped.
 class FairShapeErrorOfAFabric : public FairShapeErrorOnASaddle {
  protected:
   static Cloth locking_cloth() {
@@ -172,7 +172,7 @@ TEST_F(FairShapeErrorOfAFabric, FlippedTrianglesAreInfinite) {
 }
 
 TEST(FairShapeError, AStepEndsWhereTheFirstTriangleFlips) {
-  const Charts charts = test::charts_of(test::flat_rectangle(1, 1, 1, 1));  // cut from (0, 0) to (1, 1)
+  const Charts charts = test::charts_of(test::flat_rectangle(1, 1, 1, 1));  // diagonal from (0, 0) to (1, 1)
   const Chart& chart = charts.charts.at(0);
   const HeldNetwork network = build_held_network(chart);
   const Positions2 uv = test::planar_positions(chart);
@@ -191,15 +191,15 @@ TEST(FairShapeError, AMirrorImageHasOnlyFlippedTriangles) {
   const Positions2 uv = test::planar_positions(chart);
   EXPECT_EQ(objective.count_flips(uv), 0);
   EXPECT_EQ(objective.count_flips(uv * Eigen::Vector2d(-1, 1).asDiagonal()), 12);
-  // Without distortion f is 0, and for the mirror image only the barrier at det J = -1 and E = 4 A remain.
+  // Without distortion, f and its bending term are 0.
   EXPECT_NEAR(objective.value(uv), 0, 1e-25);
   EXPECT_NEAR(
       bending_of(chart, build_held_network(chart), 0.1, std::vector<double>(chart.mesh.n_vertices(), 6)).value(uv), 0,
       1e-25);
 }
 
-/// A square sheared into a rhombus by β: lengths along rows and columns are exact, and every angle between a row and a
-/// column changes by β, with |r|² = 2 - 2 cos β.
+/// A square sheared into a rhombus by β. Lengths along rows and columns are exact, and every angle between a row and a
+/// column changes by β. The residual of each angle is |r|² = 2 - 2 cos β.
 class BendingOfARhombus : public testing::TestWithParam<int> {};
 
 TEST_P(BendingOfARhombus, IsTheAngleTermOfEquation1HoweverFineTheMesh) {
@@ -265,7 +265,7 @@ TEST_F(BendingOfAFold, ALineBendsAtACrossingLikeItsCornersOnACoarseMesh) {
 TEST(VertexMatrix, AVertexPairedWithItselfHasItsDiagonalBlockOnly) {
   const VertexMatrix matrix(3, {{0, 0}, {2, 0}, {1, 1}, {0, 0}}), without(3, {{2, 0}});
   EXPECT_EQ(matrix.lower().nonZeros(), without.lower().nonZeros());
-  // The block of a submatrix is copied by columns; Eigen requires sorted rows for this.
+  // Eigen copies a submatrix by columns, and requires sorted rows for this.
   EXPECT_EQ(Eigen::SparseMatrix<double>(matrix.lower().topLeftCorner(4, 4)).nonZeros(), 6);
 }
 

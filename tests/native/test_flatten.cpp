@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The whole pipeline: lengths are exact, developable pieces are isometric, and results do not depend on the mesh's
-// numbering, position, scale, handedness and resolution.
+// Tests the whole pipeline. Lengths are exact, developable pieces are isometric, and results do not depend on the
+// mesh's numbering, position, scale, handedness and resolution.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -18,7 +18,8 @@ namespace {
 
 using test::misfit;
 
-// A millionth of the piece's size: the refined method stops when the next step would gain less than 1e-9 of f.
+// Allowed difference of positions, over the piece's size. The refined method stops when the next step would gain less
+// than 1e-9 of f.
 constexpr double kSame = 1e-6;
 constexpr Method kMethods[] = {Method::wirewarp_plus_plus, Method::refined};
 
@@ -33,8 +34,8 @@ Positions2 mirrored(Positions2 uv) {
   return uv;
 }
 
-/// A hemisphere of four gores with a wire around it, which crosses every seam. It tests charts, junctions, and wires in
-/// parts.
+/// Returns a sphere of four gores with a wire around it, which crosses every seam. The sphere tests charts, junctions,
+/// and wires in parts.
 FlattenInput gores_with_a_wire() {
   const int gores = 4, n = 6, rings = 12;
   FlattenInput input = test::sphere_of_gores(gores, n, rings);
@@ -53,7 +54,7 @@ FlattenInput gores_with_a_wire() {
   return input;
 }
 
-/// A lopsided dome with a dart to its middle; it is flat if bend is 0.
+/// Returns a lopsided dome with a dart to its middle. The dome is flat if bend is 0.
 FlattenInput sheet_with_a_dart(int n, double bend) {
   FlattenInput input = test::height_field(
       n, [&](double x, double y) { return -bend * (x * x + y * y + 0.3 * x * y * y + 0.2 * x * x * x); });
@@ -64,7 +65,7 @@ FlattenInput sheet_with_a_dart(int n, double bend) {
   return input;
 }
 
-/// Flattens the input. Expects that every guarantee is kept and every piece is good.
+/// Flattens the input. Expects that every guarantee is kept and that no piece has an error.
 FlattenResult expect_guarantees(const FlattenInput& input, const Options& options) {
   FlattenResult result = flatten(input, options);
   for (const Piece& piece : result.pieces) {
@@ -133,8 +134,8 @@ TEST(Flatten, PiecesDoNotDependOnHowTheSurfaceIsGiven) {
         }
       }
       const bool is_refined = method == Method::refined;
-      // Newton's iteration may stop a step earlier or later. Objectives agree to the tolerance, positions to its square
-      // root.
+      // Newton's iteration may stop a step earlier or later. Objectives agree up to the tolerance of the iteration, and
+      // positions up to the square root of this tolerance.
       if (is_refined) {
         EXPECT_NEAR(after.pieces[0].report.objective, before.pieces[0].report.objective, 1e-11);
       }
@@ -151,7 +152,8 @@ TEST(Flatten, MirrorReturnsTheMirrorImage) {
   EXPECT_LT(misfit(mirrored(flatten(input).pieces[0].vertices), inside.pieces[0].vertices), 1e-12);
 }
 
-/// The quarter sphere with columns that are denser towards one side; with grading 1, they are evenly spaced.
+/// Returns a quarter sphere with columns that are denser towards one side. With grading 1, the columns are evenly
+/// spaced.
 FlattenInput graded_quarter_sphere(int n, double grading) {
   const auto graded = [&](double s) { return s + (1 - 1 / grading) * s * (1 - s) / (2 - 1 / grading); };
   FlattenInput input = test::make_grid(2 * n, n, [&](double s, double t) {

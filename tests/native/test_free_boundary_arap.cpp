@@ -32,7 +32,7 @@ double largest_stretch(const Chart& chart, const Positions2& uv) {
   return largest;
 }
 
-/// A plate with two holes, rolled onto a cylinder of radius 1.
+/// Returns a plate with two holes, rolled onto a cylinder of radius 1.
 FlattenInput rolled_plate_with_two_holes() {
   FlattenInput input = test::flat_plate_with_two_holes(8);
   for (Eigen::Index v = 0; v < input.vertices.rows(); ++v) {
@@ -42,7 +42,7 @@ FlattenInput rolled_plate_with_two_holes() {
   return input;
 }
 
-/// A square cut from the middle of its lower side to its center, and once more inside.
+/// Returns a square with a cut from the middle of its lower side to its center, and a cut inside its upper half.
 FlattenInput cut_square() {
   const int n = 8;
   FlattenInput input = test::flat_rectangle(n, n, 1, 1);
@@ -53,7 +53,7 @@ FlattenInput cut_square() {
   return input;
 }
 
-/// A plate with pairs of columns that are 1e-6 apart.
+/// Returns a plate with pairs of columns that are 1e-6 apart.
 FlattenInput sliver_plate() {
   const int nx = 9;
   return test::make_grid(nx, 6, [](double s, double t) {
@@ -63,7 +63,8 @@ FlattenInput sliver_plate() {
   });
 }
 
-/// A plate in which every triangle has an angle above 150 degrees, so that a third of the cotangents are negative.
+/// Returns a plate in which every triangle has an angle above 150 degrees, so that a third of the cotangents are
+/// negative.
 FlattenInput sheared_plate() {
   return test::make_grid(8, 8, [](double s, double t) { return Eigen::Vector3d(s - 3 * t, t, 0); });
 }
@@ -188,7 +189,7 @@ Positions2 random_positions(const Chart& chart, unsigned seed) {
   return uv;
 }
 
-/// A curved chart and layouts of it with many flipped triangles.
+/// A curved chart. The tests use layouts with many flipped triangles.
 class ShapeErrorOnASphere : public testing::Test {
  protected:
   const Chart chart = test::chart_of(test::quarter_sphere(6));
@@ -226,7 +227,7 @@ TEST_F(ShapeErrorOnASphere, FixedRotationsBoundTheEnergy) {
   }
 }
 
-/// For a uniform stretch s, E = 2A (s - 1)²; in its mirror image, |z| = 0 and |w| = s.
+/// For a uniform stretch s, E = 2A (s - 1)². In the mirror image, |z| = 0 and |w| = s.
 TEST(ShapeError, CountsMirrorImagesAgainstRotations) {
   const Chart chart = test::chart_of(test::flat_rectangle(3, 2, 3, 2));
   const ShapeError shape_error(chart);

@@ -17,7 +17,7 @@ namespace {
 using test::charts_of;
 using test::planar_positions;
 
-/// A unit square with a wire across at half height, from vertex 10 to vertex 14; vertex 12 is its middle.
+/// A unit square with a wire across at half height, from vertex 10 to vertex 14. Vertex 12 is the middle of the wire.
 struct Sheet {
   FlattenInput input = test::flat_rectangle(4, 4, 1, 1);
   Charts charts;
@@ -75,7 +75,7 @@ TEST(Guarantee, OutlineIsRigid) {
 TEST(Guarantee, ElasticEdgesFollowTheirVariation) {
   Sheet sheet(0.05);
   const double h = 0.01;
-  // A zigzag between the fixed ends of the wire makes each of its edges longer by h.
+  // A zigzag between the fixed ends of the wire makes each edge of the wire longer by the fraction h.
   const double rise = 0.25 * std::sqrt((1 + h) * (1 + h) - 1);
   sheet.uv(11, 1) += rise;
   sheet.uv(13, 1) += rise;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Errors name wires that contradict one another, and propose tolerances that make the piece flat. Feasible nets have no
-// error.
+// Tests that errors name wires that contradict one another, and suggest tolerances with which the piece can be
+// flattened. Feasible nets have no error.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ namespace {
 
 using Where = std::function<bool(const Eigen::Vector3d& middle)>;
 
-/// Adds a rigid wire for each inner edge in the region.
+/// Adds a rigid wire for each inner edge whose middle is in the region.
 void add_edges_as_wires(FlattenInput& input, const Where& where) {
   const EdgeTable edges(input.faces, static_cast<int>(input.vertices.rows()));
   for (int e = 0; e < edges.num_edges(); ++e) {
@@ -34,7 +34,7 @@ void add_edges_as_wires(FlattenInput& input, const Where& where) {
   }
 }
 
-/// Adds all inner rows and columns of an n by n grid as wires: a Chebyshev net, with fewer lengths than a flat shape
+/// Adds all inner rows and columns of an n by n grid as wires. This Chebyshev net fixes fewer lengths than a flat shape
 /// has degrees of freedom.
 void add_lines(FlattenInput& input, int n, double tolerance) {
   for (int i = 1; i < n; ++i) {
@@ -49,14 +49,14 @@ std::vector<int> diagonal(int n) {
   return chain;
 }
 
-/// Returns whether a piece has exact lengths; it may be flipped or overlap itself.
+/// Returns whether a piece has exact lengths. Such a piece may be flipped or overlap itself.
 bool has_exact_lengths(const Piece& piece) {
   return !piece.error || (piece.error->has_layout && piece.error->code != ErrorCode::lengths_not_kept);
 }
 
 bool is_refused(const Piece& piece) { return piece.error && piece.error->code == ErrorCode::infeasible_lengths; }
 
-/// Expects that the input's piece has an error, and becomes good with the proposed tolerances. Returns the piece with
+/// Expects that the input's piece has an error, and has no error with the suggested tolerances. Returns the piece with
 /// the error.
 Piece expect_fixed(FlattenInput input) {
   const Piece refused = flatten(input).pieces.at(0);
@@ -85,7 +85,7 @@ TEST(InfeasibleWires, EveryEdgeOfACurvedPatchIsFixed) {
 }
 
 TEST(InfeasibleWires, ADenseNetGetsOneToleranceForAll) {
-  // A dome with a flat outline: single wires cannot change enough, but small changes of all wires suffice.
+  // A dome with a flat outline. Changes of single wires are not enough, but small changes of all wires are.
   const int n = 6;
   FlattenInput input = test::make_grid(
       n, n, [](double s, double t) { return Eigen::Vector3d(s, t, 0.2 * std::sin(kPi * s) * std::sin(kPi * t)); });
@@ -104,7 +104,7 @@ TEST(InfeasibleWires, ADenseNetGetsOneToleranceForAll) {
 
 TEST(InfeasibleWires, OnlyWiresOfTheCurvedRegionAreNamed) {
   // The sheet is flat except for a dimple of radius 0.2. A wire needs a tolerance only if the angles at one of its ends
-  // do not add up to 2π, which is the case at faces that the dimple touches.
+  // do not add up to 2π. This happens only at faces that the dimple touches.
   const int n = 10;
   FlattenInput input = test::make_grid(n, n, [](double s, double t) {
     const double r2 = (s - 0.5) * (s - 0.5) + (t - 0.5) * (t - 0.5);
@@ -123,7 +123,7 @@ TEST(InfeasibleWires, OnlyWiresOfTheCurvedRegionAreNamed) {
 }
 
 TEST(InfeasibleWires, OneLineTooManyIsFixed) {
-  // Rows and columns can shear like a fishing net, even with one diagonal, but not with two more.
+  // Rows and columns can shear like a fishing net, even with one diagonal as a wire, but not with three diagonals.
   const int n = 8;
   for (const double tolerance : {0.0, 0.01}) {
     FlattenInput input = test::saddle(n, 0.3);
@@ -140,7 +140,7 @@ TEST(InfeasibleWires, OneLineTooManyIsFixed) {
 }
 
 TEST(InfeasibleWires, FeasibleNetsAreNotRefused) {
-  // Every second edge of a net of rows and columns: fewer lengths than a flat shape has degrees of freedom.
+  // Half of the edges of a net of rows and columns fix fewer lengths than a flat shape has degrees of freedom.
   std::mt19937 random(7);
   const int n = 6;
   for (int i = 0; i < 12; ++i) {
@@ -199,7 +199,7 @@ TEST(RelaxedLengths, StopsWhenAsked) {
   const Chart chart = test::chart_of(test::quarter_sphere(4));
   const Positions2 start = free_boundary_arap(chart, 30).uv;
   int asked = 0;
-  // Answers yes to the first two polls, those of the first system.
+  // Stops at the third poll. The first two polls are those of the first system.
   const StopToken stop([&](const char*) { return ++asked < 3; });
   Budget budget(kMaxRelaxFactorizations);
   EXPECT_THROW(relax_lengths({chart, 0.1}, start, {budget, stop}), Stopped);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pieces for which the usual starts lead to flipped or overlapping shapes, although a good shape exists.
+// Tests of pieces for which the usual starts lead to flipped or overlapping shapes, although a good shape exists.
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
@@ -14,7 +14,7 @@
 namespace wirewarp::test_injective_shape {
 namespace {
 
-/// The finger of a glove: a bump on a square. The bump is as high as the square is wide, and a row and a column are
+/// Returns the finger of a glove, a bump on a square. The bump is as high as the square is wide. A row and a column are
 /// wires.
 FlattenInput finger(double tolerance = 0) {
   const int n = 8;
@@ -24,14 +24,14 @@ FlattenInput finger(double tolerance = 0) {
   return input;
 }
 
-/// A saddle with a vent. The sides of the vent would overlap in the plane.
+/// Returns a saddle with a vent. The sides of the vent would overlap in the plane.
 FlattenInput saddle_with_vent() {
   return test::keep_faces(test::saddle(24, 0.5),
                           [](const Eigen::Vector3d& p) { return !(std::abs(p.x()) < 0.1 && p.y() > -0.5); });
 }
 
-/// A strip that runs around a saddle twice. In the plane, it turns by a larger angle than on the surface, so that the
-/// second round meets the first.
+/// Returns a strip that runs around a saddle twice. In the plane, the strip turns by a larger angle than on the
+/// surface, so the second round would meet the first.
 FlattenInput spiral_on_a_saddle() {
   return test::make_grid(96, 2, [](double s, double t) {
     const double turn = 4 * kPi * s, radius = 0.6 + 0.3 * s - (t - 0.5) * 0.1;
@@ -68,7 +68,7 @@ TEST(InjectiveShape, InjectiveShapesDoNotChange) {
 TEST(InjectiveShape, TheScaleOfTheModelDoesNotMatter) {
   for (const FlattenInput& input : {finger(), saddle_with_vent(), spiral_on_a_saddle()}) {
     const Solution expected = refine(input);
-    for (const double scale : {1.0 / 1024, 1024.0}) {  // powers of 4, so that square roots are not rounded otherwise
+    for (const double scale : {1.0 / 1024, 1024.0}) {  // powers of 4, which do not change the rounding of square roots
       FlattenInput scaled = input;
       scaled.vertices *= scale;
       const Solution found = refine(scaled);

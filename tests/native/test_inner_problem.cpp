@@ -145,7 +145,7 @@ TEST(InnerProblem, HolesCloseOnlyByTheirOwnRows) {
 }
 
 TEST(InnerProblem, ReportsThatLengthsCannotBeKept) {
-  // One edge of a triangle is longer than the sum of the other two.
+  // One edge of a triangle is longer than the sum of the other two edges.
   const Chart chart = test::chart_of(test::mesh_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}));
   const WireNetwork network = build_wire_network(chart);
   InnerProblem inner(network, NodeWeight::length);

@@ -14,7 +14,8 @@
 namespace wirewarp::test_interior_placement {
 namespace {
 
-/// A jittered grid and its network: the outline and, if `crossed` is true, wires along the middle row and column.
+/// A jittered grid and its network. The network is the outline and, if `crossed` is true, wires along the middle row
+/// and column.
 struct GridChart {
   GridChart(int n, bool crossed, const test::Surface& surface) {
     FlattenInput input = test::jittered_grid(n, 0.3, surface);
@@ -45,7 +46,7 @@ double literal_tan_half(const HalfEdgeMesh& mesh, VertexHandle a, VertexHandle b
   return std::tan(std::atan2(OpenMesh::cross(ab, ac).norm(), OpenMesh::dot(ab, ac)) / 2);
 }
 
-/// Returns the weight w of a neighbor, not normalized, from the two triangles at the edge to this neighbor.
+/// Returns the mean value weight of a neighbor, not normalized, from the two triangles at the edge to this neighbor.
 double literal_weight(const HalfEdgeMesh& mesh, HalfedgeHandle to_neighbor) {
   const VertexHandle center = mesh.from_vertex_handle(to_neighbor), neighbor = mesh.to_vertex_handle(to_neighbor);
   const VertexHandle left = mesh.to_vertex_handle(mesh.next_halfedge_handle(to_neighbor));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The judge reports every spoiled shape, length, layout and error.
+// Tests that the judge reports every spoiled shape, length, layout and error.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -45,7 +45,7 @@ TEST(Judge, ReportsDifferentOrMissingCoordinates) {
 }
 
 TEST(Judge, ReportsFlippedFacesAndTornEdges) {
-  expect_broken("is flipped", two_sheets(), moved_vertex(0, 1 + 9, 5, 0));  // a vertex that is not on a line
+  expect_broken("is flipped", two_sheets(), moved_vertex(0, 1 + 9, 5, 0));  // a vertex not on any line
   expect_broken("torn at", two_sheets(), [](JudgeCase& c) { c.result.corner_uv(16 + 3, 0) += 1e-6; });
 }
 
@@ -68,7 +68,7 @@ TEST(Judge, ReportsWrongLengths) {
 }
 
 TEST(Judge, ReportsWrongLengthsOfFaultyPieces) {
-  // Pieces that overlap themselves have exact lengths. Their errors must propose a seam inside them.
+  // Pieces that overlap themselves have exact lengths. The error of such a piece must suggest a seam inside the piece.
   const VertexPair inside[2]{{10, 11}, {14, 15}};
   JudgeCase faulty = two_sheets();
   for (const int number : {0, 1}) {
@@ -134,7 +134,7 @@ TEST(Judge, ChecksTheShapeOfAStretchedPieceThatUnfolds) {
   EXPECT_EQ(expectations().size(), 1U);
 }
 
-// The judge reports pieces that are misplaced or not upright.
+// Tests that the judge reports pieces that are misplaced or not upright.
 
 using test::moved;
 using test::turned;
@@ -228,11 +228,12 @@ TEST(Judge, ReportsChangesByALayout) {
   EXPECT_EQ(reported(longer.result), Sentences{"the layout changes lengths"});
 }
 
-// The judge reports errors that do not fit their piece.
+// Tests that the judge reports errors that do not fit their piece.
 
 const VertexPair kInside{10, 11}, kOnTheSeam{4, 13};  // edges of two_sheets()
 
-/// Returns two_sheets() with contradicting wires in piece 0, and a tolerance that would fix them.
+/// Returns two_sheets() with an error in piece 0, which says that the wires contradict one another and suggests a
+/// tolerance.
 JudgeCase contradicting() {
   JudgeCase sheets = test::two_sheets();
   fail(sheets, ErrorCode::infeasible_lengths);
@@ -304,7 +305,7 @@ TEST(Judge, ReportsUndocumentedArguments) {
   using Sentences = std::vector<std::string>;
   error.arguments = ErrorArguments{{"reason", "outline"}, {"has_wires", false}};
   EXPECT_EQ(test::faults_of_error(error, input), Sentences{});
-  error.arguments = ErrorArguments{{"factorizations", 1}};  // only a part of a documented argument
+  error.arguments = ErrorArguments{{"factorizations", 1}};  // only a part of a documented name
   EXPECT_EQ(test::faults_of_error(error, input), Sentences{"undocumented argument: factorizations"});
 }
 

@@ -64,7 +64,7 @@ struct Problem {
   Eigen::VectorXd gradient;
 };
 
-TEST(LanczosTrustRegion, FindsTheLeastOfAnIndefiniteQuadraticInEveryBall) {
+TEST(LanczosTrustRegion, FindsTheMinimumOfAnIndefiniteQuadraticInEveryBall) {
   for (unsigned seed = 0; seed < 10; ++seed) {
     const Problem problem(seed, 0);
     ASSERT_LT(problem.eigenvalues_in_space(problem.hessian).minCoeff(), 0);

@@ -23,7 +23,7 @@ Positions2 turned(const Positions2& uv, double angle) {
   return uv * Eigen::Rotation2Dd(angle).toRotationMatrix().transpose();
 }
 
-/// Packs the only chart.
+/// Returns the positions of the only chart after packing.
 Positions2 pack_one(const Charts& charts, const Positions2& uv, bool mirror = false) {
   Options options;
   options.mirror = mirror;
@@ -81,7 +81,8 @@ TEST(PackPieces, TheFirstWireIsUprightHoweverTheShapeIsTurned) {
   const Positions2 uv = planar_positions(charts.charts[0]);
   for (const double angle : {0.0, 1.0, 2.5, -1.5}) {
     const Positions2 packed = pack_one(charts, turned(uv, angle));
-    // A wire along x becomes upright: y becomes the old x, and x becomes 2 minus the old y, for a piece of width 2.
+    // The wire along x becomes upright. The new y is the old x, and the new x is 2 minus the old y, because the piece
+    // was 2 high.
     EXPECT_LT((packed.col(1) - uv.col(0)).cwiseAbs().maxCoeff(), 1e-14);
     EXPECT_LT((packed.col(0) - (2 - uv.col(1).array()).matrix()).cwiseAbs().maxCoeff(), 1e-14);
   }
@@ -106,8 +107,8 @@ TEST(PackPieces, AClosedOutlineIsUprightInItsSmallestBox) {
   EXPECT_LT((again - packed).cwiseAbs().maxCoeff(), 1e-13) << "rounding errors decide which end points up";
 }
 
-// Packing makes one direction of a piece upright: the grain wire, the longest straight section of the outline, or the
-// direction that is up in space.
+// Packing makes one direction of a piece upright. It is the grain wire, the longest straight section of the outline, or
+// the direction that is up in space.
 
 Options by(Orientation orientation) {
   Options options;
@@ -146,7 +147,7 @@ TEST(Grain, PiecesWithoutTheGrainWireMayHaveTheSameSideUpAsTheModel) {
   options.grain_angle = 0.5;
   const auto up = [&](std::size_t chart) {
     const Chart& own = charts.charts[chart];
-    Positions2 uv(own.mesh.n_vertices(), 2);  // as before the sheet was tilted
+    Positions2 uv(own.mesh.n_vertices(), 2);  // as if the sheet were not tilted
     for (const VertexHandle v : own.mesh.vertices()) {
       const OpenMesh::Vec3d& p = own.mesh.point(v);
       uv.row(v.idx()) << p[0], std::cos(1) * p[1] + std::sin(1) * p[2];
@@ -161,7 +162,7 @@ TEST(Grain, PiecesWithoutTheGrainWireMayHaveTheSameSideUpAsTheModel) {
   EXPECT_LT((up(1) - by_model).norm(), 1e-12) << "another wire says nothing about the grain";
 }
 
-/// A sheet with a lower side that is straight except for a kink of 2 degrees, and a longer, rounded upper side.
+/// Returns a sheet with a lower side that is straight except for a kink of 2 degrees, and a longer, rounded upper side.
 FlattenInput hill(int nx) {
   return test::make_grid(nx, 2, [](double s, double t) {
     const double kinked = 0.05 * std::abs(s - 0.5);

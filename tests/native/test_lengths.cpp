@@ -30,7 +30,7 @@ Piece measured_piece(const FlattenInput& input, const Chart& chart, const Positi
   return measured_piece(input, chart, uv, std::vector<double>(chart.wire_parts.size(), 0));
 }
 
-/// A sheet of 6 by 2, cut down the middle into two pieces of 3 by 2, with a wire across both at half height.
+/// Returns a sheet of 6 by 2, cut into two pieces of 3 by 2, with a wire across both pieces at half height.
 FlattenInput two_sheets(double tolerance) {
   FlattenInput input = test::flat_rectangle(6, 4, 6, 2);
   test::add_seam(input, test::grid_column(6, 4, 3));
@@ -122,7 +122,7 @@ TEST(Lengths, SeamSidesAndTheirMismatch) {
   EXPECT_NEAR(seams[0].length_2d[1], 2 * 1.25, 1e-14);
   EXPECT_NEAR(seams[0].mismatch, 0.5, 1e-14);
 
-  // The piece's list of boundaries has the same length, with its vertices in order.
+  // The boundary of the piece along the seam has the same length.
   for (const BoundaryReport& boundary : pieces[1].boundaries) {
     if (!boundary.seam) continue;
     EXPECT_EQ(*boundary.seam, 0);

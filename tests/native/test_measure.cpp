@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Flattenings made by other programs. Inexact flattenings can be measured, but torn ones cannot.
+// Tests of flattenings by other programs. Inexact flattenings can be measured, but torn flattenings cannot.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,7 +10,7 @@ namespace wirewarp::test_measure {
 namespace {
 
 TEST(Measure, ATornFlatteningIsRefused) {
-  // A square of 4 by 4 quads. Its upper half is moved by 2% along row 2, except at the ends of the row.
+  // A square of 4 by 4 quads. The corners of the upper half on row 2 are moved by 0.02, except at the ends of the row.
   const FlattenInput input = test::flat_rectangle(4, 4, 1, 1);
   CornerUv torn(input.faces.rows(), 6);
   for (int f = 0; f < input.faces.rows(); ++f) {

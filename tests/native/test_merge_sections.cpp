@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Seams that a set can do without: merged pieces keep the allowed strain and the least width.
+// Tests of the search for seams that a set does not need. Merged pieces keep the allowed strain and the minimum width.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -91,13 +91,13 @@ TEST(MergeSections, KeepsTheSeamsThatLimitTheStrain) {
   }
 }
 
-/// Two squares of side 4, and between them a bar that is 3 long and 1 wide.
+/// Returns two squares of side 4, connected by a bar that is 3 long and 1 wide.
 FlattenInput dumbbell() {
   return test::keep_faces(test::flat_rectangle(22, 8, 11, 4),
                           [](const Eigen::Vector3d& p) { return p.x() < 4 || p.x() > 7 || std::abs(p.y() - 2) < 0.5; });
 }
 
-/// Returns the edges across a bar of width 1 at this place. middle: its center line.
+/// Returns the edges across a bar of width 1 at this x. middle: y of the bar's center line.
 std::vector<VertexPair> across_bar(const FlattenInput& input, double x, double middle = 2) {
   const auto at = [&](double y) { return test::nearest_vertex(input, {x, y, 0}); };
   return {{at(middle - 0.5), at(middle)}, {at(middle), at(middle + 0.5)}};
@@ -116,7 +116,7 @@ TEST(FlatWidth, IsTheDiameterOfTheLargestDiskThatMovesThrough) {
   EXPECT_NEAR(width(test::flat_annulus(64, 3, 1, 2), 1.5), 1, 0.07 * 1.5);
   EXPECT_NEAR(width(dumbbell(), 1.5), 1, 0.07 * 1.5);
   const FlattenInput with_tail = test::keep_faces(test::flat_rectangle(12, 8, 6, 4), [](const Eigen::Vector3d& p) {
-    return p.x() < 4 || std::abs(p.y() - 1.75) < 0.25;  // a tail of area 1, which is less than a tenth
+    return p.x() < 4 || std::abs(p.y() - 1.75) < 0.25;  // a tail of area 1, less than a tenth of the piece
   });
   EXPECT_NEAR(width(with_tail, 5), 4, 0.07 * 5);
 }
@@ -140,7 +140,7 @@ TEST(MergeSections, MakesNoNarrowPieceOfWideOnes) {
 TEST(Solidity, IsTheShareOfTheConvexHull) {
   const auto share = [](const FlattenInput& input) { return solidity(*CutSurface(input).uncut[0]); };
   EXPECT_NEAR(share(test::flat_rectangle(6, 2, 3, 1)), 1, 1e-9);
-  EXPECT_NEAR(share(test::flat_annulus(64, 3, 1, 2)), 3.0 / 4, 1e-9);  // both circles are polygons of one shape
+  EXPECT_NEAR(share(test::flat_annulus(64, 3, 1, 2)), 3.0 / 4, 1e-9);  // both circles are polygons of the same shape
   EXPECT_NEAR(share(dumbbell()), 35.0 / 44, 1e-9);
 }
 
@@ -215,7 +215,7 @@ TEST(MergeSections, MakesAPieceAgainIfACutRemainsInside) {
 }
 
 TEST(MergeSections, KnowsTheFirstPiecesOfAStretchedFabricAgain) {
-  // Each union changes the shapes of its neighbors, because they share the lengths of seams.
+  // Each merged piece changes the shapes of its neighbors, because all sides of a seam have one length.
   Options options;
   options.cloth = cloth_preset("jersey").cloth;
   options.cloth->stretch = {0.1, 0};
@@ -226,7 +226,7 @@ TEST(MergeSections, KnowsTheFirstPiecesOfAStretchedFabricAgain) {
   run();
   ASSERT_TRUE(merger.undo(merger.state().pieces));
   ASSERT_EQ(merger.state().pieces.size(), 2U);
-  ASSERT_TRUE(merger.undo(merger.state().pieces));  // one of them is the small square, with another shape than at first
+  ASSERT_TRUE(merger.undo(merger.state().pieces));  // one piece is the small square, in another shape than at first
   ASSERT_EQ(merger.state().pieces.size(), 3U);
   run();
   EXPECT_TRUE(strip.is_open(merger.state(), strip.across(4, 1)));
@@ -265,7 +265,7 @@ void expect_failures_on_other_meshes(const CutSurface& sheet, const FlatPieces& 
 TEST(FlatPieces, AreFoundAgainByTheirArea) {
   const CutSurface sheet(test::bump(8));
   expect_failures_on_other_meshes(sheet, sheet.with(across(8)).pieces);
-  const CutSurface rings(test::flat_annulus(32, 2, 1, 2));  // with a common center
+  const CutSurface rings(test::flat_annulus(32, 2, 1, 2));  // cut into rings with a common center
   std::vector<VertexPair> middle;
   for (const EdgeHandle e : rings.chart.mesh.edges()) {
     const VertexPair ends = source_edge(rings.chart, rings.chart.mesh.halfedge_handle(e, 0));

@@ -14,7 +14,7 @@
 namespace wirewarp::test_mesh_paths {
 namespace {
 
-/// The position of each grid vertex in the unrolled plane.
+/// A function that returns the position of a grid vertex in the unrolled plane.
 using Unroll = std::function<Planar(int column, int row)>;
 
 /// A trace from a grid vertex, compared with the straight line in the unrolled plane.
@@ -61,7 +61,7 @@ TEST(StraightestGeodesic, IsAStraightLineOnThePlane) {
     const UnrolledTrace trace = trace_unrolled(input, n, 10, 10, heading, identity);
     EXPECT_GT(trace.num_points, 10u) << heading;
     EXPECT_LT(trace.largest_miss, 1e-13) << heading;
-    // A path from the center to the rim of the unit square.
+    // The path leads from the center to the rim of the unit square.
     EXPECT_NEAR(trace.length, 0.5 / std::max(std::abs(std::cos(heading)), std::abs(std::sin(heading))), 1e-12);
   }
 }
@@ -74,7 +74,7 @@ TEST(StraightestGeodesic, RunsThroughVerticesAndAlongEdges) {
     const UnrolledTrace trace = trace_unrolled(input, n, 4, 4, k * kPi / 4, identity);
     EXPECT_LT(trace.largest_miss, 1e-13) << k;
     EXPECT_NEAR(trace.length, k % 2 == 0 ? 0.5 : std::sqrt(0.5), 1e-12);
-    // Traces against the quads' diagonals cross one in each quad.
+    // Traces against the quads' diagonals cross a diagonal in each quad.
     EXPECT_EQ(trace.num_points, k == 3 || k == 7 ? 9u : 5u) << k;
   }
 }
@@ -122,7 +122,7 @@ TEST(StraightestGeodesic, TendsToAGreatCircleOnTheSphere) {
   EXPECT_LT(miss_of_great_circle(256), 0.00125);
 }
 
-/// A pyramid of two rings with n vertices each, and an apex, which is the last vertex.
+/// Returns a pyramid of two rings with n vertices each, and an apex, which is the last vertex.
 FlattenInput pyramid(int n) {
   FlattenInput input = test::make_tube(n, 1, [&](double s, double t) {
     return Eigen::Vector3d((2 - t) * std::cos(2 * kPi * s), (2 - t) * std::sin(2 * kPi * s), t);
@@ -232,7 +232,7 @@ TEST(ShortestPath, ThrowsIfThereIsNone) {
   EXPECT_THROW(join_by_shortest_path(split, {VertexHandle(12)}, no_target), std::domain_error);
 }
 
-/// A flat 8 by 8 square of side 8 with a rigid wire along column 6.
+/// A flat square of side 8 with 8 by 8 quads and a rigid wire along column 6.
 struct Plate {
   Plate() {
     FlattenInput input = test::flat_rectangle(8, 8, 8, 8);

@@ -12,7 +12,7 @@
 namespace wirewarp::test {
 namespace {
 
-/// Triangles of a grid of quads with num_columns vertices in a row; a closed grid wraps around.
+/// Returns the triangles of a grid of quads. num_columns: vertices in a row. Rows of nx vertices wrap around.
 Triangles grid_faces(int nx, int ny, int num_columns) {
   Triangles faces(2 * nx * ny, 3);
   int f = 0;
@@ -284,7 +284,7 @@ FlattenInput sphere_band(int nx, int ny, double latitude) {
 
 FlattenInput sphere_of_gores(int gores, int n, int rings) {
   const int nx = gores * n;
-  // The rings between the poles, then the poles and the fans of triangles around them.
+  // Adds the rings between the poles first, then the poles and the fans of triangles around them.
   FlattenInput input = make_tube(nx, rings - 2, [&](double s, double t) {
     return on_sphere(2 * kPi * s, kPi * ((1 + t * (rings - 2)) / rings - 0.5));
   });
@@ -329,7 +329,7 @@ FlattenInput closed_torus(int around, int across) {
 
 FlattenInput book(int num_flaps, int n) {
   FlattenInput input;
-  const int flap_vertices = n * (n + 1);  // vertices of a flap, without those on the spine
+  const int flap_vertices = n * (n + 1);  // vertices of a flap that are not on the spine
   input.vertices.resize(n + 1 + num_flaps * flap_vertices, 3);
   input.faces.resize(num_flaps * 2 * n * n, 3);
   for (int j = 0; j <= n; ++j) input.vertices.row(j) << 0, 0, static_cast<double>(j) / n;

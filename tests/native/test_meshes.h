@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Surfaces with seams and wires, at any resolution. Faces are counter-clockwise seen from outside, or from +z for flat
-// and open surfaces. Lengths are in scene units.
+// Makes surfaces with seams and wires, at any resolution. Faces are counter-clockwise seen from outside, or from +z for
+// flat and open surfaces. Lengths are in scene units.
 #pragma once
 
 #include <array>
@@ -14,21 +14,21 @@ namespace wirewarp::test {
 /// A surface over the unit square. The direction ds × dt points outside.
 using Surface = std::function<Eigen::Vector3d(double s, double t)>;
 
-/// A grid of nx by ny quads over the unit square, each divided by the diagonal from its lower left to its upper right
-/// corner. Vertices are i + (nx+1) j.
+/// Returns a grid of nx by ny quads over the unit square. The diagonal from lower left to upper right divides each
+/// quad. Vertices are i + (nx+1) j.
 FlattenInput make_grid(int nx, int ny, const Surface& surface);
 
 /// Changes the diagonal of every second quad of a grid, as on a checkerboard.
 void alternate_diagonals(FlattenInput& grid, int nx);
 
-/// An n by n grid with inner vertices moved at random by up to this share of an edge, so that rows and columns are
-/// jagged and nothing is regular.
+/// Returns an n by n grid with jagged rows and columns. Inner vertices are moved at random in s and t, by up to
+/// `jitter` times an edge.
 FlattenInput jittered_grid(int n, double jitter, const Surface& surface);
 
-/// A mesh of these points and triangles.
+/// Returns a mesh of these points and triangles.
 FlattenInput mesh_of(const std::vector<std::array<double, 3>>& points, const std::vector<std::array<int, 3>>& faces);
 
-/// A grid closed in s: surface(0, t) = surface(1, t). Vertices are i + nx j.
+/// Returns a grid that is closed in s: surface(0, t) = surface(1, t). Vertices are i + nx j.
 FlattenInput make_tube(int nx, int ny, const Surface& surface);
 
 /// Return the vertices of row j from left to right, and of column i from bottom to top.
@@ -65,34 +65,38 @@ FlattenInput flat_rectangle(int nx, int ny, double width, double height);
 FlattenInput flat_annulus(int around, int across, double inner_radius, double outer_radius);
 /// A plate of 3 by 2 with two square holes of side 0.5, with n quads per unit. n must be even for square holes.
 FlattenInput flat_plate_with_two_holes(int n);
-/// The same plate with three rigid wires along y = 1, from outline to hole, from hole to hole, and from hole to
-/// outline.
+/// The plate with two holes and three rigid wires along y = 1. They connect the outline and both holes from left to
+/// right.
 FlattenInput flat_plate_with_wires(int n);
 
 // Developable surfaces.
-/// A part of a cylinder with an upright axis: angle radians around, and height.
+/// A part of a cylinder with an upright axis. angle: radians around the axis.
 FlattenInput cylinder_patch(int nx, int ny, double radius, double angle, double height);
-/// A part of a cone between two distances from the apex. half_angle: between axis and side; angle: around the axis.
+/// A part of a cone between two distances from the apex. half_angle: radians between axis and side. angle: radians
+/// around the axis.
 FlattenInput cone_patch(int nx, int ny, double near, double far, double half_angle, double angle);
 /// A whole cylinder, open at both ends.
 FlattenInput cylinder_tube(int nx, int ny, double radius, double height);
 
 // Doubly curved surfaces.
-/// A quarter of the unit sphere from 75 degrees south to 75 degrees north, n by 2n quads with alternating diagonals,
-/// and rigid wires along the middle meridian and the equator (the shape of the paper's Fig. 1).
+/// A quarter of the unit sphere from 75 degrees south to 75 degrees north, the shape of the paper's Fig. 1. It has n by
+/// 2n quads with alternating diagonals, and rigid wires along the middle meridian and the equator.
 FlattenInput quarter_sphere(int n);
 /// z = bend (x² − y²) over the square of side 2.
 FlattenInput saddle(int n, double bend);
 
-/// A saddle with a separate wire on every inner edge. The wires contradict one another, and all starts fail.
+/// A saddle with a separate wire on every inner edge. The wires contradict one another, so no start of the solver
+/// succeeds.
 FlattenInput saddle_of_wires(int n, double tolerance);
-/// A band of the unit sphere around the equator, between the same latitude on both sides, with two boundary loops.
+/// A band of the unit sphere around the equator, from -latitude to latitude in radians. The band has two boundary
+/// loops.
 FlattenInput sphere_band(int nx, int ny, double latitude);
 /// The unit sphere cut into equal gores by seams from pole to pole, with n quads across each gore and rings from pole
 /// to pole.
 FlattenInput sphere_of_gores(int gores, int n, int rings);
 
-/// A height z over each point (x, y), and the surface of these heights over the square from -1 to 1.
+/// A function that returns the height z over the point (x, y). over_square() returns its surface over the square from
+/// -1 to 1.
 using Height = std::function<double(double x, double y)>;
 Surface over_square(const Height& height);
 /// A surface of heights over the square from -1 to 1, as an n by n grid.
@@ -102,14 +106,14 @@ double lopsided_dome(double x, double y);
 FlattenInput bump(int n);
 /// A hill off the middle with alternating diagonals, without symmetry.
 FlattenInput hill(int n);
-/// Two hills on a sheet of 2 by 3 that are mirror images across x = 0; top is the y of their tops.
+/// Two hills on a sheet of 2 by 3 that are mirror images across x = 0. top: y of their tops.
 FlattenInput two_hills(int n, double top = 0);
 
 /// A sphere and a torus without seams.
 FlattenInput closed_sphere(int around, int rings);
 FlattenInput closed_torus(int around, int across);
 
-/// num_flaps rectangles with one common edge, which is a seam with num_flaps sides. Each rectangle has n quads along
+/// num_flaps rectangles with one common edge. The edge is a seam with num_flaps sides. Each rectangle has n quads along
 /// its side.
 FlattenInput book(int num_flaps, int n);
 
@@ -119,7 +123,7 @@ double misfit(Positions2 a, Positions2 b);
 /// Returns the coordinates (x, y) of each vertex of a chart in the plane z = 0.
 Positions2 planar_positions(const Chart& chart);
 
-/// Return the charts of an input without faults, and the first chart.
+/// Return all charts of a valid input, or the first chart.
 Charts charts_of(const FlattenInput& input);
 Chart chart_of(const FlattenInput& input);
 

@@ -40,7 +40,7 @@ TEST(Metrics, StretchedSheetByArithmetic) {
   EXPECT_TRUE(metrics.flipped_faces.empty());
   EXPECT_TRUE(metrics.overlapping_faces.empty());
 
-  // The wire's edges come first, and all run across. The outline's edges follow; they run across or upward.
+  // The wire's edges come first, and all run across. The outline's edges follow, and run across or upward.
   ASSERT_EQ(metrics.wire_edges.size(), static_cast<std::size_t>(n + 4 * n));
   for (std::size_t i = 0; i < metrics.wire_edges.size(); ++i) {
     const auto [a, b] = metrics.wire_edges[i];
@@ -85,7 +85,7 @@ TEST(Metrics, TailsHaveNoAngle) {
 }
 
 TEST(Metrics, FacesAreThoseOfTheInput) {
-  // There are two charts; the second is mirrored as a whole.
+  // There are two charts. The second chart is mirrored as a whole.
   const int n = 4;
   FlattenInput input = test::flat_rectangle(n, 2, 4, 2);
   test::add_seam(input, test::grid_column(n, 2, 2));
@@ -104,7 +104,7 @@ TEST(Metrics, FacesAreThoseOfTheInput) {
 
 using Planar = std::array<Eigen::Vector2d, 3>;
 
-/// Returns the metrics of one triangle: p, moved rigidly in space, is mapped to u.
+/// Returns the metrics of a map from the triangle p, which is moved rigidly in space, to the triangle u.
 Metrics measure(const Planar& p, const Planar& u) {
   const Eigen::Matrix3d rotation = (Eigen::AngleAxisd(1.1, Eigen::Vector3d(1, 2, 3).normalized()) *
                                     Eigen::AngleAxisd(-0.4, Eigen::Vector3d::UnitX()))

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The least distorted shape under exact lengths: every start leads to the same minimum, not to saddles, and lengths are
-// exact whenever the solver stops.
+// Tests of the least distorted shape with exact lengths. Every start leads to the same minimum, not to saddles. Lengths
+// are exact whenever the solver stops.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -40,7 +40,7 @@ struct Case {
   }
   Solution refine() const { return refine(free_boundary_arap(chart, 30).uv); }
 
-  /// Returns the shape ψ of the 3D lengths.
+  /// Returns the shape that the paper's method finds for the lengths on the surface.
   Positions2 warped() const {
     const std::optional<Chart> processed = process_topology(chart);
     const Chart& prepared = processed ? *processed : chart;
@@ -56,7 +56,7 @@ struct Case {
 
   int flips(const Positions2& uv) const { return FairShapeError(chart, network, fairness).count_flips(uv); }
 
-  /// Returns the largest |l₂ - (1 + h) l| / l, with h of the shape.
+  /// Returns the largest relative error of a length, |l₂ - (1 + h) l| / l, with the shape's h.
   double length_error(const Shape& shape) const {
     const LengthConstraints constraints(chart, network);
     Eigen::VectorXd variation(constraints.num_elastic());
@@ -183,8 +183,8 @@ TEST(Minimize, NothingNearIsBetter) {
   }
 }
 
-/// Returns the distances between fixed points on the outline of the quarter sphere, which are the same for every n, in
-/// one of the four orders that are equivalent by symmetry.
+/// Returns the distances between points on the outline of the quarter sphere. The points are the same for every n.
+/// turn_s and turn_t choose one of four orders that are equivalent by symmetry.
 Eigen::MatrixXd outline_distances(const Chart& chart, const Positions2& uv, int n, bool turn_s, bool turn_t) {
   std::vector<int> row_of(chart.source_vertex.size());
   for (std::size_t v = 0; v < row_of.size(); ++v) row_of[chart.source_vertex[v]] = static_cast<int>(v);
@@ -283,7 +283,7 @@ TEST(Minimize, CanceledAtAnyMomentTheShapeIsExactOrReportedAsCanceled) {
   }
 }
 
-/// If the paper's method finds the same lengths, f of its shape is never lower.
+/// The shape of the paper's method has allowed lengths, too, so its f must not be lower.
 TEST(Minimize, IsNeverAboveTheWarpOfTheSameLengths) {
   for (const double tolerance : {0.0, 0.05}) {
     std::vector<FlattenInput> inputs = own_panels(tolerance);

@@ -16,7 +16,8 @@ namespace {
 
 using Matrix = MultifrontalLu::Matrix;
 
-/// A row-diagonally-dominant M-matrix on a mesh, and positions. Only every tenth row is strictly dominant.
+/// A row-diagonally-dominant M-matrix on a mesh, and the positions of the mesh's vertices. Only every tenth row is
+/// strictly dominant.
 struct LuProblem {
   explicit LuProblem(const CholeskyProblem& mesh, unsigned seed = 7) : positions(mesh.positions) {
     std::mt19937 random(seed);
@@ -73,8 +74,8 @@ TEST(MultifrontalLu, ResultsDoNotDependOnThreads) {
   EXPECT_EQ(in_threads, x);
 }
 
-/// One diagonal entry at a random place is lowered until the matrix is singular. If it is lowered slightly less, the
-/// matrix is still an M-matrix.
+/// Each diagonal entry in turn is lowered slightly beyond the value at which the matrix is singular. If the entry is
+/// lowered slightly less, the matrix is still an M-matrix.
 TEST(MultifrontalLu, RefusesAPivotThatIsNotPositive) {
   LuProblem problem(mesh_problem(12, 1));
   const Eigen::Index size = problem.matrix.rows();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Length constraints and the linear system of a Newton step, compared with dense algebra.
+// Compares length constraints and the linear system of a Newton step with dense algebra.
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
@@ -111,7 +111,7 @@ TEST_F(NewtonSystemOnASaddle, SolvesTheSystemOfTheNewtonStep) {
   Positions2 forces = as_positions(h.selfadjointView<Eigen::Lower>() * as_vector(d)) - r1;
   constraints.add_transposed(directions, solution.multipliers, forces);
   EXPECT_LT(forces.norm(), 1e-6 * r1.norm());
-  // least_change() returns the d with the least energy: no other d with the same J d has less.
+  // least_change() returns the d with the least energy among all d with the same J d.
   const Positions2 least = system.finish(system.least_change(r2));
   EXPECT_LT((constraints.apply(directions, least) - r2).norm(), 1e-4 * r2.norm());
   const Positions2 unforced = system.finish(system.solve_on_wires(Positions2::Zero(uv.rows(), 2), r2).d);
@@ -158,7 +158,7 @@ TEST_F(NewtonSystemOnASaddle, TheHessianByVariationEqualsTheDenseHessian) {
   ASSERT_TRUE(system.factorize(uv, multipliers, convex));
   const Eigen::MatrixXd j = jacobian(system.directions());
   const Eigen::MatrixXd h = dense(system.hessian(uv, multipliers, convex));
-  // min ½ d·Hd with J d = T h is ½ h·S h, where S = Tᵀ (J H⁻¹ Jᵀ)⁻¹ T; the pins make H regular.
+  // The minimum of ½ d·Hd over all d with J d = T h is ½ h·S h. S = Tᵀ (J H⁻¹ Jᵀ)⁻¹ T. The pins make H regular.
   const Eigen::MatrixXd t = constraints.elastic_lengths();
   const Eigen::MatrixXd by_force = test::product(j, test::solve(h, j.transpose()));
   const Eigen::MatrixXd expected = test::product(t.transpose(), test::solve(by_force, t));

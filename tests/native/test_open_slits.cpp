@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Charts with slits: each slit opens or stays shut, and lengths are exact whenever the solver stops.
+// Tests of charts with slits. Each slit opens or stays shut, and lengths are exact whenever the solver stops.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -28,8 +28,8 @@ std::vector<int> along_column(int i, int j, int num_edges) {
   return chain;
 }
 
-/// A bump with a slit at its top, where the sheet is compressed, and a slit on its slope, where the sheet is stretched
-/// sideways.
+/// Returns a bump with two slits. One slit is at the top, where the sheet is compressed. One slit is on the slope,
+/// where the sheet is stretched sideways.
 FlattenInput bump_with_slits() {
   FlattenInput input = test::make_grid(kSize, kSize, [](double s, double t) {
     return Eigen::Vector3d(s, t, 0.25 * std::exp(-12 * ((s - 0.5) * (s - 0.5) + (t - 0.4) * (t - 0.4))));
@@ -82,7 +82,7 @@ TEST(OpenSlits, StopAtAnyBudgetWithExactLengths) {
   }
 }
 
-/// A wavy sheet with n quads along its sides.
+/// Returns a wavy sheet with n quads along its sides.
 FlattenInput waves(int n, double bend_s, double bend_t, double wave) {
   return test::make_grid(n, n, [&](double s, double t) {
     const double bend = bend_s * s * (1 - s) + bend_t * t * (1 - t);
@@ -113,7 +113,7 @@ TEST(OpenSlits, AShapeThatWouldPassThroughAShutSlitIsRejected) {
   EXPECT_LE(piece.report.factorizations, 50);
 }
 
-/// A cylinder as Blender stores it: without strain except for rounding to single precision.
+/// Returns a cylinder as Blender stores it, in single precision. It unfolds without strain except for rounding errors.
 FlattenInput rounded_cylinder() {
   FlattenInput input = test::cylinder_patch(20, 8, 1, 2, 1);
   input.vertices = input.vertices.cast<float>().cast<double>();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The barrier that prevents an outline from crossing itself, on a plate with a notch. The notch is 0.02 wide, edges are
-// 1 long, and the barrier begins at distances of 0.1.
+// Tests of the barrier that prevents an outline from crossing itself, on a plate with a notch. The notch is 0.02 wide,
+// edges are 1 long, and the barrier begins at distances of 0.1.
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
@@ -29,7 +29,7 @@ TEST(LogBarrier, HasTheValueAndDerivativesOfItsFormula) {
 
 class OutlineOfANotch : public testing::Test {
  protected:
-  /// Returns a U: a plate of 5 by 3 without the upper two squares in the middle.
+  /// Returns a U, which is a plate of 5 by 3 without the upper two squares in the middle.
   static FlattenInput plate() {
     return test::keep_faces(test::flat_rectangle(5, 3, 5, 3),
                             [](const Eigen::Vector3d& p) { return !(p.x() > 2 && p.x() < 3 && p.y() > 1); });
@@ -102,7 +102,7 @@ TEST_F(OutlineOfANotch, HessianEqualsDifferencesAlongALinearMotion) {
 }
 
 TEST_F(OutlineOfANotch, AStepEndsWhereTheOutlineFirstTouches) {
-  // A step of four gap widths: a quarter of it closes the notch.
+  // A quarter of this step of four gap widths closes the notch.
   const Positions2 too_far = closed_to(-3 * kGap) - narrow;
   EXPECT_NEAR(barrier.longest_step(narrow, too_far), 0.25, 1e-12);
   EXPECT_EQ(barrier.longest_step(narrow, wide - narrow), 1);

@@ -14,7 +14,7 @@ namespace {
 using test::charts_of;
 using test::planar_positions;
 
-/// A chart's faces, and the faces with an edge on the outline.
+/// A chart's faces, and whether each face has an edge on the outline.
 struct Faces {
   Triangles corners;
   std::vector<bool> on_boundary;
@@ -39,7 +39,7 @@ std::vector<int> overlapping_faces(const Chart& chart, const Positions2& uv) {
   return find_overlapping_faces(faces.corners, faces.on_boundary, uv);
 }
 
-/// A square of side 2 with a slit from the middle of its lower side to its center.
+/// Returns a square of side 2 with a slit from the middle of its lower side to its center.
 FlattenInput slit_square(int n) {
   FlattenInput input = test::flat_rectangle(2 * n, 2 * n, 2, 2);
   std::vector<int> slit = test::grid_column(2 * n, 2 * n, n);
@@ -48,7 +48,7 @@ FlattenInput slit_square(int n) {
   return input;
 }
 
-/// Returns a strip bent around by this angle, between radii 1 and 2.
+/// Returns a strip bent around the origin by this angle in radians, between radii 1 and 2.
 Positions2 bent_strip(const Chart& chart, int nx, double angle) {
   Positions2 uv(static_cast<Eigen::Index>(chart.mesh.n_vertices()), 2);
   for (int v = 0; v < uv.rows(); ++v) {
@@ -77,7 +77,7 @@ TEST(Overlap, ASlitThatIsExactlyClosedDoesNotOverlap) {
 TEST(Overlap, ASlitWithSlightlyOverlappingSidesIsFound) {
   const int n = 8;
   const Chart chart = test::chart_of(slit_square(n));
-  // The left side of the slit leans over the right one, by 1e-6 at the mouth and 0 at the center.
+  // The left side of the slit overlaps the right side, by 1e-6 at the mouth and 0 at the center.
   Positions2 uv = planar_positions(chart);
   std::vector<bool> is_left(chart.mesh.n_vertices(), false);
   for (const FaceHandle f : chart.mesh.faces()) {
@@ -90,7 +90,7 @@ TEST(Overlap, ASlitWithSlightlyOverlappingSidesIsFound) {
     if (is_slit && is_left[static_cast<std::size_t>(v)]) uv(v, 0) += 1e-6 * (1 - uv(v, 1));
   }
   const std::vector<int> found = overlapping_faces(chart, uv);
-  // On each side of the slit, n triangles have an edge on the slit. The left triangles overlap the right ones.
+  // On each side of the slit, n triangles have an edge on the slit. The left triangles overlap the right triangles.
   EXPECT_GE(found.size(), 2 * static_cast<std::size_t>(n));
   for (const int f : found) {
     EXPECT_NEAR(chart.mesh.calc_face_centroid(chart.mesh.face_handle(static_cast<unsigned>(f)))[0], 1, 1.0 / n);
@@ -137,7 +137,7 @@ TEST(Overlap, RimsTooThinToOverlapDoNotHideTheFacesBehind) {
   EXPECT_EQ(overlap_of_ring_wound_twice({1, 1 + 1e-10, 2 - 1e-10, 2}).size(), 24U * 2);
 }
 
-/// Returns the area of the intersection of two triangles: clips one triangle with the edges of the other.
+/// Returns the area of the intersection of two triangles. Clips one triangle with the edges of the other triangle.
 double common_area(const Triangles& faces, const Positions2& uv, int a, int b) {
   const auto corner = [&](int f, int k) -> Eigen::Vector2d { return uv.row(faces(f, k)); };
   const auto cross = [](const Eigen::Vector2d& p, const Eigen::Vector2d& q) { return p.x() * q.y() - p.y() * q.x(); };

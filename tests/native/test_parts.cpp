@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The parts of closed models: distances along surfaces, level lines, necks, and the cut sets along them.
+// Tests of the division of closed models into parts: distances along surfaces, level lines, necks, and sets of cuts.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ namespace {
 
 Chart chart_of(const FlattenInput& input) { return test::charts_of(input).charts.front(); }
 
-/// Two balls around the z axis that grow together: a closed surface with a neck of radius 0.35 at z = 0.
+/// Returns a closed surface of two balls on the z axis that have grown together, with a neck of radius 0.35 at z = 0.
 FlattenInput dumbbell(int around, int rings) {
   FlattenInput input = test::closed_sphere(around, rings);
   for (auto p : input.vertices.rowwise()) {
@@ -82,7 +82,7 @@ TEST(LevelLines, CloseAroundATorus) {
   const Eigen::VectorXd height = points_of(chart.mesh).col(2);
   const double level = 0.3 * height.maxCoeff();
   const std::vector<MeshPath> lines = level_lines(chart.mesh, height, level);
-  ASSERT_EQ(lines.size(), 2U);  // inside and outside
+  ASSERT_EQ(lines.size(), 2U);  // the inner and the outer line
   double length = 0;
   for (const MeshPath& line : lines) {
     EXPECT_EQ((position(chart.mesh, line.front()) - position(chart.mesh, line.back())).norm(), 0);
@@ -103,7 +103,7 @@ TEST(Necks, AreShortLoopsBetweenParts) {
 }
 
 TEST(Necks, AreSymmetricIfTheModelIs) {
-  // Two balls at the ends of a third one, and the plane between them.
+  // A ball between two other balls. The model is symmetric across the plane z = 0.
   FlattenInput input = test::closed_sphere(24, 40);
   for (auto p : input.vertices.rowwise()) {
     const double width = 0.4 + 0.3 * std::cos(3 * kPi * p[2]);
@@ -127,7 +127,7 @@ TEST(Necks, AreSymmetricIfTheModelIs) {
 
 TEST(CreaseLines, FollowAnObliqueCrease) {
   FlattenInput input = test::closed_sphere(64, 96);
-  // Two cones with a common least section, sheared: the crease is in the plane z = x.
+  // Two cones that meet at their narrowest section. They are sheared, so the crease is in the plane z = x.
   for (auto p : input.vertices.rowwise()) {
     const double width = 0.35 + 0.65 * std::min(2 * std::abs(p[2]), 1.0);
     p << width * p[0], width * p[1], 1.4 * p[2] + width * p[0];
@@ -183,12 +183,12 @@ std::vector<DartProposal> smooth_sets(const FlattenInput& input, CutOptions cut_
   return propose_seams(input, {}, cut_options, {});
 }
 
-/// Compares the figures of a set with those of a run.
+/// Compares the claimed figures of a set with those of a run with its seams.
 void expect_figures_of_a_run(const FlattenInput& input, const DartProposal& set) {
   test::expect_figures(test::with_paths(input, set.paths), {set.energy, set.strain, set.length, set.num_pieces});
 }
 
-/// Returns the sets of the search by parts alone.
+/// Returns the sets of seams that the search by parts finds.
 std::vector<DartProposal> sets_of_parts(const FlattenInput& input, const CutOptions& cut_options) {
   const InternalOptions options{Options()};
   const SurfaceToCut surface(input, options);
@@ -296,7 +296,7 @@ TEST(PartSets, DoNotDependOnHowTheModelIsGiven) {
   ASSERT_EQ(sets.size(), others.size());
   for (std::size_t i = 0; i < sets.size(); ++i) {
     EXPECT_EQ(sets[i].num_pieces, others[i].num_pieces);
-    // A point near the limit of snapping may be on either side of it, and 99% of the area may end at another triangle.
+    // Rounding errors may decide whether a point snaps to a vertex, and which triangle completes 99% of the area.
     EXPECT_NEAR(sets[i].length, others[i].length, 1e-3 * sets[i].length);
     EXPECT_NEAR(sets[i].strain, others[i].strain, 2e-3);
   }

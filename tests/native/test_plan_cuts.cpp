@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Plans of several cuts: strain_left is the strain of a new run with these cuts, and plans keep their limits.
+// Tests of plans of several cuts. strain_left is the strain of a new run with the cuts so far, and plans keep their
+// limits.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,10 +17,10 @@
 namespace wirewarp::test_plan_cuts {
 namespace {
 
-/// Two hills at the edge of a sheet.
+/// Returns a sheet with two hills at one edge.
 FlattenInput hills(int n) { return test::two_hills(n, 1.1); }
 
-/// The strain of the most strained piece if the input is flattened with the first num_cuts of these cuts.
+/// Returns the strain of the most strained piece if the input is flattened with the first num_cuts of these cuts.
 double most_strain(FlattenInput input, const std::vector<DartProposal>& cuts, std::size_t num_cuts) {
   for (std::size_t i = 0; i < num_cuts; ++i) input = test::with_seams(std::move(input), cuts[i].edges);
   const FlattenResult result = flatten(input);
@@ -71,8 +72,8 @@ TEST(PlanCuts, MirroredPairsAreChosenTogetherIfBothAreAllowed) {
   }
 }
 
-/// A wide flat bulge and a small steep bulge with a seam between. The first has the most energy, the second the most
-/// strain.
+/// Returns a sheet with a wide flat bulge, a small steep bulge and a seam between them. The wide bulge has the most
+/// energy, and the steep bulge has the most strain.
 FlattenInput bulges(int n) {
   FlattenInput input = test::make_grid(n, n, [](double s, double t) {
     const double x = 6 * s - 2, y = 2 * t - 1;

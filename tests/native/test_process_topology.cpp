@@ -30,7 +30,7 @@ TEST(ProcessTopology, LeavesASoundNetworkUntouched) {
   std::vector<int> seam = test::grid_column(6, 6, 3);
   seam.resize(4);
   test::add_seam(dart, seam);
-  EXPECT_FALSE(process_topology(test::charts_of(dart).charts[0])) << "a dart is boundary";
+  EXPECT_FALSE(process_topology(test::charts_of(dart).charts[0])) << "a dart is part of the outline";
 }
 
 TEST(ProcessTopology, AWireEndingInsideGoesStraightOn) {
@@ -71,7 +71,7 @@ TEST_P(HelperWires, AreAsFewAsTheNetworkNeeds) {
 
 int at(int nx, int i, int j) { return i + (nx + 1) * j; }
 
-/// A wire in the form of a hook, which runs from the left side inwards, around, and back towards itself.
+/// Returns a wire in the form of a hook, which runs from the left side inwards, around, and back towards itself.
 std::vector<int> hook() {
   std::vector<int> chain = row_part(12, 4, 0, 7);
   for (const int v :
@@ -93,12 +93,13 @@ INSTANTIATE_TEST_SUITE_P(
                 1},
         Network{"both_ends_inside", with_wires(test::saddle(8, 0.4), {row_part(8, 3, 3, 5)}), 2},
         Network{"one_edge", with_wires(test::saddle(8, 0.4), {row_part(8, 4, 4, 5)}), 2},
-        // One helper wire closes the gap between both wires, and one leads from the second wire to the outline.
+        // One helper wire closes the gap between both wires, and one helper wire leads from the second wire to the
+        // outline.
         Network{"tail_along_a_wire",
                 with_wires(test::flat_rectangle(10, 10, 1, 1), {row_part(10, 5, 0, 4), row_part(10, 5, 6, 8)}), 2},
-        // The wire closes into a ring, and four helper wires lead from it to each end of the tube.
+        // One helper wire closes the wire into a ring, and four more lead from the ring to each end of the tube.
         Network{"tail_around_a_tube", with_wires(test::cylinder_tube(16, 6, 1, 2), {half_of_a_ring()}), 1 + 4 + 4},
-        // One helper wire closes the hook. The stem and three more helper wires join it to the outline.
+        // One helper wire closes the hook. The stem and three more helper wires connect the hook with the outline.
         Network{"tail_to_its_own_wire", with_wires(test::saddle(12, 0.2), {hook()}), 1 + 3},
         Network{"two_loops", test::cylinder_tube(12, 3, 1, 1), 4},
         Network{"two_loops_on_a_sphere", test::sphere_band(18, 6, 0.8), 4},
@@ -114,7 +115,7 @@ INSTANTIATE_TEST_SUITE_P(
         Network{"wire_in_a_ring",
                 with_wires(test::saddle(16, 0.3), {test::grid_square(16, 8, 8, 5), row_part(16, 8, 7, 9)}), 2 + 4},
         Network{"slit", with_seam(test::flat_rectangle(10, 10, 1, 1), row_part(10, 5, 3, 7)), 4},
-        // The slit has two vertices, and one helper wire from each.
+        // The slit has two vertices, and one helper wire from each vertex.
         Network{"slit_of_one_edge", with_seam(test::flat_rectangle(10, 10, 1, 1), row_part(10, 5, 3, 4)), 2},
         Network{
             "tail_towards_a_dart",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Proposed darts and seams: their figures are true, and they do not depend on how the input is given.
+// Tests of suggested darts and seams. Their figures are true, and the cuts do not depend on how the input is given.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@
 namespace wirewarp::test_propose_cuts {
 namespace {
 
-/// The same vertices with all diagonals in one direction, so that faces are not mirrored.
+/// Returns the input with all diagonals of its n by n quads in one direction, so that faces have no mirror images.
 FlattenInput one_way(FlattenInput input, int n) {
   input.faces = test::flat_rectangle(n, n, 1, 1).faces;
   return input;
@@ -78,7 +78,7 @@ TEST(ProposeCuts, HaveTheFiguresOfAFreshRun) {
   }
 }
 
-/// A sharp bump in the corner of a wide sheet: a seam beside it does not help the piece with the bump.
+/// Returns a wide sheet with a sharp bump in a corner. A seam beside the bump does not help the piece with the bump.
 FlattenInput bump_in_a_corner(int n) {
   FlattenInput input = test::make_grid(n, n, [](double s, double t) {
     return Eigen::Vector3d(s, t, 0.15 * std::exp(-30 * ((s - 0.2) * (s - 0.2) + (t - 0.25) * (t - 0.25))));
@@ -109,7 +109,7 @@ TEST(ProposeCuts, NoProposalLeavesAPieceWithOver100PercentStrain) {
       8, [](double x, double y) { return 3 * std::exp(-4 * ((x - 0.2) * (x - 0.2) + (y + 0.1) * (y + 0.1))); });
   ASSERT_GT(test::most_strain(spike, flatten(spike)), 1);
   CutOptions all;
-  all.count = 50;  // includes darts that leave 117%
+  all.count = 50;  // includes darts that leave a strain of 117%
   for (const auto& propose : {propose_darts, propose_seams}) {
     const std::vector<DartProposal> proposals = propose(spike, {}, all, {});
     EXPECT_FALSE(proposals.empty());
@@ -124,7 +124,7 @@ std::string refusal(const FlattenInput& input, const CutOptions& cut_options = {
 }
 
 TEST(ProposeCuts, DartsThatDoNotHelpAreRefusedInOneSentence) {
-  // A dart removes the shear of one half at most, and the seams beside it stay as long as before.
+  // A dart removes the shear of one half at most, and the outlines beside the dart stay as long as before.
   const FlattenInput saddle = test::height_field(4, [](double x, double y) { return 0.2 * x * y; });
   CutOptions cut_options;
   cut_options.longest = 0.51;  // one edge
@@ -202,7 +202,7 @@ TEST(ProposeCuts, AvoidEdgesThatMayHaveNoSeam) {
   for (const FlattenInput& input : {test::hill(n), test::two_hills(n)}) {
     for (const auto& propose : {propose_darts, propose_seams}) {
       CutOptions cut_options = few();
-      // Forbids only the best proposal.
+      // Forbids only the edges of the best suggestion.
       const std::vector<VertexPair> forbidden = propose(input, {}, cut_options, {}).front().edges;
       cut_options.no_seam.resize(static_cast<Eigen::Index>(forbidden.size()), 2);
       for (std::size_t i = 0; i < forbidden.size(); ++i) {
@@ -220,7 +220,7 @@ TEST(ProposeCuts, AvoidEdgesThatMayHaveNoSeam) {
   }
 }
 
-/// All edges of these faces, with repetitions.
+/// Returns all edges of these faces, with repetitions.
 VertexPairs all_edges(const Triangles& faces) {
   VertexPairs edges(3 * faces.rows(), 2);
   for (Eigen::Index f = 0; f < faces.rows(); ++f) {
@@ -253,7 +253,7 @@ TEST(ProposeCuts, AreAlmostAsGoodAsAnExhaustiveSearch) {
   const int n = 6;
   const FlattenInput input = test::hill(n);
   double best = 1;
-  for (int i = 1; i < n; ++i) {  // wires along all rows and columns
+  for (int i = 1; i < n; ++i) {  // darts along all rows and columns
     for (int length = 1; length < n; ++length) {
       for (const bool reversed : {false, true}) {
         for (std::vector<int> line : {test::grid_row(n, i), test::grid_column(n, n, i)}) {
@@ -277,7 +277,7 @@ TEST(ProposeCuts, ErrorsReportWhyThereAreNone) {
   test::expect_words(refusal(strip), "is unfolded without distortion");  // no vertex inside
   FlattenInput crossed = test::hill(2);
   test::add_wire(crossed, test::grid_column(2, 2, 1));
-  test::expect_words(refusal(crossed), "has no room for a dart");  // its vertex inside is on a wire
+  test::expect_words(refusal(crossed), "has no room for a dart");  // the only vertex inside is on a wire
   CutOptions nowhere;
   nowhere.no_seam = all_edges(test::hill(4).faces);
   test::expect_words(refusal(test::hill(4), nowhere), "no line along edges that may have a seam leads");
@@ -290,7 +290,7 @@ TEST(CutSearches, RefuseOptionsOutOfRange) {
     change(cut_options);
     return test::error_of([&] { propose_darts(input, {}, cut_options); });
   };
-  const auto beside = [&](int other) {  // 24 is the opposite corner, and 25 does not exist
+  const auto beside = [&](int other) {  // vertex 24 is the opposite corner, and vertex 25 does not exist
     return darts([&](CutOptions& options) { options.no_seam = (VertexPairs(1, 2) << 0, other).finished(); });
   };
   const auto plan = [&](const std::function<void(CutTarget&)>& change) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pieces that cannot be flattened: proposed cuts fix them, and some are recognized before any solve.
+// Tests of pieces that cannot be flattened. Suggested cuts fix them, and some of these pieces are found before any
+// shape is computed.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,7 +23,7 @@
 namespace wirewarp::test_proposed_seams {
 namespace {
 
-/// The part of the unit sphere at angles from `hole` to `angle` from the south pole.
+/// Returns the part of the unit sphere at angles from `hole` to `angle` from the south pole, in radians.
 FlattenInput cap(int around, int rings, double hole, double angle) {
   return test::make_tube(around, rings, [&](double s, double t) {
     const double a = hole + (angle - hole) * t;
@@ -30,7 +31,7 @@ FlattenInput cap(int around, int rings, double hole, double angle) {
   });
 }
 
-/// Merges the coincident vertices of a tube's first ring, and removes triangles without area.
+/// Returns a tube with the coincident vertices of its first ring merged, and without the triangles that have no area.
 FlattenInput close_bottom(const FlattenInput& tube, int around) {
   FlattenInput closed = tube;
   int kept = 0;
@@ -45,7 +46,7 @@ FlattenInput close_bottom(const FlattenInput& tube, int around) {
   return closed;
 }
 
-/// A trouser leg: a cone of radius 1 at the top and 0.5 at the bottom.
+/// Returns a trouser leg, which is a cone of radius 1 at the top and 0.5 at the bottom.
 FlattenInput cone(int around) {
   return test::make_tube(around, 8, [](double s, double t) {
     const double radius = 0.5 + 0.5 * t;
@@ -65,7 +66,7 @@ std::vector<ErrorCode> codes_of(const FlattenResult& result) {
   return codes;
 }
 
-/// Adds proposed seams and flattens again until no seams are proposed. Returns the number of rounds.
+/// Adds suggested seams and flattens again until no seams are suggested. Returns the number of rounds.
 int follow_proposals(FlattenInput& input, FlattenResult& result) {
   for (int rounds = 0;; ++rounds) {
     result = flatten(input);
@@ -120,7 +121,8 @@ INSTANTIATE_TEST_SUITE_P(
              ErrorCode::closed_chart, 1}),
     name_of);
 
-/// Garments as boxes with openings: trousers with two legs, a shirt with two sleeves, a glove with four fingers.
+/// These functions return garments as boxes with openings: trousers with two legs, a shirt with two sleeves, and a
+/// glove with four fingers.
 FlattenInput trousers() {
   const FlattenInput closed = cubes(5, 2, 10, [](int i, int, int k) { return k >= 6 || i != 2; });
   return test::keep_faces(closed, [](const Eigen::Vector3d& p) { return p.z() > 0 && p.z() < 10; });
@@ -146,12 +148,13 @@ TEST(ProposedSeamsOfAGarment, LeadToFlatPieces) {
     EXPECT_LE(follow_proposals(input, result), 3);
     EXPECT_EQ(codes_of(result), std::vector<ErrorCode>{});
     EXPECT_LE(result.pieces.size(), 5u);
-    for (const Piece& piece : result.pieces) EXPECT_LT(piece.metrics.arap_energy, 0.1);  // as in a tailor's pattern
+    // These energies are as low as in a tailor's pattern.
+    for (const Piece& piece : result.pieces) EXPECT_LT(piece.metrics.arap_energy, 0.1);
   }
 }
 
-/// Cuts a sheet along the seams that open_chart() proposes for this test of flatness. Returns the number of faces of
-/// each piece.
+/// Cuts a sheet along the seams that open_chart() suggests if is_flat() tests the pieces. Returns the number of faces
+/// of each piece.
 std::vector<std::size_t> faces_after(const std::function<bool(const Chart&)>& is_flat, bool may_go_on) {
   FlattenInput input = test::flat_rectangle(8, 8, 1, 1);
   const Charts whole = test::charts_of(input);
@@ -202,8 +205,8 @@ TEST(ProposedSeamsOfATube, AreTheShortestPathBetweenItsLoops) {
 }
 
 TEST(ProposedSeamsOfABand, OpenBandsThatTheirOutlinesCouldEnclose) {
-  // Straight and flared waistbands, and a belt on a ball. They are so narrow that their outlines could enclose them in
-  // the plane.
+  // A straight waistband, a flared waistband and a belt on a ball. They are so narrow that their outlines could enclose
+  // them in the plane.
   const FlattenInput flared = test::make_tube(32, 2, [](double s, double t) {
     const double radius = 1 - 0.1 * t;
     return Eigen::Vector3d(radius * std::cos(2 * kPi * s), radius * std::sin(2 * kPi * s), 0.3 * t);
@@ -220,7 +223,8 @@ TEST(ProposedSeamsOfABand, OpenBandsThatTheirOutlinesCouldEnclose) {
 }
 
 TEST(ProposedSeamsOfARing, LeadToFlatPieces) {
-  // Cuffs, waistbands and collars: straight, flared and bulging, with oval sections, and with wires around and upright.
+  // Cuffs, waistbands and collars with oval sections. They are straight, flared or bulging. Some have wires around
+  // them, and some have upright wires.
   const int around = 24, rows = 3;
   for (int i = 0; i < 12; ++i) {
     const double flare = 0.15 * (i % 5 - 2), bulge = 0.1 * (i % 3), tall = 0.15 + 0.1 * (i % 4);
@@ -240,8 +244,8 @@ TEST(ProposedSeamsOfARing, LeadToFlatPieces) {
 
 TEST(CutToDisk, CutsEachHandleTwiceAndJoinsTheLoops) {
   FlattenInput two_handles = cubes(5, 3, 1, [](int i, int j, int) { return j != 1 || i % 2 == 0; });
-  // Without its last face, the surface has one boundary loop. Without its first and last face, which are apart, it has
-  // two.
+  // Without its last face, the surface has one boundary loop. Without its first and last face, which are apart, the
+  // surface has two loops.
   for (const int dropped_faces : {1, 2}) {
     FlattenInput input = two_handles;
     const auto faces = static_cast<int>(two_handles.faces.rows());

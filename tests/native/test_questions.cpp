@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The caller is asked whether to continue after every fixed amount of work (not of time), for any size of the input and
-// any number of charts.
+// Tests that the caller is asked whether to continue after every fixed amount of work, not of time. This holds for any
+// size of the input and any number of charts.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -15,7 +15,7 @@
 namespace wirewarp::test_questions {
 namespace {
 
-/// A flat sheet of n by n squares, which seams cut apart.
+/// Returns a flat sheet of n by n squares, which seams cut apart.
 FlattenInput confetti(int n) {
   FlattenInput input = test::flat_rectangle(n, n, n, n);
   input.seams.resize(2 * n * (n + 1), 2);
@@ -38,7 +38,7 @@ std::map<std::string, int> questions(const FlattenInput& input) {
   return asked;
 }
 
-/// Counts polls, and answers no from the given number on.
+/// Counts polls, and answers no from poll number `limit` on.
 struct Asked {
   int times = 0;
   StopToken stop{[this](const char*) { return ++times < limit; }};

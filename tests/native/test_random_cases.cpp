@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Random input of every topology, legal and not, keeps all guarantees. The step `random` runs more of it.
+// Tests that random input of every topology, valid or not, keeps all guarantees. The step `random` runs more cases.
 #include <gtest/gtest.h>
 
 #include "random_case.h"
@@ -7,7 +7,7 @@
 namespace wirewarp::test_random_cases {
 namespace {
 
-constexpr int kSeeds = 20;  // seeds of a test, so that tests can run at once
+constexpr int kSeeds = 20;  // seeds for each test, so that several tests can run at once
 
 class RandomCases : public testing::TestWithParam<int> {};
 

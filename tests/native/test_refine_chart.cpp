@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The starts of the refined method on one chart: their work is counted, limited and reported as progress, and failures
-// of all starts affect only this chart.
+// Tests of the starts of the refined method on one chart. Their work is counted, limited and reported as progress.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -45,7 +44,8 @@ TEST(RefineChart, AnInjectiveShapeIsFoundWithAndWithoutFixingFolds) {
   }
 }
 
-/// If such a shape becomes the result, the report of its piece says that the solver stopped short of the minimum.
+/// If an intermediate shape becomes the result, the report of its piece says that the solver stopped short of the
+/// minimum.
 TEST(RefineChart, AnIntermediateShapeIsConvergedOnlyWithoutStrain) {
   InternalOptions options;
   for (const Target target : {Target::newton_step, Target::rough}) {
@@ -137,7 +137,7 @@ TEST(RefineChart, LeavesASaddleUnderANetOfWires) {
   EXPECT_LT(found.objective, 0.96 * saddle.objective);
 }
 
-/// A large chart starts from a coarser one and reaches the same minimum.
+/// A large chart starts from a coarser chart and reaches the same minimum.
 TEST(RefineChart, StartsFromACoarseChartFromTheGivenSizeOn) {
   const int n = 32;  // 2,048 faces
   FlattenInput input = test::make_grid(
@@ -159,9 +159,9 @@ TEST(RefineChart, StartsFromACoarseChartFromTheGivenSizeOn) {
   EXPECT_NEAR(from_coarse.objective, from_scratch.objective, 1e-9 * from_scratch.objective);
 }
 
-/// The wires contradict one another, and one of them ends inside, so the coarse chart tries all its starts, including
-/// topology processing.
-TEST(RefineChart, IfTheCoarseChartFailsTheFineOneIsSolvedAlone) {
+/// On the coarse chart, the wires contradict one another, and one wire ends inside. So the solver tries all starts of
+/// the coarse chart, including topology processing.
+TEST(RefineChart, IfTheCoarseChartFailsTheFineChartIsSolvedAlone) {
   const int n = 48;
   FlattenInput input = test::make_grid(
       n, n, [](double s, double t) { return Eigen::Vector3d(s, t, 1.2 * std::sin(kPi * s) * std::sin(kPi * t)); });

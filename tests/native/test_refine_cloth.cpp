@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Flattening pieces of a fabric.
+// Tests of pieces that are flattened with a fabric.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ Cloth woven() {
   return cloth;
 }
 
-/// Flattens, expects that the only piece keeps every guarantee, and returns it.
+/// Flattens the input. Expects that the only piece has no error and has converged. Returns this piece.
 Piece flat_piece(const FlattenInput& input, const Options& options) {
   FlattenResult result = flatten(input, options);
   EXPECT_EQ(result.pieces.size(), 1u);
@@ -162,7 +162,7 @@ TEST(RefineCloth, StrainBeyondTheLimitsIsReported) {
   cloth.limits = {0.03, 0.03};
   const std::vector<std::string> warnings = flat_piece(sphere, with_cloth(cloth)).report.warnings;
   ASSERT_EQ(warnings.size(), 1u);
-  test::expect_words(warnings[0], "the fabric allows 3% and 3%");
+  test::expect_words(warnings[0], "The fabric allows 3% and 3%");
 }
 
 void expect_refused(const Options& options, const std::string& words) {
@@ -194,7 +194,7 @@ TEST(RefineCloth, FabricNeedsTheRefinedMethodAndTheBestDirectionNeedsFabric) {
   expect_refused(options, "must be refined if there is a cloth");
   Options best;
   best.orientation = Orientation::best;
-  expect_refused(best, "another one without a cloth");
+  expect_refused(best, "grain if there is no cloth");
   Options turned;
   turned.grain_angle = 4;
   expect_refused(turned, "grain_angle");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lines that become shorter on the surface, and the straight walk that moves their points.
+// Tests of lines that become shorter on the surface, and of the straight walk that moves their points.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -54,7 +54,7 @@ TEST(LineNetwork, MovesAJunctionToAnEdgeOnlyIfItsLinesMove) {
   EXPECT_EQ(junction_after({1, 1}).imag(), 0);
 }
 
-/// A sheet of 6 by 6 in 12 by 12 quads.
+/// Returns a bumpy sheet of 6 by 6 with 12 by 12 quads.
 FlattenInput bumpy_sheet() {
   return test::make_grid(12, 12, [](double s, double t) {
     return Eigen::Vector3d(6 * s, 6 * t, 0.5 * std::sin(6 * s) * std::cos(5 * t));

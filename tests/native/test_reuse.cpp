@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Unchanged charts use their shape from the cache. tests/bindings/test_cache.py has more tests.
+// Tests that unchanged charts use their shape from the cache. tests/bindings/test_cache.py has more tests.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,7 +17,7 @@
 namespace wirewarp::test_reuse {
 namespace {
 
-/// Two domes side by side with a seam between them, and a wire along each dome.
+/// Returns two domes side by side with a seam between them, and a wire along each dome.
 FlattenInput two_domes() {
   FlattenInput input = test::make_grid(16, 8, [](double s, double t) {
     return Eigen::Vector3d(4 * s, 2 * t, 0.3 * std::abs(std::sin(2 * kPi * s)) * std::sin(3 * t));
@@ -28,7 +28,7 @@ FlattenInput two_domes() {
   return input;
 }
 
-/// A tube with a wire around it; a run proposes seams for it.
+/// Returns a tube with a wire around it. A run suggests seams for the tube.
 FlattenInput tube() {
   FlattenInput input = test::cylinder_tube(8, 4, 1, 6);
   test::add_wire(input, test::tube_ring(8, 2));

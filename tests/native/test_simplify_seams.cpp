@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Removes seams that a model does not need. A run with the remaining seams confirms their figures, which do not depend
-// on position, orientation and numbering.
+// Tests that seams that a model does not need are removed. A run with the remaining seams confirms the claimed figures.
+// The result does not depend on position, orientation and numbering.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -29,7 +29,7 @@ FlattenInput tube_with_seams(const std::vector<int>& lines) {
   return tube;
 }
 
-/// A cube of side 1 with n by n squares on each side, and seams along its twelve edges.
+/// Returns a cube of side 1 with n by n squares on each side, and seams along its twelve edges.
 FlattenInput cube(int n) {
   FlattenInput input = test::cubes(n, n, n, [](int, int, int) { return true; });
   input.vertices /= n;
@@ -47,7 +47,7 @@ FlattenInput cube(int n) {
   return test::with_seams(input, seams);
 }
 
-/// A sphere of eight gores, each cut across into three pieces.
+/// Returns a sphere of eight gores, each cut across into three pieces.
 FlattenInput sphere() {
   const int gores = 8, n = 2, rings = 9;
   FlattenInput input = test::sphere_of_gores(gores, n, rings);
@@ -68,7 +68,7 @@ FlattenInput with_only(FlattenInput input, const std::vector<VertexPair>& seams)
   return test::with_seams(std::move(input), seams);
 }
 
-/// Expects the figures of new runs, and that each seam of the input is either kept or removed.
+/// Expects that the claimed figures are those of new runs, and that each seam of the input is either kept or removed.
 void expect_true_figures(const FlattenInput& input, const SeamProposal& fewer) {
   const std::set<VertexPair> given = test::undirected(input.seams), kept = test::undirected(fewer.edges),
                              opened = test::undirected(fewer.opened);
@@ -98,7 +98,7 @@ TEST(SimplifySeams, UnfoldsABoxToANet) {
   // The net of a cube is one piece: five edges, which form a spanning tree, join the six sides.
   FlattenInput box = cube(2);
   ASSERT_EQ(box.seams.rows(), 12 * 2);
-  box.vertices.col(0) += 0.3 * box.vertices.col(1) + 0.1 * box.vertices.col(2);  // so that the box has no mirror image
+  box.vertices.col(0) += 0.3 * box.vertices.col(1) + 0.1 * box.vertices.col(2);  // so that the box is not symmetric
   box.vertices.col(1) += 0.2 * box.vertices.col(2);
   const SeamProposal fewer = simplify_seams(box, {}, 1e-4);
   EXPECT_EQ(fewer.num_pieces_before, 6);
@@ -147,7 +147,7 @@ TEST(SimplifySeams, KeepsTheOnlySeamOfATube) {
 }
 
 TEST(SimplifySeams, MeasuresEachPartOfTheModelAlone) {
-  // A tube with three seams, beside a ball in halves, which has much more strain.
+  // A tube with three seams, beside a ball in two halves. The ball has much more strain.
   const FlattenInput input = test::beside(tube_with_seams({0, 5, 9}), test::sphere_of_gores(2, 6, 8), 5);
   const SeamProposal fewer = simplify_seams(input, {}, 0.01);
   EXPECT_GT(fewer.strain_before, 0.1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Finds the boundary loops that are slits, and sews slits.
+// Tests that boundary loops that are slits are found, and that slits are sewn.
 #include <gtest/gtest.h>
 
 #include "surface/charts/slits.h"
@@ -15,7 +15,7 @@ FlattenInput sheet() {
   return test::make_grid(8, 8, [](double s, double t) { return Eigen::Vector3d(s, t, 0.3 * s * t); });
 }
 
-/// A sheet with a T-shaped slit of three branches. One branch has a corner.
+/// Returns a sheet with a T-shaped slit of three branches. One branch has a corner.
 FlattenInput sheet_with_tree() {
   FlattenInput input = sheet();
   test::add_seam(input, {vertex(2, 4), vertex(3, 4), vertex(4, 4), vertex(5, 4), vertex(5, 5)});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Cut sets whose seams are smooth lines across triangles.
+// Tests of sets of seams that are smooth lines across triangles.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -28,7 +28,7 @@
 namespace wirewarp::test_smooth_sets {
 namespace {
 
-/// An egg with a nose.
+/// Returns an egg with a nose.
 FlattenInput egg(int around, int rings) {
   const auto place = [](const Eigen::Vector3d& p) -> Eigen::Vector3d {
     const double nose = 1 + 0.2 * std::exp(-4 * (p - Eigen::Vector3d(1, 0, 0.3)).squaredNorm());
@@ -41,14 +41,14 @@ constexpr int kAround = 24, kRings = 18;
 
 int vertex(int i, int j) { return 1 + (j - 1) * kAround + (i + kAround) % kAround; }
 
-/// A jagged ring around the egg, which goes up or down by one ring of the mesh at each edge.
+/// Returns the edges of a jagged ring around the egg, which goes up or down by one ring of the mesh at each edge.
 std::vector<VertexPair> jagged_ring(int j) {
   std::vector<VertexPair> edges;
   for (int i = 0; i < kAround; ++i) edges.push_back({vertex(i, j + i % 2), vertex(i + 1, j + (i + 1) % 2)});
   return edges;
 }
 
-/// Smooths a set along these edges, which leaves this strain.
+/// Returns the smooth version of a set of seams along these edges. strain: the strain that the set along edges leaves.
 DartProposal smoothed(const FlattenInput& input, const std::vector<VertexPair>& edges, double strain = 1,
                       const CutOptions& cut_options = {}, double most_strain = 10, const Options& options = {}) {
   const Progress no_progress;
@@ -64,7 +64,7 @@ DartProposal smoothed(const FlattenInput& input, const std::vector<VertexPair>& 
   return smooth_set(set, most_strain, pieces, 0, cut_options, exact);
 }
 
-/// Returns the largest turn in space where a line of this mesh passes a vertex, radians.
+/// Returns the largest angle in radians by which a seam turns in space at a vertex.
 double sharpest_bend(const FlattenInput& input) {
   std::map<int, std::vector<int>> beside;
   for (const auto& ends : input.seams.rowwise()) {
@@ -133,7 +133,8 @@ TEST(SmoothSets, KeepEdgesIfTheStrainIsTooHigh) {
   EXPECT_TRUE(set.paths.empty());
 }
 
-/// Returns jagged lines from the ring to the upper pole, mirrored by the plane y = 0, and the jagged ring.
+/// Returns the jagged ring, and two jagged lines from the ring to the upper pole that are mirror images across the
+/// plane y = 0.
 std::vector<VertexPair> symmetric_set() {
   std::vector<VertexPair> edges = jagged_ring(8);
   for (const int side : {1, -1}) {
@@ -177,7 +178,7 @@ double narrowest_piece(const FlattenInput& input) {
   return width;
 }
 
-TEST(SmoothSets, KeepTheRoomOfPieces) {
+TEST(SmoothSets, KeepTheWidthOfPieces) {
   const FlattenInput input = egg(kAround, kRings);
   std::vector<VertexPair> edges;  // edges of a ring with a tongue above it
   for (int i = 0; i < kAround; ++i) edges.push_back({vertex(i, 8), vertex(i + 1, 8)});
@@ -239,7 +240,7 @@ TEST(SmoothSets, KeepTheCreasesOfABox) {
   EXPECT_EQ(smoothed(box, lid, 0).edges, lid);
 }
 
-/// Returns an egg with a free wire along one edge, which keeps it from being divided into parts.
+/// Returns an egg with a free wire along one edge. Because of the wire, the search does not divide the egg into parts.
 FlattenInput egg_with_wire(int around, int rings) {
   FlattenInput input = egg(around, rings);
   Wire wire;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Smooth lines beside paths of edges. They are straight on flat surfaces, and cross no line that the path does not
-// cross.
+// Tests of smooth lines beside paths of edges. The lines are straight on flat surfaces, and cross no wire or seam that
+// the path does not cross.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@ constexpr int kN = 12;  // edges along a side of the grid
 
 int vertex(int i, int j) { return i + (kN + 1) * j; }
 
-/// A grid with edges of length 1 and diagonals in both directions.
+/// Returns a grid with edges of length 1 and diagonals in both directions.
 FlattenInput grid() {
   FlattenInput input = test::flat_rectangle(kN, kN, kN, kN);
   test::alternate_diagonals(input, kN);
@@ -135,7 +135,7 @@ TEST(StraightenPath, MeetsWiresAtTheVerticesOfThePath) {
   test::add_wire(input, test::grid_column(kN, kN, i));
   const std::vector<LinePoint> line = straighten_path(input, path);
   EXPECT_TRUE(passes(line, path[6]) || passes(line, path[5]) || passes(line, path[7]));
-  for (const LinePoint& point : line) {  // elsewhere the line stays on one side
+  for (const LinePoint& point : line) {  // elsewhere the line stays on one side of the wire
     const bool is_on_wire = std::abs(place(input, point)[0] - i) < 1e-9;
     const bool is_of_path = is_vertex(point) && std::find(path.begin(), path.end(), point.edge[0]) != path.end();
     EXPECT_TRUE(!is_on_wire || is_of_path);
@@ -168,7 +168,7 @@ TEST(StraightenPath, RefusesListsThatAreNotPaths) {
   EXPECT_EQ(message_of(input, {vertex(3, 6), vertex(4, 6)}),
             "The option path is through 81, 82: it must run inside a piece, and this edge is on a seam or an outline.");
   EXPECT_EQ(message_of(input, {14, 15, 14}),
-            "The option path is through vertex 14 twice: it must pass each vertex once: straighten it in parts.");
+            "The option path is through vertex 14 twice: it must pass each vertex once, so straighten it in parts.");
 }
 
 TEST(StraightenPath, ReportsTheErrorOfThePiece) {

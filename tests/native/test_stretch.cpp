@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Compares pieces of fabric that is stretched when worn, and of thick material, with closed forms.
+// Compares pieces of fabric that is stretched when worn, and of thick material, with exact formulas.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -29,7 +29,8 @@ Options stretched(double weft, double warp, double shear = 0.05) {
   return options;
 }
 
-/// Returns √(cos²ψ/(1+c_weft)² + sin²ψ/(1+c_warp)²), with ψ measured from the weft.
+/// Returns the flat length over the length on the surface at the angle ψ from the weft, √(cos²ψ/(1+c_weft)² +
+/// sin²ψ/(1+c_warp)²).
 double share_at(double angle) { return std::hypot(std::cos(angle) / (1 + kWeft), std::sin(angle) / (1 + kWarp)); }
 
 FlattenResult flat(const FlattenInput& input, const Options& options) {
@@ -65,7 +66,7 @@ void expect_share(const FlattenInput& input, const FlattenResult& result, const 
 
 constexpr int kAcross = 8, kUpright = 6;
 
-/// A part of a cylinder with its grain along the axis.
+/// Returns a part of a cylinder with its grain along the axis.
 FlattenInput cylinder() {
   FlattenInput input = test::cylinder_patch(kAcross, kUpright, 1, 2, 1.5);
   test::add_wire(input, test::grid_column(kAcross, kUpright, kAcross / 2));
@@ -126,7 +127,8 @@ TEST(Stretch, EqualInAllDirectionsShrinksAGore) {
               1e-8 * loose.report.objective);
 }
 
-/// Two flat sheets of 2 by 2. The grain of one sheet is along the seam, the grain of the other across it.
+/// Returns two flat sheets of 2 by 2. The grain of one sheet is along the seam, the grain of the other sheet across the
+/// seam.
 FlattenInput sheets_with_crossed_grain() {
   FlattenInput input = test::flat_rectangle(8, 4, 4, 2);
   test::add_seam(input, test::grid_column(8, 4, 4));
@@ -205,8 +207,8 @@ TEST(Stretch, FinishedPiecesKeepTheirLengthsWhenCanceled) {
   EXPECT_GT(finished, 0) << "no piece was ever compared";
 }
 
-/// Adds wires along all inner rows of a grid and, if requested, along all inner columns. They have an ease, so that the
-/// stretch does not shorten them.
+/// Adds wires along all inner rows of a grid and, if along_columns is true, along all inner columns. The wires have an
+/// ease, so that the stretch does not shorten them.
 FlattenInput with_eased_wires(FlattenInput grid, int nx, int ny, double ease, bool along_columns) {
   for (int j = 1; j < ny; ++j) test::add_wire(grid, test::grid_row(nx, j));
   for (int i = 1; along_columns && i < nx; ++i) test::add_wire(grid, test::grid_column(nx, ny, i));
@@ -217,13 +219,13 @@ FlattenInput with_eased_wires(FlattenInput grid, int nx, int ny, double ease, bo
 constexpr double kShorter = 0.3;                     // ease of the wires that flip a piece
 constexpr double kFitting = 1 / (1 - kShorter) - 1;  // with this stretch, the outline fits these wires
 
-/// A flat sheet with wires that are too short.
+/// Returns a flat sheet with wires that are too short.
 FlattenInput sheet_with_short_wires() {
   const int n = 6;
   return with_eased_wires(test::flat_rectangle(n, n, 1, 1), n, n, -kShorter, true);
 }
 
-/// Flattens one piece, and expects that it is flipped without the stretch.
+/// Returns the only piece, flattened with the stretch. Expects that the piece is flipped without the stretch.
 Piece flat_although_flipped(const FlattenInput& input, double stretch, int max_factorizations = 100) {
   Options options = stretched(0, 0);
   options.max_factorizations = max_factorizations;
@@ -297,7 +299,7 @@ TEST(Stretch, OutOfRangeIsRefused) {
 
 constexpr double kRadius = 2;
 
-/// A whole cylinder with a seam along it.
+/// Returns a whole cylinder with a seam along its axis.
 FlattenInput tube() {
   FlattenInput input = test::cylinder_tube(24, 6, kRadius, 3);
   test::add_seam(input, test::tube_line(24, 6, 0));

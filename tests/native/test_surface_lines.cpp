@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The lines of a cut set on a chart, and their mirror images.
+// Tests of the lines of a set of seams on a chart, and of their mirror images.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,8 +20,8 @@ namespace {
 
 constexpr int kCells = 8;
 
-/// A sheet of 8 by 8 cells whose first coordinate runs from 0 to 8. All diagonals have mirror images across the plane
-/// in the middle, and no other plane mirrors the sheet.
+/// Returns a sheet of 8 by 8 cells, with x from 0 to 8. All diagonals have mirror images across the plane x = 4, and no
+/// other plane mirrors the sheet.
 FlattenInput mirrored_sheet() {
   FlattenInput sheet = test::make_grid(
       kCells, kCells, [](double s, double t) { return Eigen::Vector3d(kCells * s, kCells * t, 2 * t * t * t); });
@@ -41,7 +41,7 @@ FlattenInput mirrored_sheet() {
   return sheet;
 }
 
-/// Returns the path through these points, straight between edges of the sheet's faces: as a list of places (x, y).
+/// Returns the path through these places (x, y) of the sheet. Consecutive places must be in one face.
 SurfacePath path_through(const FlattenInput& sheet, const std::vector<std::pair<double, double>>& places) {
   SurfacePath path{{}, Positions3(static_cast<Eigen::Index>(places.size()), 3)};
   for (const auto& [x, y] : places) {
@@ -69,7 +69,8 @@ Eigen::RowVector3d place(const FlattenInput& sheet, const SurfacePath& path, std
 
 TEST(SurfaceLines, OfACutMeshCutTheInputAtTheSamePlaces) {
   const FlattenInput sheet = mirrored_sheet();
-  // From the outline across edges and through faces to a junction inside a face, and on in two directions.
+  // The lines lead from the outline across edges and faces to a junction inside a face, and from there in two
+  // directions.
   const std::vector<SurfacePath> paths{
       path_through(sheet, {{0, 2}, {0.6, 2.6}, {1, 2.75}, {1.5625, 2.5625}, {1.75, 2.5}}),
       path_through(sheet, {{1.75, 2.5}, {2, 2.6}, {2.7, 2.7}, {3, 3}, {4, 3}}),
@@ -97,7 +98,7 @@ TEST(SurfaceLines, MeetAtTheEndsOfALineThatIsLeftOut) {
   EXPECT_EQ(kept.lines[0].last, kept.lines[1].first);
   EXPECT_EQ(kept.lines[0].last, kept.lines[2].last);
   EXPECT_NE(kept.lines[0].first, kept.lines[0].last);
-  EXPECT_EQ(kept.images, (std::vector<std::size_t>{0, 1, 3, 2}));  // the second one has lost its image
+  EXPECT_EQ(kept.images, (std::vector<std::size_t>{0, 1, 3, 2}));  // the second line has lost its image
   EXPECT_FALSE(kept.is_symmetric);
   all.images = {0, 1, 2, 4, 3};
   EXPECT_TRUE(selected(all, {1, 0, 1, 1, 1}).is_symmetric);
@@ -127,7 +128,7 @@ TEST(PathMirror, MakesPairsExactAndPutsOtherPathsOnThePlane) {
       path_through(sheet, {{4, 5}, {4 + off, 5.5}, {4, 6}}),            // along the plane
       path_through(sheet, {{3, 6.5}, {4, 6.8}, {5, 6.5 + off}}),        // across the plane
       path_through(sheet, {{4 + off, 1.5}, {5, 1.3}, {6, 1.2}}),        // from the plane
-      path_through(sheet, {{4 - off, 1.5}, {3, 1.3 + off}, {2, 1.2}}),  // its mirror image
+      path_through(sheet, {{4 - off, 1.5}, {3, 1.3 + off}, {2, 1.2}}),  // the mirror image of paths[4]
   };
   PathMirror(sheet, chart, image).make_symmetric({1, 0, 2, 3, 5, 4}, paths);
   const auto expect_images = [&](const SurfacePath& a, const SurfacePath& b, bool is_reversed) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Charts are solved on all cores, with the same results as alone, and progress is reported in the caller's thread.
+// Tests that charts are solved on all cores with the same results as alone, and that progress is reported in the
+// caller's thread.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -29,7 +30,7 @@ FlattenInput only(const FlattenInput& input, const Piece& piece) {
   for (std::size_t f = 0; f < piece.source_face.size(); ++f) {
     result.faces.row(static_cast<Eigen::Index>(f)) = input.faces.row(piece.source_face[f]);
   }
-  result.seams.resize(0, 2);  // the seams are its outline now
+  result.seams.resize(0, 2);  // the seams are now the outline
   return result;
 }
 
@@ -45,7 +46,7 @@ TEST(ChartsAtOnce, EachIsSolvedAsIfAlone) {
   }
 }
 
-/// Flattens. Expects progress that never decreases, from 0 to 1, in the caller's thread only.
+/// Flattens the input. Expects progress that never decreases, from 0 to 1, in the caller's thread only.
 FlattenResult expect_progress(const FlattenInput& input, Method method) {
   Options options;
   options.method = method;
@@ -109,7 +110,7 @@ TEST(RunInThreads, RunsEachTaskOnce) {
 }
 
 TEST(InThreads, StartsNothingAfterAnException) {
-  for (const std::size_t failing : {0, 1}) {  // in the calling thread, and in another one
+  for (const std::size_t failing : {0, 1}) {  // in the calling thread, and in another thread
     std::atomic<bool> has_thrown{false};
     std::atomic<int> done{0};
     std::string thrown;
@@ -120,7 +121,7 @@ TEST(InThreads, StartsNothingAfterAnException) {
           throw std::runtime_error("work " + std::to_string(i));
         }
         while (!has_thrown) std::this_thread::yield();
-        // The exception arrives before all work is done.
+        // Waits, so that the exception arrives before all work is done.
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
         ++done;
       });
@@ -146,7 +147,7 @@ TEST(ProgressReport, StaysCanceledIfTheCallerContinues) {
 
 using Files = std::map<std::string, std::string>;  // contents of files, by path
 
-/// Returns the quota on a system with these files.
+/// Returns the quota, as a number of cores, on a system with these files.
 std::optional<std::size_t> quota_with(const Files& files) {
   // Tests run in parallel, so each test needs its own folder.
   const std::filesystem::path root =

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Charts that were folded from a plane unfold without strain. Other charts do not unfold.
+// Tests that charts that were folded from a plane unfold without strain, and that other charts do not unfold.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -58,7 +58,8 @@ TEST(Unfold, AnUnfoldedChartNeedsNoFactorization) {
   EXPECT_LE(found.objective, 1e-20);
 }
 
-/// Vertices slightly off a plane, as in files with seven digits. The unfolded chart is a start, but not yet the shape.
+/// The vertices are slightly off a plane, as in files with seven digits. The solver starts from the unfolded chart,
+/// which is not yet the shape.
 TEST(Unfold, ANearlyFlatChartIsRefinedFromItsUnfolding) {
   const double digits = 1e-7;
   unsigned state = 1;

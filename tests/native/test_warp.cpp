@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// ψ(h), its exact gradient, and the lengths with the least distortion.
+// Tests of the shape ψ(h), of the exact gradient of its energy, and of the search for the lengths with the least
+// distortion.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -39,14 +40,15 @@ struct Case {
   VariationBounds bounds;
 };
 
-/// A lopsided dome with `lines` wires in each direction, all with one tolerance.
+/// Returns a lopsided dome with `lines` wires in each direction, all with the same tolerance.
 FlattenInput dome(int n, int lines, double tolerance) {
   FlattenInput input = test::height_field(n, test::lopsided_dome);
   for (int i = 1; i <= lines; ++i) test::add_net(input, n, {i * n / (lines + 1)}, tolerance);
   return input;
 }
 
-/// A saddle with a wire that touches nothing and a wire that ends inside. Helper wires lead to the outline.
+/// Returns a saddle with a wire that touches nothing and a wire that ends inside. Both need helper wires to the
+/// outline.
 FlattenInput saddle_with_loose_wires(double tolerance) {
   const int n = 12;
   FlattenInput input = test::saddle(n, 0.4);
@@ -56,7 +58,7 @@ FlattenInput saddle_with_loose_wires(double tolerance) {
   return input;
 }
 
-/// A dome with two holes. Helper wires lead to the holes.
+/// Returns a dome with two holes, which need helper wires.
 FlattenInput dome_with_two_holes(double tolerance) {
   FlattenInput input = test::flat_plate_with_two_holes(4);
   std::vector<int> across;
@@ -151,7 +153,7 @@ TEST(Warp, AsksBeforeEachFactorizationAndStopsAtOnce) {
   }
 }
 
-/// The outer side of a bent pipe, with a wire around every row.
+/// Returns the outer side of a bent pipe, with a wire along every inner row.
 FlattenInput half_tube(int rows) {
   FlattenInput input = test::make_grid(8, rows + 1, [](double s, double t) {
     const double around = 2 * (s - 0.5), along = 5 * t;
@@ -169,7 +171,7 @@ TEST(ChooseVariation, TakesFewEvaluationsWithManyWires) {
     EXPECT_TRUE(solution.converged);
     EXPECT_LE(solution.evaluations, 40) << input.wires.size() << " wires";
   }
-  // Strips that are up to a hundred times as long as wide.
+  // These strips are up to a hundred times as long as wide.
   for (const auto& [rows, most] : {std::pair(60, 10), std::pair(200, 30)}) {
     Case c(half_tube(rows));
     const OuterSolution solution = c.solve();
@@ -178,8 +180,8 @@ TEST(ChooseVariation, TakesFewEvaluationsWithManyWires) {
   }
 }
 
-/// A pyramid over a square of side 1, and a triangle on one side of the square. This side is a wire. The other sides of
-/// the triangle are 0.505 long, so no flat triangle exists if the wire is longer than 1.01.
+/// Returns a pyramid over a square of side 1, and a triangle on one side of the square. This side is a wire. The other
+/// sides of the triangle are 0.505 long, so no flat triangle exists if the wire is longer than 1.01.
 FlattenInput pyramid_beside_a_narrow_triangle() {
   const double low = std::sqrt(0.505 * 0.505 - 0.25);
   FlattenInput input = test::mesh_of({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, 0.6}, {0.5, -low, 0}},

@@ -55,7 +55,7 @@ TEST(WireNetwork, CrossingWiresMakeFourPatchesAndFourNodesWhereTheyCross) {
   EXPECT_EQ(p.network.patches.size(), 4u);
   EXPECT_EQ(p.network.edges.size(), static_cast<std::size_t>(4 * n + 2 * n));
   // Each boundary vertex has one node, or two if a wire ends there. Inner vertices of wires have two nodes, and the
-  // crossing has four.
+  // crossing has four nodes.
   EXPECT_EQ(p.network.nodes.size(), static_cast<std::size_t>(4 * n + 4 + 2 * (2 * n - 3) - 2 + 4));
   std::size_t most = 0;
   for (const auto& nodes : p.network.inner_vertex_nodes) most = std::max(most, nodes.size());

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// wirewarp_random_cases [--list] FIRST COUNT: flattens COUNT random cases, with the seeds FIRST, FIRST + 1, ..., and
-// judges the results. Exits with 1 if a guarantee is broken or an expected error is missing. A case that takes too much
-// processor time ends the program. At the end, prints how often each verdict occurred, and how many good pieces came
-// from each start of the refined method (PieceReport::start). --list: prints a line for each piece instead of judging,
-// to compare two builds piece by piece.
+// Usage: wirewarp_random_cases [--list] FIRST COUNT. Flattens COUNT random cases, with the seeds FIRST, FIRST + 1, ...,
+// and judges the results. Exits with 1 if a guarantee is broken or an expected error is missing. A case that takes too
+// much processor time ends the program. At the end, prints how often each verdict occurred, and how many good pieces
+// came from each start of the refined method (PieceReport::start). --list: prints a line for each piece instead of
+// judging, to compare two builds piece by piece.
 #include <sys/time.h>
 #include <unistd.h>
 
@@ -19,12 +19,12 @@
 namespace wirewarp::test {
 namespace {
 
-// Limit for the processor time of all threads, so that other programs do not count. The slowest of 10,000 cases takes
-// 13 s, and 30 times as long with the sanitizers.
+// Limit of the processor time of all threads for one case. Other programs do not count. The slowest of 10,000 cases
+// takes 13 s, and 30 times as long with the sanitizers.
 constexpr long kSecondsPerCase = 1000;
 std::array<char, 64> current_case{};  // text for the signal handler, which may not allocate
 
-/// Limits the processor time of the program; 0 removes the limit.
+/// Limits the processor time of the program. 0 removes the limit.
 void limit_time(long seconds) {
   const itimerval limit{{0, 0}, {seconds, 0}};
   setitimer(ITIMER_PROF, &limit, nullptr);

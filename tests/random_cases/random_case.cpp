@@ -39,7 +39,7 @@ const char* name_of(Method method) {
   return method == Method::refined ? "refined" : method == Method::wirewarping ? "wirewarping" : "wirewarp++";
 }
 
-/// Returns options with the same solver and the default layout, so that a cache solves no chart again.
+/// Returns the options with the default layout. The solver's options stay the same, so the cache contains all shapes.
 InternalOptions with_plain_layout(InternalOptions options) {
   const Options plain;
   options.layout = plain.layout;
@@ -52,7 +52,8 @@ InternalOptions with_plain_layout(InternalOptions options) {
   return options;
 }
 
-/// Returns the result without the stretch, whose directions determine the lengths; nullopt if there is no stretch.
+/// Returns the result without the stretch, whose directions determine the stretched lengths. Returns nullopt if there
+/// is no stretch.
 std::optional<FlattenResult> without_stretch(const FlattenInput& input, InternalOptions options, Cache& cache) {
   if (!options.cloth || options.cloth->stretch == Cloth{}.stretch) return std::nullopt;
   options.cloth->stretch = Cloth{}.stretch;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Random input of flatten(): legal, with any topology and quality, or with one known fault. Judges the result.
+// Makes random input of flatten(), and judges the result. The input is valid, with any topology and quality, or has one
+// known fault.
 #pragma once
 
 #include <cstdint>
@@ -15,11 +16,11 @@ namespace wirewarp::test {
 struct RandomCase {
   FlattenInput input;
   InternalOptions options;
-  std::optional<ErrorCode> fault;  // the error that must be thrown or that a piece must have; empty: the input is legal
+  std::optional<ErrorCode> fault;  // expected error of the call or of a piece, empty for valid input
   std::string description;
 };
 
-/// Returns the case of a seed, the same on every system.
+/// Returns the case of a seed, which is the same on every system.
 RandomCase make_random_case(std::uint64_t seed);
 
 using Counts = std::map<std::string, int>;
@@ -27,7 +28,7 @@ using Counts = std::map<std::string, int>;
 struct Outcome {
   std::string name;  // "flat", or the code of the error
   std::vector<std::string> broken;
-  Counts starts = {};  // number of pieces without an error, by their start
+  Counts starts = {};  // number of pieces without an error, keyed by start
 
   void add(std::vector<std::string> sentences) {
     for (std::string& sentence : sentences) broken.push_back(std::move(sentence));

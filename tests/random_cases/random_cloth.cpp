@@ -21,7 +21,7 @@ std::set<Edge> edges_of_wires(const FlattenInput& input) {
   return edges;
 }
 
-/// Returns a chain of edges of the set from the first edge on, and removes these edges.
+/// Returns a chain of edges that begins with the first edge of the set. Removes the edges of the chain from the set.
 std::vector<int> take_chain(std::set<Edge>& edges) {
   std::vector<int> chain{(*edges.begin())[0], (*edges.begin())[1]};
   edges.erase(edges.begin());
@@ -34,7 +34,7 @@ std::vector<int> take_chain(std::set<Edge>& edges) {
   }
 }
 
-/// Adds elastic wires along most seams without a wire.
+/// Adds wires with random tolerances along most seams without a wire.
 void add_wires_along_seams(RandomStream& random, FlattenInput& input) {
   const std::set<Edge> taken = edges_of_wires(input);
   std::set<Edge> free;
@@ -50,14 +50,14 @@ void add_wires_along_seams(RandomStream& random, FlattenInput& input) {
   }
 }
 
-/// Adds eases to wires of any kind.
+/// Adds eases to some wires of any kind.
 void add_eases_of_wires(RandomStream& random, FlattenInput& input) {
   for (Wire& wire : input.wires) {
     if (random.chance(0.2)) wire.ease = random.between(-0.1, 0.1);
   }
 }
 
-/// Adds eases to some sides of seams and borders.
+/// Adds one ease for some sides of seams and borders.
 void add_eases_of_sides(RandomStream& random, FlattenInput& input) {
   std::map<Edge, int> num_faces;
   for (const auto& face : input.faces.rowwise()) {

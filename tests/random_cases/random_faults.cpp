@@ -39,8 +39,8 @@ void append_ring_that_touches_itself(FlattenInput& input, const Eigen::Vector3d&
   }
 }
 
-/// Removes all seams and wires, because a seam would make a third face at an edge legal, and would separate a flipped
-/// face from its neighbors.
+/// Removes all seams and wires. A seam would make a third face at an edge legal, and would separate a flipped face from
+/// its neighbors.
 void clear_marks(FlattenInput& input) {
   input.seams.resize(0, 2);
   input.wires.clear();

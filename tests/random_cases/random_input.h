@@ -10,7 +10,7 @@ namespace wirewarp::test {
 
 /// Returns a legal mesh of one to three separate parts. Each is a sheet, a sheet with holes, a rough sheet, a tube, a
 /// ball, a ring, a fan or a single triangle. A part may have even or uneven faces, slivers, any size and any place,
-/// with vertices and faces in any order. Appends a description.
+/// with vertices and faces in any order. Appends words about the mesh to the description.
 FlattenInput random_mesh(RandomStream& random, std::string& description);
 
 /// Moves one part of a legal mesh so that it touches another part, and makes both share a vertex there. Adds a wire
@@ -18,8 +18,8 @@ FlattenInput random_mesh(RandomStream& random, std::string& description);
 /// vertices belong to one part.
 bool let_parts_touch(RandomStream& random, FlattenInput& input);
 
-/// Adds a fabric that is stretched when worn to legal input of the refined method, with or without wires along seams,
-/// and with eases of wires and sides. Appends a description.
+/// Adds a fabric that is stretched when worn to legal input of the refined method. May also add wires along seams, and
+/// eases of wires and sides. Appends words about these to the description.
 void add_random_stretch(RandomStream& random, FlattenInput& input, Options& options, std::string& description);
 
 /// Adds one fault to a legal input, and returns the error that must result.

@@ -33,8 +33,8 @@ std::vector<double> grid_lines(RandomStream& random, int count) {
   return lines;
 }
 
-/// Returns nx by ny quads, closed in s and t as requested, each divided along a random diagonal. place(s, t) returns
-/// the position in space of a grid point; in a closed direction, the last points are the first ones.
+/// Returns a triangulated grid of nx by ny quads. wraps_s, wraps_t: whether the last points in this direction are the
+/// first points. place(s, t): returns the position of a grid point in space.
 template <typename Place>
 Mesh make_grid(RandomStream& random, int nx, int ny, bool wraps_s, bool wraps_t, const Place& place) {
   const std::vector<double> s = grid_lines(random, nx);
@@ -88,7 +88,7 @@ Mesh random_sheet(RandomStream& random) {
   const auto height = random_height(random);
   const double width = random.across_scales(0.05, 20);
   const bool jitters = random.chance(0.3);
-  const bool is_huge = random.chance(0.006);  // 8,000 faces or more: solved from coarse to fine
+  const bool is_huge = random.chance(0.006);  // 20,000 faces or more, solved from coarse to fine
   const int most = is_huge ? 120 : random.chance(0.03) ? 45 : 12;
   const int nx = random.whole(is_huge ? 100 : 1, most);
   const int ny = random.whole(is_huge ? 100 : 1, most);
@@ -99,7 +99,7 @@ Mesh random_sheet(RandomStream& random) {
   });
 }
 
-/// Removes whole faces inside the mesh. The remaining faces never touch only at a vertex.
+/// Returns a sheet without some quads inside. The remaining faces never touch only at a vertex.
 Mesh with_holes(RandomStream& random, int holes) {
   const auto height = random_height(random);
   const int nx = 3 * holes + 1 + random.whole(0, 6);
@@ -124,7 +124,7 @@ Mesh random_tube(RandomStream& random) {
   const double high = random.across_scales(0.05, 5);
   const double taper = random.chance(0.5) ? random.between(-0.9, 0.9) : 0;
   const double belly = random.between(-0.5, 0.5);
-  const bool is_ring = random.chance(0.15);  // closed: a torus
+  const bool is_ring = random.chance(0.15);  // a closed tube, which is a torus
   const int around = random.whole(3, 14);
   const int along = is_ring ? random.whole(3, 10) : random.whole(1, 10);
   return make_grid(random, around, along, true, is_ring, [&](double s, double t) {
@@ -205,7 +205,7 @@ Mesh random_part(RandomStream& random, std::string& description) {
   }
 }
 
-/// Rotates, mirrors, scales and moves everything, renumbers vertices and faces, and starts faces at any corner.
+/// Returns the mesh rotated, scaled and moved. May also renumber vertices and faces, and start faces at any corner.
 FlattenInput anywhere(RandomStream& random, const Mesh& mesh, std::string& description) {
   const double size = random.chance(0.3) ? random.across_scales(1e-4, 1e5) : 1;
   const double away = random.chance(0.15) ? random.across_scales(1, 1e6) : 0;
@@ -250,7 +250,7 @@ FlattenInput random_mesh(RandomStream& random, std::string& description) {
     for (const Eigen::Vector3d& vertex : part.vertices) whole.vertices.push_back(vertex + Eigen::Vector3d(aside, 0, 0));
     for (const auto& [a, b, c] : part.faces) whole.faces.push_back({a + offset, b + offset, c + offset});
   }
-  if (random.chance(0.1)) whole.vertices.push_back({5, 5, 5});  // used by no face
+  if (random.chance(0.1)) whole.vertices.push_back({5, 5, 5});  // a vertex that no face uses
   return anywhere(random, whole, description);
 }
 

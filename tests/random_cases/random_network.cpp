@@ -35,8 +35,8 @@ struct EdgeGraph {
   }
 };
 
-/// Returns a walk along edges that are not in `used`, and adds its edges to `used`. It may end early and may cross
-/// itself.
+/// Returns a walk along edges that are not in `used`, and adds its edges to `used`. The walk may end early and may
+/// cross itself.
 std::vector<int> random_walk(RandomStream& random, const EdgeGraph& graph, int from, int steps, std::set<Edge>& used) {
   std::vector<int> chain{from};
   for (int i = 0; i < steps; ++i) {
@@ -52,8 +52,8 @@ std::vector<int> random_walk(RandomStream& random, const EdgeGraph& graph, int f
   return chain;
 }
 
-/// Returns the path with the fewest edges along edges that are not in `used`, and adds its edges to `used`. Returns one
-/// vertex if there is no path.
+/// Returns the shortest path, by number of edges, along edges that are not in `used`. Adds the path's edges to `used`.
+/// Returns one vertex if there is no path.
 std::vector<int> short_path(const EdgeGraph& graph, int from, int to, std::set<Edge>& used) {
   std::map<int, int> previous{{from, from}};
   std::queue<int> front;
@@ -83,7 +83,7 @@ std::vector<int> random_chain(RandomStream& random, const EdgeGraph& graph, cons
   if (random.chance(0.4)) return random_walk(random, graph, from, random.whole(1, 12), used);
   const int to = random.chance(0.6) && !border.empty() ? random.pick(border) : random.pick(used_vertices);
   std::vector<int> chain = short_path(graph, from, to, used);
-  if (chain.size() > 2 && random.chance(0.2)) {  // closed: returns along another path
+  if (chain.size() > 2 && random.chance(0.2)) {  // closes the chain along another path
     std::vector<int> back = short_path(graph, to, from, used);
     if (back.size() > 1) {
       std::reverse(chain.begin(), chain.end());
@@ -94,7 +94,8 @@ std::vector<int> random_chain(RandomStream& random, const EdgeGraph& graph, cons
   return chain;
 }
 
-/// Adds a small cut: a dart from an outline or a slit inside, with a few edges, or a loop around a vertex.
+/// Adds a small cut. It is a dart of a few edges from a border, a slit of a few edges inside, or a loop around a
+/// vertex.
 void add_small_cut(RandomStream& random, const FlattenInput& input, const EdgeGraph& graph,
                    const std::vector<int>& used_vertices, std::set<Edge>& seams) {
   const int kind = random.below(5);

@@ -11,8 +11,8 @@
 
 namespace wirewarp::test {
 
-/// Random numbers of several kinds. A seed gives the same numbers on every platform: the engine is standardized, but
-/// the distributions of the standard library are not.
+/// Random numbers of several kinds. A seed leads to the same numbers on every platform, because the C++ standard
+/// defines the engine. It does not define the results of the standard library's distributions, so they are not used.
 class RandomStream {
  public:
   explicit RandomStream(std::uint64_t seed)
@@ -29,13 +29,13 @@ class RandomStream {
   /// Returns a number in [low, high).
   double between(double low, double high) { return low + (high - low) * uniform(); }
 
-  /// Returns a number in [low, high) with equal probability for every power of ten; low > 0.
+  /// Returns a number in [low, high) with equal probability for every power of ten. low must be above 0.
   double across_scales(double low, double high) { return std::exp(between(std::log(low), std::log(high))); }
 
-  /// Returns a number in [0, count).
+  /// Returns a whole number in [0, count).
   int below(int count) { return static_cast<int>(uniform() * count); }
 
-  /// Returns a number in [low, high].
+  /// Returns a whole number in [low, high].
   int whole(int low, int high) { return low + below(high - low + 1); }
 
   bool chance(double probability) { return uniform() < probability; }

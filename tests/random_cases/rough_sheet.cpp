@@ -31,7 +31,7 @@ bool is_in_circle(const std::vector<Point>& points, const Face& triangle, const 
 }
 
 /// Returns the Delaunay triangulation of points in general position, counter-clockwise (A. Bowyer, D. F. Watson, 1981).
-/// The time grows with the square of their number. Slivers may be missing at the hull.
+/// The time grows with the square of the number of points. Slivers may be missing at the hull.
 Faces delaunay(const std::vector<Eigen::Vector2d>& points) {
   Eigen::Vector2d low = points.front(), high = points.front();
   std::vector<Point> all;
@@ -141,11 +141,11 @@ Faces largest_region(const Faces& faces) {
   return kept;
 }
 
-/// Removes faces at vertices at which faces touch only at this point. Repeats until no such vertex remains.
+/// Removes the faces around vertices where faces touch without a common edge. Repeats until no such vertex remains.
 Faces without_pinches(Faces faces) {
   for (bool has_changed = true; has_changed;) {
     faces = largest_region(faces);
-    std::map<int, int> sides_at, faces_at;  // outline edges and faces around each vertex
+    std::map<int, int> sides_at;  // number of outline edges at each vertex
     std::map<std::pair<int, int>, int> count;
     for (const Face& face : faces) {
       for (std::size_t k = 0; k < 3; ++k) ++count[std::minmax(face[k], face[(k + 1) % 3])];

@@ -16,8 +16,8 @@ struct MeshPart {
   std::vector<std::array<int, 3>> faces;
 };
 
-/// Returns a mesh like those of scans and sculptures: a Delaunay triangulation of a random domain with up to four
-/// holes, with a rough height and needles of up to 1 : 10,000. Appends a description.
+/// Returns a mesh like a scan or a sculpture. It is a Delaunay triangulation of a random domain with up to four holes,
+/// a rough height and needles of up to 1 : 10,000. Appends a word to the description.
 MeshPart rough_sheet(RandomStream& random, std::string& description);
 
 }  // namespace wirewarp::test

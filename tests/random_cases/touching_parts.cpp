@@ -14,7 +14,7 @@ std::set<int> part_around(const FlattenInput& input, int start) {
   for (const auto& face : input.faces.rowwise()) {
     for (int k = 0; k < 3; ++k) neighbors[static_cast<std::size_t>(face[k])].push_back(face[(k + 1) % 3]);
   }
-  // Edges in one direction around each face are enough to reach all its corners from any corner.
+  // Edges in one direction around each face are enough to reach all corners of the face from any corner.
   std::set<int> part{start};
   std::queue<int> front;
   for (front.push(start); !front.empty(); front.pop()) {

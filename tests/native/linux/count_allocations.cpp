@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Replaces the C library's allocation functions in the whole test program: the linker option --wrap redirects the calls
-// of the core, the tests and Eigen here. These definitions must be in a separate file, so that no caller inlines them.
+// Replaces the C library's allocation functions in the whole test program. The linker option --wrap redirects the calls
+// of the core, the tests and Eigen to this file. These definitions must be in a separate file, so that no caller
+// inlines them.
 #include "count_allocations.h"
 
 #include <cstddef>
@@ -46,8 +47,8 @@ void* operator new(std::size_t size) { return allocate(size, alignof(std::max_al
 void* operator new(std::size_t size, std::align_val_t alignment) {
   return allocate(size, static_cast<std::size_t>(alignment));
 }
-// std::stable_sort allocates its buffer with this overload. Without it, our delete would free memory from the library's
-// new.
+// std::stable_sort allocates its buffer with this overload. Without this overload, our delete would free memory from
+// the library's new.
 void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
   try {
     return operator new(size);

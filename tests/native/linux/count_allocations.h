@@ -3,8 +3,8 @@
 
 namespace wirewarp {
 
-/// Returns the number of allocations by this thread so far: with operator new, and with malloc and similar functions,
-/// which Eigen calls.
+/// Returns the number of allocations by this thread so far. It counts operator new and also malloc and similar
+/// functions, which Eigen calls.
 int num_allocations();
 
 }  // namespace wirewarp

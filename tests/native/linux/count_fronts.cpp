@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Replaces fastest_kernels() in the whole test program, as count_allocations.cpp replaces malloc. The kernels that it
-// returns count their calls and then call the fastest ones.
+// Replaces fastest_kernels() in the whole test program, as count_allocations.cpp replaces malloc. The returned kernels
+// count their calls and then call the fastest kernels.
 #include "count_fronts.h"
 
 #include <atomic>
 
 #include "numerics/cholesky/front_kernels.h"
 
-// References are returned as pointers. The linker option --wrap requires these names.
+// fastest_kernels() returns a reference, which is a pointer in C. The linker option --wrap requires these names.
 // NOLINTBEGIN(bugprone-reserved-identifier, readability-identifier-naming)
 extern "C" const wirewarp::FrontKernels* __real__ZN8wirewarp15fastest_kernelsEv();
 extern "C" const wirewarp::FrontKernels* __wrap__ZN8wirewarp15fastest_kernelsEv();

@@ -3,8 +3,8 @@
 
 namespace wirewarp {
 
-/// Numbers of fronts that all threads of the test program have visited so far in the Cholesky kernels, with up to four
-/// right-hand sides per visit. The numbers are the same in every run on one machine. On another machine, rounding
+/// Numbers of fronts that the Cholesky kernels have visited so far, in all threads of the test program. A visit handles
+/// up to four right-hand sides. The numbers are the same in every run on one machine. On another machine, rounding
 /// errors may end an iteration a step earlier or later.
 struct FrontCounts {
   long factored;

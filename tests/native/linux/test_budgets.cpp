@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Limits on the work in the inner loops, as counts instead of seconds. The tests of each algorithm limit its
+// Limits the work in the inner loops, in counts instead of seconds. The tests of each algorithm limit its
 // factorizations and evaluations.
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@
 namespace wirewarp::test_budgets {
 namespace {
 
-/// A bent sheet of n x n quads with a rigid and an elastic wire.
+/// Returns a bent sheet of n by n quads with a rigid wire and an elastic wire.
 FlattenInput sheet(int n) {
   FlattenInput input = test::saddle(n, 0.3);
   test::add_wire(input, test::grid_row(n, n / 2));
@@ -81,7 +81,7 @@ TEST(Budgets, InteriorPlacementAllocatesEquallyOftenOnEveryMesh) {
   EXPECT_EQ(placement_allocations(8), placement_allocations(24));
 }
 
-/// Returns the numbers of allocations for a factorization after the first one, and for a solution.
+/// Returns the numbers of allocations for the second factorization of a system, and for its solution.
 std::pair<int, int> newton_allocations(int n) {
   const SheetToFlatten flat(n);
   const HeldNetwork network = build_held_network(flat.chart());
@@ -102,7 +102,7 @@ TEST(Budgets, NewtonSystemsAllocateEquallyOftenOnEveryMesh) {
 
 struct RefinementCost {
   int factorizations;
-  /// Number of full substitutions: forward and back through all fronts with up to four right-hand sides.
+  /// Number of full substitutions. Each goes forward and back through all fronts, with up to four right-hand sides.
   double substitutions;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A canceled run ends without further factorizations and solves.
+// Tests that a canceled run ends without further factorizations and substitutions.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 namespace wirewarp::test_cancelling {
 namespace {
 
-/// The largest amount of work between two polls of the caller, or after the last poll.
+/// The largest numbers of fronts visited between two polls of the caller.
 struct WorkBetweenQuestions {
   void answer() {
     const FrontCounts now = count_fronts();
@@ -41,7 +41,7 @@ TEST(Cancelling, EndsARunAtOnceInEveryStage) {
   for (const double tolerance : {0.0, 1e-4}) {
     const FlattenInput input = test::saddle_of_wires(3, tolerance);
     const long fronts = fronts_of(input);
-    // The search for tolerances makes all wires elastic.
+    // The search for tolerances makes all wires elastic, which takes two substitutions for each wire.
     const auto num_wires = static_cast<long>(input.wires.size());
     for (const Method method : {Method::refined, Method::wirewarp_plus_plus}) {
       Options options;

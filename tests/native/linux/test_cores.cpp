@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A run starts one thread for each core that it may use, and works with fewer threads if the system refuses more.
+// Tests that a run starts one thread for each core that it may use, and works with fewer threads if the system refuses
+// more.
 #include <dlfcn.h>
 #include <gtest/gtest.h>
 #include <pthread.h>
@@ -100,7 +101,7 @@ TEST(Cores, ChartsThatKeepAllCoresBusyStartNoThreadsOfTheirOwn) {
   const FlattenInput input = test::sphere_of_gores(12, 4, 16);
   const RefuseThreads refuse;
   flatten(input);
-  EXPECT_EQ(num_refused_threads, 1);  // the only thread that the run starts, which is for all charts
+  EXPECT_EQ(num_refused_threads, 1);  // the run starts one thread, which all charts share
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Compares the outer problem with NLopt: with the same h0, E and gradient, NLopt finds no better minimum.
+// Compares solutions of the outer problem with those of NLopt. From the same h0, with the same E and gradient, NLopt
+// finds no better minimum.
 #include <gtest/gtest.h>
 #include <nlopt.h>
 
@@ -19,7 +20,7 @@
 namespace wirewarp::test_known_optimizer {
 namespace {
 
-constexpr double kNothingBetter = 1e-4;  // share by which another optimizer may be better
+constexpr double kNothingBetter = 1e-4;  // relative difference by which NLopt may be better
 constexpr double kFree = std::numeric_limits<double>::infinity();
 
 struct OuterCase {
@@ -28,7 +29,8 @@ struct OuterCase {
 };
 void PrintTo(const OuterCase& outer_case, std::ostream* out) { *out << outer_case.name; }
 
-/// E(ψ(h)) as a function of the elastic parts' h, in the form that NLopt calls. Remembers the least value.
+/// E(ψ(h)) as a function of the elastic parts' h, in the form that NLopt calls. The object remembers the smallest
+/// value.
 struct ShapeErrorOf {
   Warp& warp;
   std::vector<int> parts;
@@ -51,7 +53,7 @@ struct ShapeErrorOf {
   }
 };
 
-/// Returns the least E that an algorithm of NLopt finds within the bounds.
+/// Returns the smallest E that an algorithm of NLopt finds within the bounds.
 double least_shape_error(nlopt_algorithm algorithm, Warp& warp, const VariationBounds& bounds,
                          const Eigen::VectorXd& start) {
   ShapeErrorOf function{warp, bounds.elastic_parts(), start};
@@ -114,7 +116,8 @@ FlattenInput elastic_gore() {
   return input;
 }
 
-/// A closed wire that touches nothing. Its helper wires to the outline count as free.
+/// Returns a saddle with a closed wire that touches nothing. Helper wires connect it with the outline, and have any
+/// length.
 FlattenInput elastic_ring() {
   const int n = 16;
   FlattenInput input = test::saddle(n, 0.3);
