@@ -35,7 +35,7 @@ def at_once(addon, monkeypatch):
 
 @pytest.fixture
 def model():
-    """Return a model of two good pieces, with a wire that ends inside one of them, and of a closed piece that fails."""
+    """Return a flattened model of two good pieces and a closed piece that fails. A wire ends inside a good piece."""
     target = grid("Bump", bump, size=4)
     join_cube(target)
     mark_seam(target, on_line(0, 0.0))
@@ -47,11 +47,11 @@ def model():
 
 @pytest.fixture
 def everything_answers(model, addon, tmp_path, capfd):
-    """Return a check of all answers with each object active, in both modes, or in modes that take turns.
+    """Return a function that damages the file with spoil(), then uses every panel, overlay and command.
 
-    The check damages the file again for each object and mode, and models keep their shape.
-
-    Handlers that Blender calls by itself must answer, too; Blender prints their errors.
+    The function makes each object active in turn, and damages the file again before each. in_turn: modes for the
+    objects, repeated; without it, each object is used in both modes. Shapes of models must stay. No traceback may be
+    printed, not even by a handler that Blender calls.
     """
 
     def shapes():

@@ -18,7 +18,7 @@ class Drawing:
         return next(group for group in self.pieces[piece].findall(f"{SVG}g") if group.get(LABEL) == label)
 
     def lines(self, piece, label):
-        """Return the lines, or None if the piece has no such layer."""
+        """Return the lines of a layer. The list is empty if the piece has no such layer."""
         layers = [group for group in self.pieces[piece].findall(f"{SVG}g") if group.get(LABEL) == label]
         return [points_of(path) for layer in layers for path in layer.findall(f"{SVG}path")]
 

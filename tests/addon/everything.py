@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Uses every panel, overlay and operator in turn. Each must work, or report why not, for every file."""
+"""Uses every panel, overlay and operator in turn. With every file, each must work or report why it does not."""
 
 from types import SimpleNamespace
 
@@ -38,7 +38,7 @@ COMMANDS = [  # operators that write come last
     ("object.wirewarp_flatten", {}),
     ("object.wirewarp_flatten", {"use_modifiers": True}),
 ]
-# One reader for each kind of stored data: report, source faces, pieces, names, marks, and the whole model.
+# Together, these commands read all stored data: report, source faces, pieces, names, marks, and the whole model.
 READERS = [
     ("mesh.wirewarp_select_result", {"what": "PIECE", "index": 0}),
     ("object.wirewarp_export_svg", {}),
@@ -81,7 +81,7 @@ class AnyLayout:
 
 
 def sidebar(width=300):
-    """Return the context of a panel, which does not exist without a window."""
+    """Return a stand-in for the context of a panel, because Blender has no such context without a window."""
     view, own = view_context(), bpy.context
     names = ("active_object", "selected_objects", "objects_in_mode_unique_data", "tool_settings", "mode")
     system = SimpleNamespace(ui_scale=1.0)
@@ -128,7 +128,7 @@ def draw_overlays(addon, shown_map):
 
 
 def answer(command, **settings):
-    """Return the message of an operator; a traceback is not an answer."""
+    """Call an operator, and return its message, which must not be a traceback."""
     group, name = command.split(".")
     try:
         said = str(getattr(getattr(bpy.ops, group), name)(**settings))
@@ -144,14 +144,14 @@ def to_object_mode():
 
 
 def stored():
-    """Return marks, names and reports of all meshes in Object Mode, which only successful operators may change."""
+    """Return marks, names and reports of all meshes. Only successful operators may change them. Needs Object Mode."""
     return {each.name_full: _stored_on(each) for each in bpy.data.objects if each.type == "MESH"}
 
 
 def _stored_on(target):
     mesh = target.data
     return (
-        # sorted, because Edit Mode may reorder them
+        # sorted, because Edit Mode may reorder the attributes
         sorted(_values(each) for each in mesh.attributes if each.name.startswith(OURS)),
         read(mesh.edges, "use_seam", bool).tobytes(),
         [(entry.wire_id, entry.name) for entry in mesh.wirewarp_names],
@@ -167,7 +167,7 @@ def _value(stored):
 
 
 def _values(attribute):
-    """Return the values as bytes, because some values are not numbers."""
+    """Return name, type, domain and values of an attribute. Values are bytes, because NaN does not equal itself."""
     dtype = {"INT": np.int32, "FLOAT": np.float32}.get(attribute.data_type)
     values = read(attribute.data, "value", dtype).tobytes() if dtype else b""
     return attribute.name, attribute.data_type, attribute.domain, values
@@ -180,8 +180,10 @@ def place():
 
 
 def call(command, settings, before):
-    """Call a command. If it is refused or does nothing, neither stored data nor object, mode and selection may change.
-    A run of Flatten may fail in part; its results are not checked here."""
+    """Call a command. If it is refused or does nothing, stored data, active object, mode and selection must stay.
+
+    Flatten and repairs may fail in part, so nothing is checked after them. before: stored() before the call.
+    """
     where = place()
     said = answer(command, **settings)
     if said == "{'FINISHED'}" or "flatten" in command or "mend" in command:
@@ -192,8 +194,10 @@ def call(command, settings, before):
 
 
 def use_everything(addon, name, mode, folder, commands):
-    """Draw everything with this object active, and call these commands in this mode. folder: folder for the pattern,
-    and for the file, which is saved."""
+    """Draw everything with this object active, and call these commands in this mode.
+
+    folder: folder in which the pattern and the .blend file are saved.
+    """
     shown_map = "STRETCH_COLOR" if mode == "OBJECT" else "WEFT_STRAIN_COLOR"
     for command, settings in [(None, {}), *commands]:
         to_object_mode()
@@ -218,7 +222,7 @@ def use_everything(addon, name, mode, folder, commands):
 
 
 def export_dialog(addon, **settings):
-    """Return the export dialog with these settings and the defaults of all others."""
+    """Return the export dialog with these settings. All other settings have their defaults."""
     module, properties = addon.export, bpy.ops.object.wirewarp_export.get_rna_type().properties
     defaults = {each.identifier: each.default for each in properties if hasattr(each, "default")}
     defaults["drawn"] = module.operators.ALL_DRAWN

@@ -26,7 +26,7 @@ def install(path: str) -> None:
 
 
 measured = None
-if "COVERAGE_PROCESS_START" in os.environ:  # path of the settings; see tools/addon_coverage.py
+if "COVERAGE_PROCESS_START" in os.environ:  # path of the settings of coverage; see tools/addon_coverage.py
     import coverage
 
     measured = coverage.process_startup()
@@ -37,7 +37,7 @@ if measured:
     measured.save()
 sys.stdout.flush()
 sys.stderr.flush()
-if not bpy.app.binary_path:  # when Python ends, the module could wait forever for one of its threads
+if not bpy.app.binary_path:  # when Python ends, bpy could wait forever for one of its threads
     shutil.rmtree(bpy.app.tempdir, ignore_errors=True)
     os._exit(int(code))
 sys.exit(int(code))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Shared parts of tests of suggested cuts."""
+"""Functions that several tests of suggested cuts use."""
 
 import bpy
 import numpy as np
@@ -15,7 +15,7 @@ def found(addon, source):
 
 
 def choose_smooth(addon, source, kind):
-    """Suggest cuts and choose the first one that crosses faces."""
+    """Suggest cuts, choose the first cut that crosses faces, and return it."""
     assert SUGGEST[kind]() == {"FINISHED"}
     cuts = found(addon, source).cuts
     index = next(index for index, cut in enumerate(cuts) if not cut.edges)
@@ -39,7 +39,7 @@ def pairs(edges):
 
 
 def needed(addon, source):
-    """Flatten the model, and return the stretch that 99% of the worst piece stays below."""
+    """Flatten the model, and return the maximum stretch of the worst piece, which 99% of its area does not exceed."""
     bpy.ops.object.wirewarp_flatten()
     return max(piece.needed for piece in addon.state.reports.last_report(source).pieces)
 

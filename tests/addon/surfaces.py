@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Small surfaces to flatten, and functions that select and measure their edges."""
+"""Makes small surfaces to flatten, and selects and measures their edges."""
 
 import math
 import sys
@@ -17,7 +17,7 @@ MODULE_NAMES = ("wirewarp_addon", "bl_ext.user_default.wirewarp")
 
 
 def addon_module() -> ModuleType:
-    """The installed add-on."""
+    """Return the installed add-on."""
     return next(sys.modules[name] for name in MODULE_NAMES if name in sys.modules)
 
 
@@ -42,8 +42,8 @@ def select_only(*targets: bpy.types.Object) -> None:
 def grid(name: str, shape: Callable, size: int = 8, faces: str = "quads", **marked: Callable) -> bpy.types.Object:
     """Return a grid at shape(x, y) over the square from -1 to 1, with size by size cells of quads, triangles or n-gons.
 
-    The n-gons are pairs of cells. Their corners on the outline must not be collinear, because a triangle would have
-    zero area. marked: the lines `seam` and `wire`.
+    Each n-gon is a pair of cells. Three corners on the outline must not be collinear, because a triangle between them
+    would have zero area. marked: functions that test whether an edge belongs to the `seam` or the `wire`.
     """
     steps = [2 * i / size - 1 for i in range(size + 1)]
     vertices = [shape(x, y) for y in steps for x in steps]
@@ -61,30 +61,30 @@ def grid(name: str, shape: Callable, size: int = 8, faces: str = "quads", **mark
 
 
 def join_cube(target: bpy.types.Object) -> None:
-    """Add a closed piece beside the others, which fails; its faces follow theirs."""
+    """Join a cube, which fails because it is closed. Its faces come after all faces of the model."""
     bpy.ops.mesh.primitive_cube_add(location=(4, 0, 0))
     select_only(target, bpy.context.object)
     bpy.ops.object.join()
 
 
 def bump(x: float, y: float) -> tuple[float, float, float]:
-    """Return a shallow dome over the square."""
+    """Return a point of a shallow dome over the square from -1 to 1."""
     return (x, y, 0.4 * (1 - x * x) * (1 - y * y))
 
 
 def round_bump(x: float, y: float) -> tuple[float, float, float]:
-    """Return the bump over a square with bulging sides, so that no three outline vertices are collinear."""
+    """Return a point of a dome over a square with bulging sides, so that no three outline vertices are collinear."""
     return (x * (1.3 - 0.3 * y * y), y * (1.3 - 0.3 * x * x), 0.4 * (1 - x * x) * (1 - y * y))
 
 
 def half_cylinder(x: float, y: float) -> tuple[float, float, float]:
-    """Return a developable half cylinder of radius 1 with its axis along y."""
+    """Return a point of a developable half cylinder of radius 1 with its axis along y."""
     angle = math.pi * x / 2
     return (math.sin(angle), y, math.cos(angle))
 
 
 def on_line(axis: int, value: float) -> Callable:
-    """Return a function that tests whether both ends of an edge have this coordinate."""
+    """Return a function that tests whether both ends of an edge have this value on this axis."""
     return lambda a, b: abs(a[axis] - value) < 1e-6 and abs(b[axis] - value) < 1e-6
 
 
@@ -116,7 +116,7 @@ def mark_seam(target: bpy.types.Object, line: Callable) -> None:
 
 
 def wire_marks(mesh: bpy.types.Mesh) -> dict[tuple[int, float], int]:
-    """Return the number of edges with each id and tolerance."""
+    """Return the number of edges of wires with each id and tolerance."""
     if "wirewarp_wire" not in mesh.attributes:
         return {}
     ids = read(mesh.attributes["wirewarp_wire"].data, "value", np.int32)
@@ -152,7 +152,7 @@ def flat_places(source: bpy.types.Object) -> np.ndarray:
 
 
 def edge_lengths(target: bpy.types.Object) -> np.ndarray:
-    """Return every edge's length in world space, from the float32 coordinates in double precision."""
+    """Return every edge's length in world space, computed in double precision from float32 coordinates."""
     mesh = target.data
     linear = np.array(target.matrix_world, dtype=np.float64)[:3, :3]
     positions = read(mesh.vertices, "co", np.float32, 3).astype(np.float64) @ linear.T
@@ -175,7 +175,7 @@ def read(collection: object, name: str, dtype: type, columns: int = 1) -> np.nda
 
 
 def tube(name="Tube", sides=16, rows=6, place=0.0, length=3.0):
-    """Return a tube of quads, open at both ends, 1 wide."""
+    """Return a tube of quads with diameter 1, open at both ends."""
     angles = [2 * math.pi * k / sides for k in range(sides)]
     vertices = [
         (place + 0.5 * math.cos(a), 0.5 * math.sin(a), length * z / rows) for z in range(rows + 1) for a in angles

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Marks are mesh attributes: they move with the mesh, stay on their lines when it is edited, and may be foreign."""
+"""Marks are mesh attributes. They stay on their lines as the mesh is copied, joined and edited.
+
+Foreign attributes with the names of marks are refused.
+"""
 
 import math
 
@@ -15,7 +18,7 @@ WHOLE = {0.05: pytest.approx(2), math.inf: pytest.approx(2)}  # lengths of wires
 
 @pytest.fixture
 def marked():
-    """A flat grid with an elastic wire along y = 0 and a free one across it."""
+    """Return a flat grid with a seam, an elastic wire along y = 0 and a free wire along x = 0."""
     target = grid("Flat", lambda x, y: (x, y, 0.0))
     mark(target, ALONG, kind="ELASTIC", tolerance=0.05)
     mark(target, ACROSS, kind="SUPER_ELASTIC")
@@ -25,7 +28,7 @@ def marked():
 
 
 def saved(path, append=False):
-    """Return the object "Flat" of the file that is open now."""
+    """Save the open file and close it. Return the object "Flat" of the saved file, opened or appended."""
     bpy.ops.wm.save_as_mainfile(filepath=str(path))
     bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
     if append:
@@ -142,7 +145,7 @@ def test_a_mirror_is_applied_and_the_copies_are_wires_of_their_own(marked, addon
 
 @pytest.mark.parametrize("use_modifiers", [False, True])
 def test_a_copy_of_a_wire_has_the_name_of_its_original(addon, use_modifiers):
-    """The wire ends inside one half, before its edge, and the other half has a copy of the wire."""
+    """The wire ends before the mirror plane, so the other half has a separate copy of the wire."""
     source = grid("Half", lambda x, y: (x + 1, y, 0.2 * x * x))
     mark(source, lambda a, b: ALONG(a, b) and min(a.x, b.x) > 0.4)
     source.modifiers.new("Other Half", "MIRROR")
@@ -174,7 +177,7 @@ def test_a_foreign_attribute_with_our_name_is_refused(name, kind, command):
     source = grid("Bump", bump)
     source.data.attributes.new(name, "FLOAT_VECTOR", "POINT")
     expected = f'attribute "{name}" of mesh "Bump" is not of type {kind}'
-    if name != "wirewarp_allowance":  # Export reads this attribute
+    if name != "wirewarp_allowance":  # only Export reads this attribute
         with pytest.raises(RuntimeError, match=expected):
             bpy.ops.object.wirewarp_flatten()
     select_edges(source, on_line(0, -1.0))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The work of Blender on a .blend file for `python -m wirewarp batch`."""
+"""`python -m wirewarp batch` flattens .blend files with flatten_in_blender.py, which runs in Blender."""
 
 import json
 import os
@@ -58,7 +58,7 @@ def answer_of(tmp_path, monkeypatch):
     def run(*formats):
         job = {"folder": str(tmp_path), "stem": "bag", "formats": formats, "answer": ".answer.json"}
         monkeypatch.setattr(sys, "argv", [str(SCRIPT), json.dumps(job)])
-        # the standard input stays open, like that of the caller
+        # reading blocks, as if the caller kept the standard input open
         monkeypatch.setattr(sys, "stdin", SimpleNamespace(read=Event().wait))
         monkeypatch.setattr(os, "_exit", end)
         with pytest.raises(SystemExit) as ended:
@@ -115,8 +115,8 @@ def test_warnings_of_the_export_are_in_the_answer(answer_of):
     mesh.to_mesh(sheet.data)
     bpy.context.scene.wirewarp.allowance = 200.0
     answer = answer_of("svg", "pdf")
-    (warning,) = answer["warnings"]  # one warning for both
-    assert warning.endswith("the allowance fills 1 of 1 holes; they are not cut.")
+    (warning,) = answer["warnings"]  # one warning for both formats
+    assert warning.endswith("the allowance fills 1 of 1 holes, which are not cut.")
 
 
 def test_failed_pieces_are_in_the_report_and_nothing_is_exported(answer_of):

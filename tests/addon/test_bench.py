@@ -17,7 +17,7 @@ def test_flatten_is_timed_beside_blenders_unwrap(tmp_path, monkeypatch):
     output = tmp_path / "blender.json"
     monkeypatch.setattr(sys, "argv", ["blender", "--", str(output), "200"])
     monkeypatch.setattr(sys, "path", list(sys.path))
-    monkeypatch.delitem(sys.modules, "surfaces")  # the script uses another module of this name
+    monkeypatch.delitem(sys.modules, "surfaces")  # the script imports another module with this name
     cores = os.sched_getaffinity(0)
     try:
         runpy.run_path(str(SCRIPT))

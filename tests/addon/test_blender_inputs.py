@@ -23,7 +23,7 @@ def link(path, kind, name):
 
 @pytest.fixture
 def library(tmp_path):
-    """Save a file with a flattened model, and empty the open file."""
+    """Save a file with a flattened model, open an empty file, and return the path of the saved file."""
     mark(grid("Bump", bump), WIRE)
     bpy.ops.object.wirewarp_flatten()
     path = tmp_path / "library.blend"
@@ -59,7 +59,7 @@ def test_linked_objects_must_be_made_local_first(library, addon, kind):
         assert (bpy.context.active_object, set(bpy.context.selected_objects)) == (target, {target, other})
     select_only(target)
     assert refusal in answer(FLATTEN) and refusal in answer(FLATTEN, use_modifiers=True)
-    if kind == "linked":  # only the mesh is linked
+    if kind == "linked":  # an object of this file whose mesh is linked
         target = bpy.data.objects.new("Own", target.data)
         bpy.context.scene.collection.objects.link(target)
         select_only(target)
@@ -71,7 +71,7 @@ def test_linked_objects_must_be_made_local_first(library, addon, kind):
 
 @pytest.mark.parametrize("kind", OF_ANOTHER_FILE)
 def test_a_model_and_pieces_of_another_file_answer(library, everything_answers, kind):
-    bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)  # without the fixture's model
+    bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)  # removes the model of the fixture
 
     def spoil():
         if "Bump" not in bpy.context.scene.objects:
@@ -81,7 +81,7 @@ def test_a_model_and_pieces_of_another_file_answer(library, everything_answers, 
 
 
 def test_pieces_are_written_beside_linked_pieces_of_the_same_name(library):
-    """The linked pieces are in a collection of the same name, and cannot be written."""
+    """The linked pieces are in a collection that is also named "WireWarp", and cannot be written."""
     bpy.context.scene.collection.children.link(link(library, "collections", "WireWarp"))
     source = grid("Bump", bump)
     for _ in range(2):
@@ -165,8 +165,8 @@ def test_ignored_modifiers_and_shape_keys_are_reported(addon):
     source = grid("Bump", bump)
     source.shape_key_add(name="Basis")
     key = source.shape_key_add(name="Taller")
-    key.value = 0  # Blender 5 starts with 1
-    source.modifiers.new("Shading", "WEIGHTED_NORMAL")  # moves nothing
+    key.value = 0  # Blender 5 creates keys with the value 1
+    source.modifiers.new("Shading", "WEIGHTED_NORMAL")  # does not move vertices
     assert notes_after(addon, source) == []
     key.data[40].co.z += 1
     key.value = 1
@@ -178,7 +178,7 @@ def test_ignored_modifiers_and_shape_keys_are_reported(addon):
 
 
 def ignored_after(addon, source):
-    """Return the sentence of a run on ignored modifiers; the pieces are then not ready to cut."""
+    """Flatten, and return what the warning says was ignored. The message must not say that lengths are exact."""
     bpy.ops.object.wirewarp_flatten()
     level, text = addon.solve.report.run_message([addon.state.reports.last_report(source)], {})
     assert level == "WARNING" and "Lengths are exact" not in text
@@ -186,7 +186,7 @@ def ignored_after(addon, source):
 
 
 def test_modifiers_that_change_nothing_are_not_reported(addon):
-    """An armature at rest and an Edge Split modifier do not change the shape, so the verdict is green."""
+    """An armature at rest and an Edge Split modifier do not change the shape, so lengths are exact."""
     source = grid("Bump", bump)
     bpy.ops.object.armature_add()
     armature = bpy.context.object
@@ -219,7 +219,7 @@ def test_shape_keys_are_flattened_with_the_modifiers():
     assert areas[0] == pytest.approx(areas[1], rel=1e-4)
 
 
-def test_an_old_uv_map_is_reported_as_not_of_pieces_with_modifiers(addon):
+def test_an_old_uv_map_is_reported_if_pieces_are_made_with_modifiers(addon):
     source = grid("Bump", bump)
     bpy.ops.object.wirewarp_flatten()
     source.modifiers.new("Smooth", "SUBSURF").levels = 1

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The report and the export mention it if pieces were made with settings that differ from the panel's."""
+"""The panel and the export name each setting that has changed after the pieces were made."""
 
 import math
 from unittest.mock import MagicMock
@@ -9,7 +9,7 @@ import pytest
 from everything import draw_panels
 from surfaces import bump, flat_of, flatten_fails, grid, on_line
 
-SENTENCE = "Settings changed since ({}). Flatten again to apply."
+SENTENCE = "Settings changed after Flatten: {}. Flatten again to use them."
 
 
 @pytest.fixture
@@ -38,7 +38,7 @@ def test_settings_of_the_methods_of_the_paper_are_under_advanced(addon):
 
 
 def give(addon, source, **settings):
-    """Change settings of the panel; return the text about the pieces."""
+    """Change settings of the panel. Return the sentence that names settings changed after the run."""
     for name, value in settings.items():
         setattr(bpy.context.scene.wirewarp, name, value)
     report = addon.state.reports.pieces_report(source)
@@ -129,7 +129,7 @@ def test_overlapping_pieces_are_named_at_the_export(source, tmp_path, capfd):
 
 
 def test_a_run_that_failed_with_the_settings_need_not_be_repeated(addon):
-    """The report of the failed run refers to these settings, although the existing pieces were made with others."""
+    """The failed run used the settings of the panel, although the existing pieces were made with other settings."""
     source = grid("Half Tube", half_tube, size=4)
     source.modifiers.new("Whole", "MIRROR").use_axis = (False, False, True)
     bpy.ops.object.wirewarp_flatten()

@@ -46,7 +46,7 @@ def test_each_kind_is_found_and_repaired(addon, kind, capfd):
     target, count = faulty(kind)
     assert counts(addon, target)[kind] == count
     before = counts(addon, target)
-    assert repair("LOOSE" if kind != "LOOSE" else "MERGE") == {"FINISHED"}  # other kinds may be chosen afterwards
+    assert repair("LOOSE" if kind != "LOOSE" else "MERGE") == {"FINISHED"}  # the repair of another kind changes nothing
     assert counts(addon, target) == before
     assert repair(kind) == {"FINISHED"}
     assert kind not in counts(addon, target)
@@ -68,7 +68,7 @@ def test_a_fault_is_shown_and_all_repairs_leave_a_model_that_flattens(addon, kin
 
 
 def block(size, missing=()):
-    """Return a block of size[k] cells along axis k and the walls between them. missing: cells to omit."""
+    """Return a block of size[k] cells along axis k, with walls between the cells. missing: cells to omit."""
     edit, faces, vertices = bmesh.new(), set(), {}
     for cell in set(itertools.product(range(size[0]), range(size[1]), range(size[2]))) - set(missing):
         for axis, end in itertools.product(range(3), (0, 1)):
@@ -95,7 +95,7 @@ def vertex_at(edit, vertices, place):
     return vertices[place]
 
 
-# two missing cells: a cave from the left side to the middle, in which each wall faces another one
+# two missing cells: a cave from the left side to the middle, in which each wall faces another wall
 CAVE = ((0, 1, 1), (1, 1, 1))
 
 
@@ -114,7 +114,7 @@ def test_walls_inside_are_found_but_no_face_that_is_seen_from_outside(addon, siz
 
 
 def test_after_a_merge_only_faces_with_the_same_vertices_are_duplicates(addon):
-    """Two squares whose corners are merged first remain two."""
+    """Two squares remain two faces after their corners are merged."""
     target, _ = faulty("MERGE")
     assert addon.blender.faults.repair_faults(target.data, ["MERGE", "DUPLICATES"]) == {"MERGE": 2}
     assert len(target.data.polygons) == 2
@@ -164,7 +164,7 @@ def test_duplicate_faces_have_check_and_repair_as_the_next_step(addon):
 
 @pytest.mark.parametrize(("shift", "apart", "merged"), [(1000.0, 0.005, 0), (1000.0, 0.00012, 2), (0.0, 1e-5, 2)])
 def test_the_merge_distance_depends_on_the_size_and_not_on_the_place_of_the_model(addon, shift, apart, merged):
-    """Two squares of side 1 with a gap between them. The gap ends at two vertices on either side."""
+    """A gap separates two squares of side 1. Each square has two vertices at the gap."""
     corners = [(0, 0), (1, 0), (1, 1), (0, 1)]
     left, right = ([(shift + x + dx, y, 0.0) for x, y in corners] for dx in (0.0, 1.0 + apart))
     source = make_object("Squares", left + right, [(0, 1, 2, 3), (4, 5, 6, 7)])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Fabrics with a grain are chosen in the panel, solved for, measured along their threads, and reported."""
+"""Pieces are shaped for the fabric of the panel, and their report measures strains along the threads."""
 
 import math
 

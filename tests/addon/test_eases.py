@@ -41,7 +41,7 @@ def test_clearing_removes_every_ease(source):
 
 def test_clearing_a_wire_removes_its_ease(source):
     ease(source, SEAM, sides="ALL", ease_percent=2.0)
-    mark(source, SEAM, kind="ELASTIC", tolerance=0.01)  # the same wire
+    mark(source, SEAM, kind="ELASTIC", tolerance=0.01)  # marks the same wire again
     assert set(read(source.data.attributes["wirewarp_ease"].data, "value", np.float32)) == {0, np.float32(0.02)}
     select_edges(source, SEAM)
     bpy.ops.mesh.wirewarp_clear()
@@ -60,7 +60,7 @@ def test_a_part_of_a_line_that_is_marked_keeps_its_ease(source, capfd):
     assert "several eases" not in capfd.readouterr().out
     ease(source, upper_half, sides="ALL", ease_percent=5.0)
     mark(source, SEAM)
-    assert "1 wire marked. 1 wire had several eases: mark the ease again." in capfd.readouterr().out
+    assert "1 wire marked. 1 wire had several eases, which were removed. Mark the ease again." in capfd.readouterr().out
     assert not read(source.data.attributes["wirewarp_ease"].data, "value", np.float32).any()
 
 
@@ -80,7 +80,7 @@ def test_an_ease_of_edges_without_a_wire_is_reported(source, addon):
     for edge in source.data.edges[:3]:
         values.data[edge.index].value = 0.05
     bpy.ops.object.wirewarp_flatten()
-    text = "3 edges have an ease but are not wires: it was not used. Mark them with Ease."
+    text = "3 edges have an ease but are not wires, so the ease was not used. Select them and press All Sides."
     assert addon.core.Note(text, is_warning=True) in addon.state.reports.last_report(source).notes
     ease(source, lambda *_: True, sides="NONE")
     bpy.ops.object.wirewarp_flatten()
@@ -96,7 +96,7 @@ def select_all_edges(*targets):
 
 @pytest.mark.parametrize("sides", ["ALL", "ONE"])
 def test_neither_of_two_objects_is_marked_if_one_is_refused(source, sides):
-    """The outline of the small object is 40 mm long, and of the large one 800 mm."""
+    """The outline of the small object is 40 mm long, and the outline of the large object 800 mm."""
     small = grid("Small", lambda x, y: (0.05 * x + 3, 0.05 * y, 0), size=1)
     large = grid("Large", lambda x, y: (x + 6, y, 0), size=1)
     for targets in ((large, small), (small, large)):
@@ -110,7 +110,7 @@ def test_neither_of_two_objects_is_marked_if_one_is_refused(source, sides):
 def test_edges_without_a_side_are_left_out_and_counted(source, capfd):
     select_edges(source, SEAM, on_line(1, 0.0))
     assert bpy.ops.mesh.wirewarp_ease(sides="ONE", ease_percent=5.0) == {"FINISHED"}
-    assert "1 line eased: +5%" in (text := capfd.readouterr().out) and "8 selected edges left out" in text
+    assert "1 line eased: +5%" in (text := capfd.readouterr().out) and "8 selected edges were left out" in text
     bpy.ops.object.mode_set(mode="OBJECT")
     select_edges(source, on_line(1, 0.0))
     with pytest.raises(RuntimeError, match="select edges on a seam or outline"):
@@ -182,11 +182,11 @@ def test_an_ease_that_was_copied_to_the_other_side_is_reported_until_it_is_marke
 
 
 def test_an_ease_of_one_side_at_a_mirror_reports_what_to_do(addon):
-    """Both sides of the middle are one face and its mirror image, which only the applied modifier distinguishes."""
+    """Each face at the middle meets its own mirror image. Only an applied modifier makes them two faces."""
     half = grid("Half", lambda x, y: (x + 1, y, 0), seam=SEAM)
     half.modifiers.new("Mirror", "MIRROR")
     ease(half, SEAM, sides="ONE", ease_percent=5.0)
-    with pytest.raises(RuntimeError, match="8 edges .*modifiers copied.*Apply them and mark it again, or mark the"):
+    with pytest.raises(RuntimeError, match="8 edges .*copied.*Apply the modifiers and mark the ease again, or mark"):
         bpy.ops.object.wirewarp_flatten(use_modifiers=True)
     (issue,) = addon.state.reports.last_report(half).issues
     assert (issue.code, len(issue.edges)) == ("side_unknown", 8)
@@ -213,7 +213,7 @@ def test_an_ease_without_a_side_names_its_edges(source, addon):
 
 
 def arrow(addon, target):
-    """Return the vector of the arrow from the edge to its tip, and the text there."""
+    """Return the tail and the tip of the arrow of an ease, and the texts of all names."""
     lines = addon.overlay.objects.marked_lines(target, bpy.context.evaluated_depsgraph_get())
     tail, tip, *_ = lines.places["ease"]
     return tail, tip, [name.texts for name in lines.names]
@@ -273,7 +273,7 @@ def test_an_impossible_ease_names_its_wire_or_its_edges(source, addon, name, dom
 
 
 def eases_of(addon, report, kind):
-    """Return the target ease in the table for spreadsheets, in percent."""
+    """Return the target eases of the lines of this kind in the table for spreadsheets, in percent."""
     text = addon.core.report_csv(report, addon.blender.objects.length_text(bpy.context.scene))
     lines = csv.DictReader(io.StringIO(text))
     return [float(line["Asked ease (%)"]) for line in lines if line["Kind"] == kind]
@@ -321,5 +321,5 @@ def test_the_list_of_seams_shows_the_change_of_all_sides(source, addon):
     bpy.ops.object.wirewarp_flatten()
     (row,) = addon.state.reports.last_report(source).tables.seams
     left, right = shares(source)
-    assert left == pytest.approx(right, abs=1e-5) and 1e-4 < abs(left) <= 0.03 + 1e-6  # one length on both sides
+    assert left == pytest.approx(right, abs=1e-5) and 1e-4 < abs(left) <= 0.03 + 1e-6  # both sides have one length
     assert row.note.endswith(f"; {addon.core.ease_text(left)} on all sides")

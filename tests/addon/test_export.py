@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Pattern files are true to the model, described beforehand, never half written, and refused for other pieces.
+"""Pattern files have the lengths of the model, are described before the export, and are never half written.
 
-test_pattern_parts.py tests the data that is read for them, and tests/bindings how patterns are drawn.
+Pieces edited by hand are refused. test_pattern_parts.py tests the data that the export reads, and tests/bindings how
+patterns are drawn.
 """
 
 import re
@@ -22,7 +23,7 @@ ROUNDED = 5e-4  # millimeters; the file has four decimals, and Blender's coordin
 
 @pytest.fixture
 def source():
-    """Return two pieces; a Blender unit is 100 mm."""
+    """Return a flattened model of two pieces. A Blender unit is 100 mm."""
     bpy.context.scene.unit_settings.length_unit = "MILLIMETERS"
     target = two_pieces()
     bpy.ops.object.wirewarp_flatten()
@@ -177,11 +178,11 @@ def test_one_of_several_selected_models_is_written_with_a_message(source, tmp_pa
     other = grid("Other", bump)
     bpy.ops.object.wirewarp_flatten()
     export(tmp_path)
-    assert 'Exported "Other" only' not in capfd.readouterr().out
+    assert 'Only "Other" was exported' not in capfd.readouterr().out
     select_only(other, source, flat_of(source))
     export(tmp_path)
     said = capfd.readouterr().out
-    assert "Print at 100% scale." in said and 'Exported "Other" only; export the others separately.' in said
+    assert "Print at 100% scale." in said and 'Only "Other" was exported. Export other models separately.' in said
 
 
 def test_models_without_pieces_or_with_changes_are_refused(source, tmp_path):
@@ -193,10 +194,10 @@ def test_models_without_pieces_or_with_changes_are_refused(source, tmp_path):
     with pytest.raises(RuntimeError, match='Cannot write "//pattern.svg": "//" is the folder of the Blender file'):
         bpy.ops.object.wirewarp_export(filepath="//pattern.svg")
     flat = flat_of(source).data
-    flat.attributes.remove(flat.attributes["flat_length"])  # pieces as earlier versions made them
+    flat.attributes.remove(flat.attributes["flat_length"])  # as earlier versions of WireWarp made pieces
     export_fails('Flatten "Bump" again', tmp_path)
     bpy.data.objects.remove(flat_of(source))
-    export_fails('"Bump" has no flat pieces: flatten it first', tmp_path)
+    export_fails('"Bump" has no flat pieces. Flatten it first', tmp_path)
 
 
 def move_a_vertex(edit):
@@ -263,6 +264,6 @@ def test_pieces_edited_by_hand_are_not_trusted(source, tmp_path, change):
 def test_a_seam_that_is_missing_on_the_pieces_is_reported(source, tmp_path):
     sources = flat_of(source).data.attributes["source_vertex"].data
     numbers = read(sources, "value", np.int32)
-    inside = np.flatnonzero(np.bincount(numbers) == 2)[3]  # the text in the middle of the seam, once on each side
+    inside = np.flatnonzero(np.bincount(numbers) == 2)[3]  # a vertex inside the seam, which each side has once
     sources[int(np.flatnonzero(numbers == inside)[0])].value = 0
     export_fails("edited by hand, and a seam of the model is missing on them. Flatten the model again", tmp_path)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The result of a run in which some pieces fail: the other pieces, the report with its places, and red faces."""
+"""If some pieces fail, the other pieces are written, the report names the faults, and failed pieces are red."""
 
 import json
 import math
@@ -62,7 +62,7 @@ def test_other_objects_are_flattened_if_one_fails():
 
 
 def test_select_issues_selects_the_elements_of_the_error():
-    """The edges of a wire that has no tolerance, and whole faces."""
+    """The elements are the edges of a wire without a tolerance, or whole faces."""
 
     def selected(elements):
         bpy.ops.mesh.wirewarp_select_issues()
@@ -95,7 +95,7 @@ def test_select_issues_without_issues_selects_nothing():
 
 
 def test_flipped_and_overlapping_faces_are_counted_and_selected_as_faces(addon):
-    """Three flipped triangles and two overlapping ones, in a grid with two triangles per face."""
+    """Three triangles are flipped and two overlap. Each face of the grid has two triangles."""
     source = grid("Bump", bump)
     arrays = addon.state.read_model.object_to_arrays(source, addon.state.marked_mesh.marked_mesh(source), None)
     arguments = {"num_overlapping": 2, "has_wires": False}
@@ -112,8 +112,10 @@ def test_flipped_and_overlapping_faces_are_counted_and_selected_as_faces(addon):
 
 @pytest.fixture
 def half_failed():
-    """One piece can be flattened. The other is a spike, so steep that a cross of rigid wires makes WireWarping flip
-    faces."""
+    """Return an object of two pieces after a run of WireWarping.
+
+    One piece is flattened. The other is a spike, so steep that a cross of rigid wires makes WireWarping flip faces.
+    """
     target, other = grid("Both", bump), grid("Spike", lambda x, y: (x + 3, y, 2 * (1 - x * x) * (1 - y * y)))
     mark(other, on_line(0, 3.0), on_line(1, 0.0))
     select_only(target, other)

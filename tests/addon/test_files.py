@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Files of every format are written to any folder and name that the system allows, completely or not at all."""
+"""Files of every format are written completely or not at all, under any path that the system allows."""
 
 import errno
 import json

@@ -79,7 +79,10 @@ def test_the_guide_fits_its_popup_and_all_samples_are_in_the_zip(addon):
 
 @pytest.fixture
 def sized(addon):
-    """Make a model this many Blender units wide; return the sentence about its size and the offered units."""
+    """Return a function that makes a model of this width in Blender units.
+
+    The function returns the sentence about the size of the model, and the offered units.
+    """
 
     def make(width):
         source = grid("Chair", lambda x, y: [width / 2 * value for value in bump(x, y)])
@@ -95,7 +98,7 @@ def test_units_that_give_a_size_to_sew_are_offered_the_likeliest_first(sized):
     sentence, offered = sized(77)
     assert sentence == '"Chair" measures 77 m. Was it modeled in another unit?'
     assert offered == ["Centimeters: 77 cm", "Millimeters: 7.7 cm", "Inches: 196 cm"]
-    assert sized(14.5)[1][0] == "Decimeters: 145 cm"  # as in MakeHuman
+    assert sized(14.5)[1][0] == "Decimeters: 145 cm"  # MakeHuman uses decimeters
     assert sized(939)[1] == ["Millimeters: 93.9 cm"]
     sentence, offered = sized(0.0017)
     assert sentence.endswith("measures 1.7 mm. Was it modeled in another unit?")
@@ -124,7 +127,7 @@ def test_one_click_gives_the_pattern_the_intended_size(addon, sized):
 
 
 def begun_height(addon):
-    """Return the height in cm with which the dialog of Set Model Height begins."""
+    """Return the height in cm that the dialog of Set Model Height shows first."""
     dialog = SimpleNamespace(height=None)
     manager = SimpleNamespace(invoke_props_dialog=lambda _: {"RUNNING_MODAL"})
     context = SimpleNamespace(active_object=bpy.context.active_object, scene=bpy.context.scene, window_manager=manager)
@@ -149,7 +152,7 @@ def test_the_unit_follows_from_the_real_height(addon, sized):
     draw_panels(addon, buttons)
     # three units and the height, in a narrow and in a wide sidebar
     assert buttons.count("scene.wirewarp_set_unit") == 3 * 2 and buttons.count("scene.wirewarp_set_height") == 2
-    assert begun_height(addon) == pytest.approx(100 * source.dimensions.z)  # not that of a person
+    assert begun_height(addon) == pytest.approx(100 * source.dimensions.z)  # not the height of a person
     across = source.dimensions.x
     source.rotation_euler.y = math.pi / 2  # as importers rotate models
     bpy.context.view_layer.update()

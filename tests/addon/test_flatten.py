@@ -45,7 +45,7 @@ def lengths_by_source(source):
 
 
 def on_outline_and_wires(source, *lines):
-    """Return the edges on the flat object's outline, and those on one of the source's lines."""
+    """Return two masks of the flat object's edges: edges on the outline, and edges on these lines of the source."""
     flat = flat_of(source).data
     use = np.bincount(read(flat.loops, "edge_index", np.int32), minlength=len(flat.edges))
     places = read(source.data.vertices, "co", np.float32, 3)[flat_sources(source)][edge_vertices(flat)]
@@ -68,7 +68,7 @@ def test_outline_and_wire_keep_their_lengths(faces):
     assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
     assert_true_lengths(source, wire)
     uv, vertices = uv_of(source.data), read(source.data.loops, "vertex_index", np.int32)
-    assert len(np.unique(np.column_stack([vertices, uv]), axis=0)) == len(source.data.vertices)  # corners agree
+    assert len(np.unique(np.column_stack([vertices, uv]), axis=0)) == len(source.data.vertices)  # one UV each
     assert len(flat_of(source).data.polygons) == len(source.data.polygons)
     assert len(flat_of(source).data.edges) == len(source.data.edges)
 
@@ -99,7 +99,7 @@ def test_the_flat_object_lies_in_its_own_plane_in_the_collection_and_faces_up():
     assert not flat.data.validate()
 
 
-# A full cut, a dart, and a seam of one edge inside the piece, whose two sides have the same ends.
+# The seam is a full cut, a dart, or one edge inside the piece. The two sides of such an edge have the same ends.
 @pytest.mark.parametrize("reach", [(-2.0, 2.0), (-2.0, 0.4), (-0.1, 0.4)])
 @pytest.mark.parametrize(("faces", "scale"), [("quads", -1.0), ("ngons", 1.0)])
 def test_the_edges_of_the_flat_object_are_those_that_blender_finds(reach, faces, scale):
@@ -144,7 +144,7 @@ def test_the_flat_pieces_carry_the_seams_and_wires_of_the_model():
     places = read(source.data.vertices, "co", np.float32, 3)[flat_sources(source)][edge_vertices(flat)]
     on = {value: np.array([on_line(1, value)(a, b) for a, b in places]) for value in (0.0, 0.5)}
     seam = np.array([on_line(0, 0.0)(a, b) for a, b in places])
-    assert seam.sum() == 16  # both sides
+    assert seam.sum() == 16  # both sides of the seam
     assert np.array_equal(read(flat.edges, "use_seam", bool), seam)
     assert np.array_equal(read(flat.edges, "use_edge_sharp", bool), on[0.0] | on[0.5])
     assert wire_marks(flat) == wire_marks(source.data)
@@ -155,13 +155,19 @@ def test_the_flat_pieces_carry_the_seams_and_wires_of_the_model():
 
 
 def corner(x, y):
-    """Return a half cylinder with one corner cut off, at +x, +y seen from outside, to distinguish left and right."""
+    """Return a point of a half cylinder with one corner cut off, to distinguish left and right.
+
+    Seen from outside, this corner is at +x, +y.
+    """
     return half_cylinder(x, y * (1 if x < 0.9 or y < 0 else 0.5))
 
 
 @pytest.mark.parametrize("scale", [(1, 1, 1), (-1, 1, 1), (1, 1, -1), (-1, -1, -1)])
 def test_pieces_come_out_as_seen_from_outside(scale):
-    """The signed area of source corners, counterclockwise from outside, is positive in the flat piece."""
+    """Three corners have the same orientation in the flat piece as on the model seen from outside.
+
+    A negative scale reverses this orientation.
+    """
     source = grid("Corner", corner)
     source.scale = scale
     bpy.ops.object.wirewarp_flatten(mirror=True)
@@ -210,7 +216,7 @@ def test_several_objects_are_flattened_and_others_ignored():
 
 
 def test_a_run_in_edit_mode_uses_the_edits_and_does_not_leave_it():
-    """The run writes the same as in Object Mode, where a second run changes nothing."""
+    """The second run, in Object Mode, writes the same data as the run in Edit Mode."""
     source = grid("Bump", bump)
     select_edges(source, on_line(1, 0.0))
     bpy.ops.mesh.wirewarp_mark()
@@ -259,7 +265,7 @@ def test_only_pieces_that_changed_are_solved_again(addon):
 
     assert [reused_pieces(), reused_pieces()] == [0, 2]
     before = uv_of(source.data)
-    mark(source, on_line(0, 0.5))  # a seam in one of the two models
+    mark(source, on_line(0, 0.5))  # a wire in one of the two pieces
     assert reused_pieces() == 1
     mark(source, on_line(0, -0.5))
     source.scale.x = 1.1

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The view that shows model and pieces."""
+"""WireWarp moves the view so that the model and its pieces fill it."""
 
 from types import SimpleNamespace
 
@@ -9,14 +9,14 @@ import pytest
 
 @pytest.fixture
 def cloud():
-    """Return points of a long box, far from the origin, and a rotated view."""
+    """Return points of a long box far from the origin, and the axes of a rotated view."""
     rng = np.random.default_rng(3)
     axes, _ = np.linalg.qr(rng.normal(size=(3, 3)))
     return np.array([50, -20, 10]) + rng.uniform(-1, 1, (200, 3)) * [8, 2, 1], axes
 
 
 def on_screen(points, axes, middle, distance, across, upward, is_perspective):
-    """Return positions from -1 to 1 across and upward."""
+    """Return the positions of points on the screen, across and upward. The view ranges from -1 to 1."""
     x, y, z = ((points - middle) @ axes).T
     depth = distance - z if is_perspective else distance
     assert np.all(depth > 0)
@@ -29,7 +29,7 @@ def on_screen(points, axes, middle, distance, across, upward, is_perspective):
 def test_the_points_fill_one_direction_and_are_central_in_both(
     addon, cloud, is_perspective, across, upward, covered, above
 ):
-    """The margin is the same on both sides, although parts of the points are much nearer to the eye than others."""
+    """The margin is the same on both sides, although some points are much nearer to the eye than others."""
     points, axes = cloud
     framing = addon.blender.views
     middle, distance = framing.fit(points, framing.Projection(axes, across, upward, is_perspective, covered, above))
@@ -44,7 +44,7 @@ def test_the_points_fill_one_direction_and_are_central_in_both(
 
 @pytest.mark.parametrize(("legend", "covered"), [(90.0, 2 * 180), (600.0, 600)])
 def test_places_are_shown_beside_the_legend_and_the_sidebar(addon, monkeypatch, legend, covered):
-    """The legend is at least 180 pixels wide at interface scale 1, and as wide as it was last drawn."""
+    """The legend is assumed to be as wide as last drawn, and at least 180 pixels wide at interface scale 1."""
     views = addon.blender.views
     monkeypatch.setattr(views, "_legend_width", 0.0)
     views.note_legend(legend)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Hints that improve good pieces: darts where fabric is strained, finer outlines, joined edges."""
+"""Hints suggest how to improve good pieces: darts where fabric is strained, finer outlines, and joined edges."""
 
 import math
 
@@ -11,7 +11,7 @@ from surfaces import bump, flat_of, flatten, flatten_fails, grid, make_object, o
 
 
 def hints(addon, source, code):
-    """Return the hints of the last report."""
+    """Return the hints with this code in the last report."""
     return [hint for hint in addon.state.reports.last_report(source).hints if hint.code == code]
 
 
@@ -26,7 +26,7 @@ def test_equal_places_are_one_line(addon):
 
 
 def disc(count):
-    """Return a regular polygon of quads around a smaller one; each quad has two corners on the rim."""
+    """Return a ring of quads around a regular polygon. Each quad has two corners on the rim."""
     angles = [2 * math.pi * k / count for k in range(count)]
     points = [(r * math.cos(a), r * math.sin(a), 0.0) for r in (0.5, 1.0) for a in angles]
     faces = [(k, count + k, count + (k + 1) % count, (k + 1) % count) for k in range(count)] + [tuple(range(count))]
@@ -53,7 +53,10 @@ def test_a_modifier_smooths_the_outline_and_both_sides_of_a_seam(addon):
 
 @pytest.mark.api
 def test_the_shortening_of_outlines_is_reported_and_levels_are_limited(addon, capfd):
-    """Twelve sides become the B-spline of their corners, almost a circle with (4 + 2 cos 30°) / 6 of the radius."""
+    """Subdivision replaces the twelve sides by the B-spline of their corners.
+
+    The B-spline is almost a circle. Its radius is (4 + 2 cos 30°) / 6 times the radius of the twelve corners.
+    """
     source = disc(12)
     bpy.ops.object.wirewarp_flatten()
     for _ in range(6):

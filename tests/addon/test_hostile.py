@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Files edited by hand or by other scripts: every command answers with a result or a sentence, and loses nothing.
+"""In files damaged by hand or by other scripts, every command works or is refused in a sentence, and loses no data.
 
-Each case spoils one thing for the commands that read it, in alternating modes. The six cases with the most readers are
-tested with every command in both modes.
+Each of CASES damages one kind of data, and is tested with READERS, in Object Mode and Edit Mode by turns. Each of WORST
+damages data that many commands read, and is tested with every command in both modes.
 """
 
 import json
@@ -16,7 +16,7 @@ from surfaces import addon_module, bump, flat_of, grid, select_only
 
 NAN = math.nan
 NAMES = addon_module().names
-# Attributes of each type and domain, and of each check before one is written; a worst case retypes the wires.
+# One attribute of each type and domain, and one for each check before a write. WORST has a case for the wires.
 OF_MODEL = (
     *(NAMES.TOLERANCE, NAMES.EASED_SIDE, NAMES.SIDE_EASE, NAMES.ALLOWANCE, NAMES.FACE, NAMES.PIECE, NAMES.SEAM),
     NAMES.Attribute(NAMES.NO_SEAM, "FLOAT", "FACE"),
@@ -58,7 +58,7 @@ def retype(mesh, attribute, data_type, domain):
 
 
 def rename(model, first):
-    """Rename pieces and wires in turn, starting with one of TITLES."""
+    """Rename pieces and wires with the texts of TITLES in turn. first: index of the first text."""
     for number, entry in enumerate([*model.wirewarp_pieces, *model.data.wirewarp_names], start=first):
         entry.name = TITLES[number % len(TITLES)]
 
@@ -76,9 +76,9 @@ def clear_lists(model):
 
 
 def store(model, first):
-    """Store one of VALUES in each property, starting with this one."""
+    """Store one of VALUES in each property. first: index of the first value."""
     places = [(flat_of(model).data, "wirewarp_flat"), (model.data, "wirewarp_uv_scale")]
-    if bpy.app.version < (5, 0, 0):  # Blender 5 hides data below its own properties
+    if bpy.app.version < (5, 0, 0):  # Blender 5 hides the data behind properties
         scene = bpy.context.scene
         scene.wirewarp.spacing = 2.0
         choices = ("method", "spacing", "fairness", "shown_map", "auto_update", "orientation")
@@ -109,17 +109,17 @@ def convert(target, kind):
 
 
 WORST = {
-    "no number as tolerance": lambda model: fill_tolerances(model, NAN),
+    "tolerances that are NaN": lambda model: fill_tolerances(model, NAN),
     "names of any kind": lambda model: rename(model, 0),
     "half a report": lambda model: model.__setitem__("wirewarp_report", '{"schema": "wirewarp-rep'),
     "a model with another mesh": lambda model: setattr(model, "data", other_model().data),
-    "ids of the pieces beyond all": lambda model: fill_flat_ids(model, 2**31 - 1),
+    "ids of the pieces above all others": lambda model: fill_flat_ids(model, 2**31 - 1),
     "wires that are text": lambda model: retype(model.data, NAMES.WIRE, "STRING", "EDGE"),
 }
 CASES = {
     "a negative tolerance": lambda model: fill_tolerances(model, -1.0),
-    "a tolerance beyond all": lambda model: fill_tolerances(model, 1e30),
-    "an ease that is no number": lambda model: fill(model.data, NAN, NAMES.EASE),
+    "a huge tolerance": lambda model: fill_tolerances(model, 1e30),
+    "an ease that is NaN": lambda model: fill(model.data, NAN, NAMES.EASE),
     "an ease that leaves nothing": lambda model: fill(model.data, -1.0, NAMES.EASE),
     "an infinite allowance": lambda model: fill(model.data, math.inf, NAMES.ALLOWANCE),
     "wires without tolerances": lambda model: remove(model.data, NAMES.TOLERANCE),
@@ -146,7 +146,7 @@ CASES = {
     "other values in every property": lambda model: store(model, 0),
     "lists and texts in every property": lambda model: store(model, 3),
 }
-# Each attribute gets another type or is stored on other elements, in alternation.
+# Attributes with odd numbers are stored on other elements. The other attributes get another type.
 for number, attribute in enumerate((*OF_MODEL, *OF_PIECES)):
     other = "POINT" if attribute.domain == "CORNER" else "CORNER"
     kind = (attribute.data_type, other) if number % 2 else ("STRING", attribute.domain)
@@ -156,8 +156,8 @@ for number, attribute in enumerate((*OF_MODEL, *OF_PIECES)):
 
 
 @pytest.mark.parametrize("case", CASES)
-def test_every_reader_of_spoiled_data_answers(model, everything_answers, case):
-    # In pairs, because the two kinds of faults of attributes alternate.
+def test_every_reader_of_damaged_data_works_or_is_refused(model, everything_answers, case):
+    # The modes alternate after two cases, because the two kinds of faults of attributes alternate after each case.
     modes = ("OBJECT", "EDIT") if list(CASES).index(case) // 2 % 2 else ("EDIT", "OBJECT")
     everything_answers(lambda: CASES[case](model), READERS, modes)
 
@@ -167,12 +167,12 @@ OF_BLENDER = ("a model with another mesh", "wires that are text")
 
 
 @pytest.mark.parametrize("case", [pytest.param(c, marks=[pytest.mark.api] * (c in OF_BLENDER)) for c in WORST])
-def test_everything_answers(model, everything_answers, case):
+def test_every_command_works_or_is_refused(model, everything_answers, case):
     everything_answers(lambda: WORST[case](model), COMMANDS)
 
 
 def edited(**entries):
-    """Return the report with other entries, as a stored text."""
+    """Return a function that replaces entries in the text of a report."""
 
     def edit(text):
         return json.dumps(json.loads(text) | entries)
@@ -212,7 +212,7 @@ def test_a_flat_face_without_its_source_face_is_reported(model):
     assert '"Bump" has changed since it was flattened. Flatten it again' in said
 
 
-@pytest.mark.skipif(bpy.app.version >= (5, 0, 0), reason="Blender 5 keeps what is below properties to itself")
+@pytest.mark.skipif(bpy.app.version >= (5, 0, 0), reason="Blender 5 hides the data behind properties")
 def test_a_choice_of_another_version_becomes_the_default(addon):
     settings = bpy.context.scene.wirewarp
     settings.spacing = 2.0

@@ -20,12 +20,12 @@ addon = sys.modules[module]
 
 
 def die(*_):
-    os.kill(os.getpid(), getattr(signal, "SIGKILL", signal.SIGTERM))  # which ends a process as abruptly on Windows
+    os.kill(os.getpid(), getattr(signal, "SIGKILL", signal.SIGTERM))  # on Windows, SIGTERM is as abrupt
 
 
 if where == "solve":
-    addon.solve.steps.time.sleep = die  # between two looks at the solver
-else:  # between the flat object and its report
+    addon.solve.steps.time.sleep = die  # between two checks of the solver's progress
+else:  # after the flat object was written, before its report
     addon.flatten.write.show_where_shown = die
 bpy.ops.object.wirewarp_flatten(report_path=path + ".json")
 """

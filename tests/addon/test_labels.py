@@ -19,7 +19,7 @@ def size_of(text):
 
 
 def label(addon, *texts, at=(100, 100), room=200.0, piece=1, box=None, selected=False):
-    """box: outermost points of the piece, or two opposite corners of a rectangle."""
+    """Return a placed name. box: outermost points of its piece, or two opposite corners of a rectangle."""
     points = np.array([at], dtype=float)
     around = None if box is None else np.array(box, dtype=float)
     if box is not None and len(box) == 2:
@@ -52,7 +52,7 @@ def test_the_name_of_a_small_piece_is_beside_it_and_not_on_another(addon):
     (below,) = arrange([front], size_of)
     assert below.base + HEIGHT < 90
     assert below.left + size_of("Front")[0] / 2 == 100
-    back = label(addon, "Back", at=(100, 60), piece=2, box=[(0, 0), (200, 88)])  # a label that takes this place
+    back = label(addon, "Back", at=(100, 60), piece=2, box=[(0, 0), (200, 88)])  # a piece that covers this place
     above, _ = arrange([front, back], size_of)
     assert above.base > 110
 
@@ -126,7 +126,7 @@ def test_names_hide_at_most_a_quarter_of_a_model_that_is_far_away(addon):
     side = 2 * 400 / 10  # 400 pixels for each unit at distance 1
     area = (6 * LETTER + 2 * 3) * (HEIGHT + 2 * 3)
     assert len(written_from(10.0)) == int(0.25 * side**2 / area) == 2
-    assert len(written_from(0.5)) > 2  # the view shows a part of the sheet
+    assert len(written_from(0.5)) > 2  # the view shows only a part of the sheet
 
 
 def arrows(addon, source, kind):
@@ -182,7 +182,7 @@ def test_pieces_whose_record_was_changed_or_that_are_gone_have_no_arrows(addon, 
 
 
 def test_a_flat_object_seen_edge_on_and_a_thin_strap_have_room_for_names(addon):
-    """A piece without visible area has room for a name on half its length: by its area, it would hide all names."""
+    """Half of the length of a piece seen edge-on is room for names. Its visible area would leave no room."""
     strap = grid("Strap", lambda x, y: (x, 0.01 * y, 0.0), wire=on_line(1, 0.0))
     sheet = grid("Sheet", lambda x, y: (x, y, 0.0), wire=on_line(1, 1.0))
     for target, eye in ((strap, (0, 0, 10)), (sheet, (0, 10, 0))):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The present result survives failed runs, and copies are not mistaken for it."""
+"""The last good result stays after failed runs, and copies of its pieces are not mistaken for it."""
 
 from itertools import count
 from types import SimpleNamespace
@@ -18,14 +18,14 @@ READY, AGAIN = "Ready to cut", '"Bump" has no flat pieces. Flatten it again'
 
 @pytest.fixture
 def source():
-    """Return two pieces."""
+    """Return a flattened model of two pieces."""
     target = grid("Bump", bump, size=4, seam=on_line(0, 0.0))
     bpy.ops.object.wirewarp_flatten()
     return target
 
 
 def fail(source):
-    """Run without a result, and restore the model."""
+    """Flatten the model with a damaged vertex, which must fail, and restore the vertex."""
     place = source.data.vertices[0].co.copy()
     source.data.vertices[0].co.x = float("nan")
     flatten_fails("not numbers, or far")
@@ -51,7 +51,7 @@ def test_a_failed_run_leaves_the_report_of_the_pieces(source, addon, tmp_path):
     bpy.ops.object.mode_set(mode="OBJECT")
     assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
     assert addon.state.reports.last_report(source).ok
-    fail(source)  # the report of this failure is forgotten with the file
+    fail(source)  # the report of this failure is not saved in the file
     bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "failed.blend"))
     bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "failed.blend"))
     assert addon.state.reports.last_report(bpy.data.objects["Bump"]).ok
@@ -78,14 +78,14 @@ def test_after_undo_of_a_run_the_failure_before_it_is_the_last_result(source, ad
     source.data.update()
     bpy.ops.object.wirewarp_flatten()
     assert last(source).ok and source["wirewarp_report"] != stored
-    source["wirewarp_report"], later = stored, source["wirewarp_report"]  # as undo does, and then redo
+    source["wirewarp_report"], later = stored, source["wirewarp_report"]  # as undo does; redo is below
     assert not last(source).ok
     source["wirewarp_report"] = later
     assert last(source).ok
 
 
 def test_the_panel_does_not_say_that_the_model_changed_right_after_a_run(source, addon, monkeypatch):
-    """Slow answers are kept for a while. This clock advances by a tenth of a second each time it is read."""
+    """Results of slow checks are kept for a while. This clock advances by a tenth of a second each time it is read."""
     ticks = count()
     monkeypatch.setattr(addon.state.drawings, "time", SimpleNamespace(monotonic=lambda: next(ticks) / 10))
     addon.state.drawings.forget()
@@ -152,7 +152,7 @@ def test_a_copy_of_the_pieces_is_distinguished_from_them(source, addon, tmp_path
     select_only(flat_of(source))
     bpy.ops.object.duplicate()
     copy = bpy.context.active_object
-    sentence = '"Bump Flat.001" is a copy of earlier pieces, or belongs to them. Use "Bump Flat"'
+    sentence = '"Bump Flat.001" is a copy or a part of earlier pieces. Use "Bump Flat"'
     assert sentence in draw_panels(addon)
     assert sentence in export(tmp_path)
     select_only(source)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The placement of pieces: packed or in a row, apart from each other and from models, and which direction is up."""
+"""Pieces are packed or placed in a row, apart from each other and from models, with the right direction upward."""
 
 import bpy
 import numpy as np
@@ -59,17 +59,17 @@ def test_one_row_is_on_a_line():
 
 
 def two_wires():
-    """Return wires across a half cylinder: along x at y = 0.5, the wire in front, and along y at x = 0."""
+    """Return a half cylinder with two wires: one along x at y = 0.5, and one along y at x = 0."""
     source = grid("Half Cylinder", half_cylinder, wire=on_line(1, 0.5))
     mark(source, on_line(0, 0.0))
     return source
 
 
-ALONG_X, ALONG_Y = (54, 62), (4, 76)  # ends of the wires: 9 vertices in a row
+ALONG_X, ALONG_Y = (54, 62), (4, 76)  # end vertices of the wires, in rows of 9 vertices
 
 
 def edge_of_wire(source, ends):
-    """Return the first edge from that end."""
+    """Return the index of the wire's edge at the first of its ends."""
     ids = read(source.data.attributes["wirewarp_wire"].data, "value", np.int32)
     return next(
         row for row, pair in enumerate(edge_vertices(source.data).tolist()) if ends[0] in pair and ids[row] != 0
@@ -111,9 +111,9 @@ def test_either_a_wire_or_its_copy_can_be_the_grain_wire(mode):
 
 
 def test_pieces_without_the_grain_wire_are_upright_as_on_the_model():
-    """Their own wires do not turn them: a grain wire in front must not lay the back on its waist line."""
+    """If the grain wire is on the front, another wire must not rotate the back, for example a wire along the waist."""
     source = two_wires()
-    source.rotation_euler = (np.pi / 2, 0, 0)  # its y points up
+    source.rotation_euler = (np.pi / 2, 0, 0)  # the model's y axis points up
     bpy.ops.object.mode_set(mode="EDIT")
     bpy.ops.mesh.select_all(action="SELECT")
     bpy.ops.mesh.duplicate_move(TRANSFORM_OT_translate={"value": (0, 5, 0)})
@@ -137,16 +137,16 @@ def test_a_missing_grain_wire_has_no_effect():
 
 def test_without_a_grain_wire_pieces_are_upright_as_on_the_model():
     source = two_wires()
-    source.rotation_euler = (np.pi / 2, 0, 0)  # its y points up
+    source.rotation_euler = (np.pi / 2, 0, 0)  # the model's y axis points up
     flatten(source)
     assert direction_of(source, *ALONG_Y)[1] == pytest.approx(1, abs=1e-4)
-    source.rotation_euler = (np.pi / 2, np.pi / 2, 0)  # its x points down, and stays down although a wire runs along x
+    source.rotation_euler = (np.pi / 2, np.pi / 2, 0)  # x points down, and does so in the pieces, too
     flatten(source, keep_places=False)
     assert direction_of(source, *ALONG_X)[1] == pytest.approx(-1, abs=1e-4)
 
 
 def test_pieces_of_models_flattened_together_are_at_one_height_and_not_under_a_model():
-    """A small model, a tall one on its right, and a model that hovers at the place for the pieces of the first."""
+    """A tall model is on the right of a small one. A third model is above the place where the first pieces would be."""
     models = [grid(name, bump) for name in ("Left", "Tall", "Hovering")]
     for model, place in zip(models, [(0, 0, 0), (7, 0, -1), (3.5, 0, 4)], strict=True):
         model.location = place
@@ -161,7 +161,7 @@ def test_pieces_of_models_flattened_together_are_at_one_height_and_not_under_a_m
 
 
 def gap_of_two(size, meters, mark_widths=lambda _: None):
-    """Return the space between two pieces 50 mm apart, in meters. mark_widths: marks allowances on the model."""
+    """Return the space between two pieces in meters, for a gap of 50 mm. mark_widths: marks allowances on the model."""
     bpy.context.scene.unit_settings.scale_length = meters
     source = grid("Plane", lambda x, y: (size * x, size * y, 0), seam=on_line(0, 0.0))
     mark_widths(source)
@@ -178,13 +178,13 @@ def test_the_gap_is_a_length_whatever_the_size_of_the_pieces_and_the_unit(size, 
 
 
 def mark_everywhere(source):
-    """Mark 40 mm on all edges."""
+    """Mark an allowance of 40 mm on all edges."""
     widths = source.data.attributes.new("wirewarp_allowance", "FLOAT", "EDGE")
     widths.data.foreach_set("value", np.full(len(source.data.edges), 0.04, dtype=np.float32))
 
 
 def mark_one_side(source):
-    """Mark 40 mm on one side of the seam."""
+    """Mark an allowance of 40 mm on one side of the seam."""
     flatten(source, spacing=50.0)
     select_side(source, -1)
     assert bpy.ops.mesh.wirewarp_allowance(kind="WIDTH", width=40.0) == {"FINISHED"}

@@ -37,7 +37,7 @@ def panel_text():
 
 @pytest.fixture
 def library_copy(addon, tmp_path, monkeypatch):
-    """Copy the library's files; the add-on finds them instead of its own when it registers again."""
+    """Copy the library, and yield its folder. When the add-on registers again, it uses this copy."""
     installed = Path(addon.core.library().__file__).parent
     name = addon.core.library().__name__
     copy = tmp_path / "wirewarp"
@@ -60,8 +60,10 @@ def module_in(folder):
 
 
 def check_sentence(addon, sentence):
-    """Register the add-on again: the sentence (a regular expression) is in the panel and the answer of Flatten. Nothing
-    else is there."""
+    """Register the add-on again, and check that the panel and the error of Flatten contain the sentence.
+
+    Nothing but this panel and operator may be registered. sentence: a regular expression.
+    """
     addon.unregister()
     addon.register()
     assert re.search(sentence, panel_text())
@@ -122,7 +124,7 @@ def test_a_library_that_cannot_be_used(addon, library_copy, capfd, case):
     content, sentence = SPOILED[case]
     (library_copy / "__init__.py").write_text(content)
     check_sentence(addon, sentence)
-    if content.startswith("raise"):  # the sentence says where the library is
+    if content.startswith("raise"):  # the console shows the cause
         assert content.strip() in capfd.readouterr().err
 
 
@@ -132,7 +134,7 @@ def test_a_damaged_library(addon, library_copy, content):
     check_sentence(addon, r"library does not load \(.+\): it may be damaged\. Remove WireWarp")
 
 
-@pytest.mark.skipif(sys.platform != "linux", reason="this system's libraries have no versions to ask for")
+@pytest.mark.skipif(sys.platform != "linux", reason="libraries of this system do not require a version of glibc")
 def test_a_library_for_a_newer_system(addon, library_copy):
     module = module_in(library_copy)
     content, count = re.subn(rb"GLIBC_2\.\d\d\0", b"GLIBC_2.99\0", module.read_bytes())

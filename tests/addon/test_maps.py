@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Maps on the flat pieces: the library's measures as attributes, and the model's materials and prints."""
+"""Flat pieces have the library's measures as attributes, and the materials and UV maps of their model."""
 
 import math
 
@@ -26,7 +26,7 @@ pytestmark = pytest.mark.api
 
 @pytest.fixture
 def source():
-    """Return two pieces of triangles with a wire that changes its length."""
+    """Return a flattened model of two pieces of triangles, with a wire whose length changes."""
     target = grid("Bump", bump, faces="triangles", seam=on_line(0, 0.0))
     mark(target, on_line(1, 0.0), kind="SUPER_ELASTIC")
     bpy.ops.object.wirewarp_flatten()
@@ -39,7 +39,7 @@ def measured(addon, source):
     faces = read(mesh.loops, "vertex_index", np.int32).reshape(-1, 3)
     edges = edge_vertices(mesh)
     corner_uv = (uv_of(mesh).astype(np.float64) * mesh["wirewarp_uv_scale"]).reshape(-1, 3, 2)
-    wire = [4 * 9 + k for k in range(9)]  # a wire along y = 0
+    wire = [4 * 9 + k for k in range(9)]  # vertices of the wire along y = 0
     library = addon.core.library()
     return library.measure(
         read(mesh.vertices, "co", np.float32, 3).astype(np.float64),
@@ -66,7 +66,7 @@ def test_the_maps_are_the_librarys_measures(source, addon):
     for name, measure in (("arap_energy", "arap"), ("aspect_ratio", "aspect_ratio")):
         expected = by_source_face(pieces, measure)
         of_flat = expected[read(flat.attributes["source_face"].data, "value", np.int32)]
-        rounding = 1e-3 * np.ptp(expected)  # the UV map is of single precision
+        rounding = 1e-3 * np.ptp(expected)  # the UV map has single precision
         assert attribute(flat, name) == pytest.approx(of_flat, rel=0, abs=rounding)
     expected = {}
     for piece in pieces:
@@ -79,20 +79,21 @@ def test_the_maps_are_the_librarys_measures(source, addon):
 
 
 def variations(source):
-    """Return the variations of the flat edges, and which of these edges are on outlines."""
+    """Return the relative length changes of the flat edges, and a mask of the edges on outlines."""
     flat = flat_of(source).data
     on_outline = np.bincount(read(flat.loops, "edge_index", np.int32)) == 1
     return attribute(flat, "length_variation"), on_outline
 
 
 def test_thick_material_that_unfolds_changes_no_length(addon):
-    """Lengths are compared with those in the middle of the thickness, which is flattened."""
+    """Lengths are compared with lengths in the middle of the thickness, because this surface is flattened."""
     bpy.context.scene.unit_settings.scale_length = 0.1
     target = grid("Half", half_cylinder, size=16)
     bpy.ops.object.wirewarp_flatten(thickness=20.0)
     values, _ = variations(target)
     assert values == pytest.approx(0, abs=1e-6)
-    half_turn, middle = math.pi / 32, 0.1  # half of the thickness; at the ends, normals are those of the only face
+    # half of the angle of a face in radians, and half of the thickness; at each end, the normal is that of one face
+    half_turn, middle = math.pi / 32, 0.1
     width = 16 * 2 * math.sin(half_turn) * (1 + middle) - 2 * middle * math.sin(half_turn)
     assert np.ptp(flat_places(target), axis=0).max() == pytest.approx(width, rel=1e-3)
     report = addon.state.reports.last_report(target)
@@ -101,7 +102,7 @@ def test_thick_material_that_unfolds_changes_no_length(addon):
 
 
 def test_lines_with_their_target_length_have_no_change(addon):
-    """The length of a line may change by its ease, that of stretched fabric by its stretch."""
+    """Ease changes the target length of a line. If fabric is worn stretched, its stretch changes all target lengths."""
     target = grid("Half", half_cylinder, size=16, faces="triangles")
     bpy.ops.object.wirewarp_flatten(cloth="SWIM", worn_across=20.0, worn_along=20.0, orientation="UP")
     values, _ = variations(target)
@@ -115,7 +116,7 @@ def test_lines_with_their_target_length_have_no_change(addon):
 
 
 def printed():
-    """Return two pieces of different materials, each with its own map from above."""
+    """Return a model of two pieces of different materials, with a UV map projected from above."""
     source = grid("Bump", bump, seam=on_line(0, 0.0))
     for name in ("Stripes", "Dots"):
         source.data.materials.append(bpy.data.materials.new(name))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Markers are found by an export, kept with the model, and drawn in place."""
+"""An export searches for a marker and stores it with the model. The view draws the stored marker."""
 
 import re
 
@@ -16,7 +16,7 @@ CLOTH = {"arrangement": "MARKER", "cloth_width": 400.0, "gap": 4.0, "grain": "BO
 
 @pytest.fixture
 def source(at_once):
-    """Return two pieces of about 230 x 115 mm; a Blender unit is 100 mm. Drawings are updated immediately."""
+    """Return a flattened model of two pieces of about 230 x 115 mm. Drawings are updated immediately."""
     target = two_pieces()
     bpy.ops.object.wirewarp_flatten()
     return target
@@ -72,7 +72,7 @@ def test_the_preview_draws_the_stored_marker(source, tmp_path, addon):
     def preview():
         return addon.overlay.shown.shown_pages(view_context(), source, flat_of(source))
 
-    assert preview().sentence.startswith("No layout of these pieces on this fabric yet")
+    assert preview().sentence.startswith("No marker of these pieces on this fabric yet")
     cut = outlines(export(tmp_path))
     pages = preview()
     assert "of fabric 400 mm wide" in pages.sentence

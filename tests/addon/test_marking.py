@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Marking and clearing in Edit Mode."""
+"""Wires are marked and cleared in Edit Mode, and edges that cannot be marked are reported."""
 
 import math
 
@@ -152,7 +152,7 @@ def test_an_edge_without_a_face_is_not_marked_and_a_marked_one_is_ignored(addon)
     report = addon.state.reports.last_report(target)
     assert [wire.name for wire in report.wires] == ["Wire 1"]
     (note,) = report.notes
-    assert note.text == "1 marked edge ignored: it has no face."
+    assert note.text == "1 marked edge has no face and was ignored."
 
 
 @pytest.mark.parametrize("command", ["mark", "clear", "seams_from_uv_islands", "smooth_seam"])

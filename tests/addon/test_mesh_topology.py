@@ -25,7 +25,7 @@ READERS = {
 
 @pytest.fixture(params=["OBJECT", "EDIT", "no faces", "nothing"])
 def mesh(addon, request):
-    """Return the present mesh. In Edit Mode, it has the changes that Blender has not written to the mesh yet."""
+    """Yield the current mesh. In Edit Mode, it has changes that Blender has not yet written to the object's mesh."""
     target = grid("Bump", round_bump, faces="ngons", seam=on_line(0, 0.0))
     if request.param == "EDIT":
         select_edges(target, on_line(1, 0.0))
@@ -73,7 +73,7 @@ def test_in_edit_mode_the_mesh_is_as_it_is_edited(addon):
     assert seams.tolist() == [edge.seam for edge in edit.edges]
     assert seams.sum() == 8
     assert marks.are_wires.sum() == 16
-    assert not target.data.attributes["wirewarp_wire"].data  # the reason for this function
+    assert not target.data.attributes["wirewarp_wire"].data  # so current_mesh() is needed
 
 
 def test_a_run_in_edit_mode_copies_the_mesh_once_to_read_it_and_once_to_check_it(addon, monkeypatch):
@@ -103,7 +103,7 @@ def test_a_run_in_edit_mode_copies_the_mesh_once_to_read_it_and_once_to_check_it
 
 
 def test_shape_keys_outlive_reading_in_edit_mode(addon):
-    """The copy shares the data from which it is made."""
+    """The copy for reading shares the shape keys of the mesh."""
     target = grid("Bump", round_bump)
     target.shape_key_add(name="Basis")
     target.shape_key_add(name="Taller").data[40].co.z += 1
@@ -120,14 +120,14 @@ def test_shape_keys_outlive_reading_in_edit_mode(addon):
 
 
 def test_kept_normals_do_not_change_how_bent_quads_are_split(addon):
-    """Blender 3.4 splits about a fifth of these quads otherwise if it has kept their normals."""
+    """If Blender 3.4 has kept their normals, it splits about a fifth of these quads along the other diagonal."""
     bent = np.random.default_rng(0).normal(scale=0.6, size=(200, 4, 3))
     corners = ([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)] + bent).reshape(-1, 3).tolist()
     quads = np.arange(len(corners)).reshape(-1, 4).tolist()
 
     def triangles(name, keeps_normals):
         source = make_object(name, corners, quads)
-        if keeps_normals and hasattr(source.data, "calc_normals"):  # later Blenders have no such normals
+        if keeps_normals and hasattr(source.data, "calc_normals"):  # later versions of Blender do not keep normals
             source.data.calc_normals()
             assert len(source.data.polygon_normals) == len(quads)
         marked = addon.state.marked_mesh.marked_mesh(source)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The report notices changes of its model in Object and Edit Mode, and nothing else."""
+"""WireWarp notices if a model has changed since its report, in both modes, and ignores changes of other data."""
 
 import bmesh
 import bpy
@@ -30,7 +30,7 @@ def move_a_vertex(source):
     bmesh.update_edit_mesh(source.data)
 
 
-EDITS = {  # edits of the selected elements: all, or those of a line
+EDITS = {  # the line to select, or None for all elements, and the edit of the selection
     "a vertex moved": (None, lambda: move_a_vertex(bpy.context.object)),
     "seams cleared": (None, lambda: bpy.ops.mesh.mark_seam(clear=True)),
     "wires cleared": (None, lambda: bpy.ops.mesh.wirewarp_clear()),
@@ -68,7 +68,7 @@ def test_scale_is_seen_and_place_does_not_matter(source, has_changed):
 
 
 def test_applying_a_scale_of_one_changes_nothing(source, has_changed):
-    """Blender may then turn negative zeros into positive ones."""
+    """Blender may turn negative zeros into positive zeros when it applies a scale."""
     source.data.vertices[40].co.x = -0.0
     flatten(source)
     bpy.ops.object.transform_apply(location=False, rotation=False, scale=True)
@@ -100,7 +100,7 @@ def test_applying_a_transformation_keeps_all_lengths_so_it_is_no_change(source, 
     assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
 
 
-def test_what_else_happens_when_a_scale_is_applied_is_a_change(source, has_changed):
+def test_a_change_beside_an_applied_scale_is_noticed(source, has_changed):
     placed(source)
     bpy.ops.object.transform_apply(scale=True)
     source.data.vertices[40].co.z += 1e-3
@@ -158,7 +158,7 @@ def test_an_attribute_of_another_type_is_a_change(source, has_changed):
 
 @pytest.fixture
 def smooth():
-    """Return a model flattened with a modifier, beside a mirror that a second modifier uses."""
+    """Return a model flattened with a Subdivision and a Mirror modifier. The mirror is a separate object."""
     target = grid("Bump", bump, wire=LINE)
     mirror = bpy.data.objects.new("Mirror", None)
     bpy.context.scene.collection.objects.link(mirror)
@@ -236,7 +236,7 @@ def test_one_vertex_that_moves_is_seen_and_rounding_is_not(addon, count):
 
 
 def test_a_modifier_along_normals_makes_the_same_mesh_each_time(addon):
-    """Up to Blender 3.6, the last digits differ, because threads sum the normals in any order."""
+    """Up to Blender 3.6, the last digits of its vertices differ, because threads sum the normals in any order."""
     target = grid("Bump", bump, size=72)
     modifier = target.modifiers.new("Thick", "DISPLACE")
     flatten(target, use_modifiers=True)

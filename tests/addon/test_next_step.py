@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The button below Flatten after each outcome of a run. One click fixes the model and flattens it."""
+"""A button below Flatten offers the next step after a run. One click fixes the model and flattens it."""
 
 from types import SimpleNamespace
 
@@ -18,7 +18,7 @@ def step_of(addon, source, left_out=()):
 
 
 def ready(addon, source):
-    """Return whether all lengths of the last report are exact, whatever the fabric."""
+    """Return whether all lengths of the last report are exact, for any fabric."""
     return addon.state.reports.last_report(source).ok
 
 
@@ -139,7 +139,7 @@ def test_places_without_a_remedy_are_shown(addon):
 
 
 def test_an_evenly_strained_piece_gets_a_suggested_cut(addon):
-    """The piece needs more stretch than every fabric allows, but no place in it needs enough for a hint."""
+    """Not every fabric stretches far enough for this piece, but no place in it is strained enough for a hint."""
     source = grid("Low", lambda x, y: (x, y, 0.3 * (1 - x * x) * (1 - y * y)), size=6)
     bpy.ops.object.wirewarp_flatten()
     report = addon.state.reports.last_report(source)
@@ -176,7 +176,7 @@ def test_edges_proposed_for_mirror_images_are_counted_once(addon):
     source = joined(tube(place=-2.0), tube("Other", place=2.0))
     flatten_fails(CUT)
     issues = addon.state.reports.last_report(source).issues
-    assert sum(len(issue.proposed_seams) for issue in issues) == 2 * 2 * 6  # each names the seams of both, in six rows
+    assert sum(len(issue.proposed_seams) for issue in issues) == 2 * 2 * 6  # both name all 12 edges
     assert step_of(addon, source).sentence == "Suggested seam: 12 edges."
 
 
@@ -255,7 +255,7 @@ def test_amber_offers_fabrics_and_one_click_flattens_for_one(addon):
     bpy.context.scene.wirewarp.cloth = "WOVEN"
     assert "Flatten for" not in draw_panels(addon)
     bpy.context.scene.wirewarp.cloth = "NONE"
-    bpy.context.scene.wirewarp.gives_along = 2.0  # left from another fabric
+    bpy.context.scene.wirewarp.gives_along = 2.0  # a value left from another fabric
     assert FIX(what="FABRIC", cloth=offered[0].upper()) == {"FINISHED"}
     assert bpy.context.scene.wirewarp.cloth == offered[0].upper()
     assert addon.core.verdict(addon.state.reports.last_report(source)).is_ready
@@ -267,7 +267,7 @@ def test_amber_offers_fabrics_and_one_click_flattens_for_one(addon):
 
 @pytest.mark.parametrize(("needed", "label"), [(0.06, "Fleece"), (0.11, "Jersey"), (0.6, "Swim Knit"), (0.9, "")])
 def test_one_click_names_no_special_material(addon, needed, label):
-    """At 6%, leather stretches just far enough, but fleece is what people sew."""
+    """Leather stretches just far enough for 6%, but the button names fleece, which more people sew."""
     drawn = []
     row = SimpleNamespace(operator=lambda _name, text, icon: drawn.append(text) or SimpleNamespace())
     report = SimpleNamespace(pieces=[SimpleNamespace(threads=None, needed=needed)])
@@ -282,7 +282,7 @@ def test_a_special_material_alone_never_stretches_far_enough(addon):
 
 
 def test_a_fabric_is_offered_if_it_stretches_far_enough_in_each_direction(addon):
-    """Minky stretches 20% across and 5% along the grain, foam 10% in both, felt 5%."""
+    """Minky stretches 20% across and 5% along the grain, foam 10% and felt 5% in both directions."""
     strains = [SimpleNamespace(across=0.1, along=0.01), SimpleNamespace(across=0.02, along=0.04)]
     report = SimpleNamespace(pieces=[SimpleNamespace(threads=threads) for threads in strains])
     offered, others = addon.report_panel.flatten_panel.fabrics_to_choose(report)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The lines, names and surfaces of the overlay, on models and on flat pieces. Nothing is drawn here."""
+"""The overlay has correct lines, names and surfaces on models and on flat pieces. These tests do not draw them."""
 
 import math
 
@@ -32,7 +32,7 @@ SEAM, RIGID, ELASTIC, FREE = on_line(0, 0.0), on_line(1, 0.0), on_line(1, 0.5), 
 
 @pytest.fixture
 def source():
-    """Return two pieces with one wire of each kind, mirrored."""
+    """Return a model of two pieces with one wire of each kind. A negative scale mirrors the model."""
     target = grid("Bump", bump)
     target.scale = (-1, 1, 2)
     mark_seam(target, SEAM)
@@ -77,7 +77,7 @@ def test_edit_mode_shows_the_same_lines_and_names(addon, source, flat):
     bpy.ops.object.mode_set(mode="EDIT")
     bpy.ops.mesh.select_all(action="DESELECT")
     during = lines_of(addon, target)
-    before.places.pop("default grain", None)  # arrows, like names of pieces, are drawn in Object Mode
+    before.places.pop("default grain", None)  # arrows and names of pieces are drawn in Object Mode only
     assert during.places.keys() == before.places.keys()
     for kind, places in before.places.items():
         assert np.array_equal(during.places[kind], places)
@@ -120,7 +120,7 @@ def test_edges_with_their_own_allowance_are_seen_on_the_model(addon, source):
     assert np.array_equal(lines.places["allowance"], lines.places["seam"])
     bpy.ops.object.mode_set(mode="OBJECT")
     bpy.ops.object.wirewarp_flatten()
-    assert "allowance" not in lines_of(addon, flat_of(source)).places  # its cutting line shows it
+    assert "allowance" not in lines_of(addon, flat_of(source)).places  # the cutting line shows it
     assert addon.overlay.lines.STYLES["allowance"].width > 1.5 * addon.overlay.lines.STYLES["seam"].width
 
 
@@ -136,7 +136,7 @@ def test_selected_edges_are_seen_on_their_lines(addon, source):
     bpy.ops.object.mode_set(mode="OBJECT")
     source.modifiers.new("Smooth", "SUBSURF").levels = 1
     bpy.context.view_layer.update()
-    assert edges_of(lines_of(addon, source))["rigid"] == 16  # they follow the modifiers that are shown
+    assert edges_of(lines_of(addon, source))["rigid"] == 16  # lines follow the visible modifiers
 
 
 def test_seams_of_a_changed_model_keep_their_names_without_the_joined_pieces(addon, source):
@@ -188,7 +188,7 @@ def test_every_map_can_be_shown(addon, source):
     items = bpy.context.scene.wirewarp.bl_rna.properties["shown_map"].enum_items
     wanted = {item.identifier for item in items if item.identifier != "NONE"}
     assert wanted == {each.attribute.upper() for each in addon.solve.maps.COLOR_MAPS}
-    bpy.ops.object.wirewarp_flatten(cloth="WOVEN")  # with all settings
+    bpy.ops.object.wirewarp_flatten(cloth="WOVEN")  # some maps need a fabric
     for color_map in addon.solve.maps.COLOR_MAPS:
         assert surface_of(addon, source, color_map).colors.shape == (3 * 128, 4)
 
@@ -225,7 +225,7 @@ def test_names_are_written_where_their_lines_are_seen(addon, source, perspective
     assert look(addon, source, (10, 0, 150), (10, 0, 0), perspective) == {}  # clipped
     right = 12 if perspective else 14.3
     aside = look(addon, source, (right, 0, 1.5), (right, 0, 0), perspective)
-    assert len(aside["Waist"].points) < len(above["Waist"].points)  # the remaining ones are in the region
+    assert len(aside["Waist"].points) < len(above["Waist"].points)  # only points inside the region remain
     assert np.all((aside["Waist"].points >= 0) & (aside["Waist"].points <= (800, 600)))
 
 
@@ -274,7 +274,7 @@ def test_all_names_of_the_piece_that_is_chosen_in_the_list_are_written(addon):
 
 @pytest.fixture
 def notes(addon):
-    """Return a function for the notes about the map with this name."""
+    """Return a function that returns the notes about a map. of: function of the overlay that makes these notes."""
 
     def notes_of(shown_map, of="missing_maps"):
         addon.state.drawings.forget()
@@ -295,13 +295,13 @@ def test_a_map_shows_its_figure_or_why_it_is_missing(addon, source, notes):
     source.data.vertices[40].co.z += 0.1
     source.data.update()
     bpy.context.view_layer.update()
-    assert notes("STRETCH_COLOR") == ["Changed since: flatten again"]
+    assert notes("STRETCH_COLOR") == ["Model changed: flatten again"]
     mark(grid("New", bump), RIGID)
-    assert notes("STRETCH_COLOR") == ["Not flattened: no map", "Changed since: flatten again"]
+    assert notes("STRETCH_COLOR") == ["Not flattened: no map", "Model changed: flatten again"]
 
 
 def test_the_legend_shows_the_figures_of_the_piece_list_and_no_others(addon, source, notes):
-    """Extremes of single faces beside the verdict's figure would be a second number for the same strain."""
+    """Extreme values of single faces beside the verdict's figure would be a second number for the same strain."""
     bpy.ops.object.wirewarp_flatten(cloth="JERSEY")
     threads = [piece.threads for piece in addon.state.reports.last_report(source).pieces]
     across, along, shear = (max(getattr(each, way) for each in threads) for way in ("across", "along", "shear"))
@@ -339,7 +339,7 @@ def test_failed_elements_are_drawn_on_model_pieces_and_map(addon, notes):
     centers = addon.overlay.failures.failures(source).triangles.reshape(-1, 6, 3).mean(axis=1)
     expected = [source.data.polygons[face].center for face in sorted(faces)]
     assert np.linalg.norm(centers[:, :2] - np.array(expected)[:, :2], axis=1).max() < 0.1
-    source.data.vertices[0].co = source.data.vertices[1].co  # bad input has only edges
+    source.data.vertices[0].co = source.data.vertices[1].co  # invalid input is drawn with edges only
     source.data.update()
     bpy.context.view_layer.update()
     flatten_fails("no area")
@@ -356,7 +356,7 @@ def test_a_failed_piece_has_lines_around_it_and_none_inside(addon):
     bpy.ops.mesh.primitive_cylinder_add(vertices=12, end_fill_type="NOTHING")
     tube = bpy.context.active_object
     flatten_fails("tube")
-    assert "failed" not in addon.overlay.failures.failures(tube).lines  # alone, it only has no cut yet
+    assert "failed" not in addon.overlay.failures.failures(tube).lines  # a tube alone has not failed, but needs a cut
     select_only(tube, grid("Bump", bump))
     bpy.ops.object.join()
     flatten_fails("tube")
@@ -370,7 +370,7 @@ def test_a_failed_piece_has_lines_around_it_and_none_inside(addon):
 
 
 def test_a_closed_model_has_not_failed_but_a_closed_piece_beside_a_good_one_is_in_the_legend(addon):
-    """Its proposed slit is not drawn: it only opens the piece, and no button below Flatten marks it."""
+    """The proposed slit of the closed piece is not drawn, because no button below Flatten marks it."""
     corners = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
     source = make_object("Closed", corners, [(0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)])
     # there is nothing to draw, because the model has no marks
@@ -395,5 +395,5 @@ def test_proposed_seams_are_drawn_while_a_button_marks_them(addon):
     assert sorted(map(tuple, drawn.tolist())) == sorted(ends)
     bpy.ops.object.mode_set(mode="EDIT")
     assert np.array_equal(addon.overlay.failures.failures(source).lines["proposed"], drawn)
-    assert bpy.ops.object.wirewarp_suggest_seams() == {"FINISHED"}  # the button now marks these cuts
+    assert bpy.ops.object.wirewarp_suggest_seams() == {"FINISHED"}  # the button now marks the suggested cuts
     assert "proposed" not in addon.overlay.failures.failures(source).lines

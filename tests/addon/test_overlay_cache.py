@@ -13,7 +13,7 @@ SEAM, RIGID, ELASTIC, FREE = on_line(0, 0.0), on_line(1, 0.0), on_line(1, 0.5), 
 
 @pytest.fixture
 def source():
-    """Return two pieces with one wire of each kind."""
+    """Return a flattened model of two pieces with one wire of each kind."""
     target = grid("Bump", bump, seam=SEAM, wire=RIGID)
     mark(target, ELASTIC, kind="ELASTIC", tolerance=0.05)
     mark(target, FREE, kind="SUPER_ELASTIC")
@@ -22,7 +22,7 @@ def source():
 
 
 def drawn(addon):
-    """Return the drawings by target."""
+    """Return the drawings, keyed by the object over which they are drawn."""
     bpy.context.view_layer.update()
     return {drawing.target: drawing for drawing in addon.overlay.shown.drawings(view_context())}
 
@@ -79,7 +79,7 @@ def test_in_edit_mode_marks_are_seen_at_once_and_a_selection_builds_nothing_new(
 
 
 class Gpu:
-    """Replaces the module gpu, which cannot draw without a window: counts batches that are sent and drawn."""
+    """Replaces the module gpu, which cannot draw without a window. Counts the batches that are sent and drawn."""
 
     def __init__(self):
         self.sent, self.drawn = [], 0
@@ -105,7 +105,7 @@ def test_batches_are_sent_once_until_marks_change(addon, source, at_once, monkey
             batches.draw_lines(drawing.target, "", drawing.lines, drawing.failures, 1.0, batches.Layer.LINES)
         return len(gpu.sent)
 
-    # on the model and on the pieces, two batches for each of five kinds with dashes; then arrows and cutting lines
+    # for model and pieces: five kinds of lines, and the dashes of two kinds; for pieces also arrows and cutting lines
     sent = 2 * (5 + 2) + 2
     assert redraw() == sent
     before = gpu.drawn
@@ -147,7 +147,7 @@ def clock(addon, monkeypatch):
 
 
 def slowly(addon, clock, owner, seconds, source=None):
-    """Return a function that draws versions, each of which takes this long to build, and a list of those built."""
+    """Return a function that builds a version in this many seconds, and a list of the versions that were built."""
     built = []
 
     def build(version):
@@ -169,10 +169,10 @@ def test_a_build_is_not_repeated_at_once(addon, source, timers, clock):
     assert drawing(2) == 2
     clock.now += 10
     timers.running.clear()
-    assert drawing(3) == 2  # it was slow, so the screen is redrawn first
+    assert drawing(3) == 2  # version 2 was slow, so the screen is redrawn first
     assert timers.running == {addon.blender.views.redraw_views: pytest.approx(0.01)}
     clock.now += 0.01
-    assert drawing(4) == 4  # but data that changes with every redraw is still built
+    assert drawing(4) == 4  # but data that change with every redraw are still built
 
 
 @pytest.mark.parametrize("of_pieces", [False, True])
@@ -191,7 +191,7 @@ def test_slow_drawings_wait_in_edit_mode_until_the_user_pauses(addon, source, ti
 
 
 def handlers_of(addon):
-    """Return the number of our handlers of each of Blender's kinds."""
+    """Return how many of our functions each of Blender's lists of handlers has."""
     kinds = {name: getattr(bpy.app.handlers, name) for name in dir(bpy.app.handlers)}
     return {
         name: sum(handler.__module__.startswith(addon.__name__) for handler in handlers)
@@ -238,7 +238,7 @@ def test_handlers_and_timers_are_removed_with_the_add_on(addon, timers, monkeypa
 
 
 def test_data_of_removed_objects_is_freed(addon, source):
-    """Large models would keep arrays and batches until another file is opened. Renaming an object frees nothing."""
+    """Arrays and batches of large models must not stay in memory. Renaming an object frees nothing."""
     drawn(addon)
     flat = flat_of(source)
     states = [addon.state.memory.state_of(each) for each in (source, source.data, flat, flat.data)]
@@ -270,7 +270,7 @@ def among_others():
 
 @pytest.fixture
 def asked(addon, monkeypatch):
-    """Return the objects that are checked for our data."""
+    """Return a list to which each check of an object for our data adds the object's name."""
     names = []
     ask = addon.overlay.shown.concerns_us
     monkeypatch.setattr(addon.overlay.shown, "concerns_us", lambda each: names.append(each.name) or ask(each))

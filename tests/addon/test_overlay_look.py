@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The overlay is readable: colors that everybody can distinguish, and a legend and names that do not overlap."""
+"""Everybody can distinguish the colors of the overlay. The texts of the legend and the names do not overlap."""
 
 from itertools import combinations
 
@@ -14,7 +14,7 @@ VISIONS = {
     "tritanopia": [[1.255528, -0.076749, -0.178779], [-0.078411, 0.930809, 0.147602], [0.004733, 0.691367, 0.3039]],
 }
 TO_XYZ = np.array([[0.41246, 0.35758, 0.18044], [0.21267, 0.71515, 0.07218], [0.01933, 0.11919, 0.95030]])
-LETTER = 7.0  # pixels wide at interface scale 1
+LETTER = 7.0  # width in pixels at interface scale 1
 WHITE = TO_XYZ.sum(axis=1)
 
 
@@ -48,7 +48,7 @@ def test_kinds_of_wires_are_distinguished_without_color(addon):
 
 
 def dash_lengths(addon, points, dash, gap):
-    """Return the dashes on a line through these points as people see them: touching dashes are one."""
+    """Return the lengths of the dashes on a line through these points. Dashes that touch count as one."""
     ends = np.array([points[:-1], points[1:]], dtype=np.float32).transpose(1, 0, 2)
     offsets = np.concatenate([[0], np.cumsum(np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1))[:-1]])
     pieces = addon.overlay.lines.cut_into_dashes(ends, offsets, dash, gap).reshape(-1, 2, 3)
@@ -80,7 +80,7 @@ def test_equal_steps_of_a_map_are_distinguished_and_in_order(addon, vision):
         steps = color_map.colors(np.linspace(color_map.low, color_map.high, 9))
         seen = np.array([lab(color[:3], vision) for color in surfaces.screen_colors(steps)])
         assert np.linalg.norm(np.diff(seen, axis=0), axis=1).min() > 5
-        lightness = seen[:, 0] if color_map.low >= 0 else seen[4:, 0]  # only the warm side if there are two
+        lightness = seen[:, 0] if color_map.low >= 0 else seen[4:, 0]  # only the warm half of a map with two halves
         assert np.all(np.diff(lightness) < 0)
         if color_map.low < 0:
             assert np.all(np.diff(seen[:5, 0]) > 0)
@@ -98,7 +98,7 @@ def lay_out(addon, map_name="STRETCH", notes=(), unit=1.0, highest=None):
 @pytest.mark.parametrize("unit", [1.0, 2.0])
 @pytest.mark.parametrize("map_name", [None, "STRETCH", "LENGTH_VARIATION", "ASPECT_RATIO", "ARAP_ENERGY"])
 def test_the_legend_is_in_its_box_and_nothing_covers_a_text(addon, map_name, unit):
-    legend = lay_out(addon, map_name, ["Changed since: flatten again"], unit)
+    legend = lay_out(addon, map_name, ["Model changed: flatten again"], unit)
     ground = legend.boxes[0]
     assert (ground.right, ground.bottom) == (900.0, 16.0)
     texts = [
@@ -152,7 +152,7 @@ def test_names_stay_at_their_lines_and_do_not_cover_each_other(addon):
     corners = [taken.place(own, size) for own, size in zip(points, sizes, strict=True)]
     placed = [(*each, *corner) for *each, corner in zip(points, sizes, corners, strict=True) if corner]
     assert len(placed) > 40
-    assert corners[0] == (points[0][0, 0] - 20, points[0][0, 1] + 5)  # the first is in its place
+    assert corners[0] == (points[0][0, 0] - 20, points[0][0, 1] + 5)  # the first name has its best place
     for own, (width, height), x, y in placed:
         aside = np.abs(own - (x + width / 2, y + height / 2))
         assert np.any((aside[:, 0] < 1e-6) & (aside[:, 1] <= height + 1e-6))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Drawings of the overlay in the UV editor. Nothing is drawn here."""
+"""The overlay has correct lines and names in the UV editor. These tests do not draw them."""
 
 from types import SimpleNamespace
 
@@ -15,7 +15,7 @@ SEAM, RIGID, ELASTIC = on_line(0, 0.0), on_line(1, 0.0), on_line(1, 0.5)
 
 @pytest.fixture
 def source():
-    """Return two pieces with a rigid and an elastic wire through both."""
+    """Return a flattened model of two pieces with a rigid and an elastic wire through both."""
     target = grid("Bump", bump, seam=SEAM, wire=RIGID)
     mark(target, ELASTIC, kind="ELASTIC", tolerance=0.05)
     target.data.wirewarp_names[0].name = "Waist"
@@ -24,7 +24,7 @@ def source():
 
 
 def shown(addon, mode="UV", show_overlays=True):
-    """Return the drawing of a UV editor, which does not exist without a window."""
+    """Return the drawings for a stand-in for a UV editor, because Blender has no editor without a window."""
     context = SimpleNamespace(
         mode=bpy.context.mode,
         scene=bpy.context.scene,
@@ -48,7 +48,7 @@ def test_lines_and_names_are_at_the_pieces_in_the_map(addon, source, mode):
         assert lengths(places[kind]).sum() * scale == pytest.approx(sides * on_pieces.sum(), rel=1e-5)
         assert 0 <= places[kind][:, :2].min() < places[kind][:, :2].max() <= 1
     assert set(drawing.lines.dashes) == {"elastic"}
-    names = [name.texts[-1] for name in drawing.lines.names]  # in every piece
+    names = [name.texts[-1] for name in drawing.lines.names]  # each name is in both pieces
     assert sorted(names) == sorted(2 * ["Seam 1", "Waist", "Wire 2 ±5%"])
     if mode == "OBJECT":
         select_only(flat_of(source))  # if pieces are active, the editor shows their model

@@ -16,7 +16,7 @@ from view_context import view_context
 
 @pytest.fixture
 def source(at_once):
-    """Return two pieces of about 230 x 115 mm; a Blender unit is 100 mm. Drawings are updated immediately."""
+    """Return a flattened model of two pieces of about 230 x 115 mm. Drawings are updated immediately."""
     target = two_pieces()
     bpy.ops.object.wirewarp_flatten(spacing=50.0)
     bpy.context.scene.wirewarp.show_pages = True
@@ -48,7 +48,7 @@ def sheets_in(path):
     ],
 )
 def test_the_preview_has_as_many_pages_as_the_file(addon, source, tmp_path, paper, beside, arrangement):
-    """The page with the map is not counted."""
+    """beside: number of pages that only the file has, such as the page with the map."""
     pages = preview(addon, source, paper=paper, arrangement=arrangement)
     path = tmp_path / "a.pdf"
     bpy.ops.object.wirewarp_export(filepath=str(path), paper=paper, arrangement=arrangement)
@@ -181,7 +181,7 @@ def test_pieces_that_do_not_fit_are_reported(addon, source):
     assert not pages.places
 
 
-@pytest.mark.skipif(bpy.app.version >= (5, 0, 0), reason="scripts cannot write such values any more")
+@pytest.mark.skipif(bpy.app.version >= (5, 0, 0), reason="Blender 5 hides the data behind properties")
 def test_choices_of_another_version_are_the_default(addon, source):
     for name in ("paper", "arrangement", "grain", "darts"):
         bpy.context.scene["wirewarp"][name] = 77

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""From Blender to the library: the data of flat pieces, and the effect of each choice in the dialog.
+"""The export reads the data of flat pieces for the library. Each choice in its dialog changes the pattern.
 
 tests/bindings tests how patterns are drawn.
 """
@@ -15,7 +15,7 @@ SEAM, WIRE = on_line(0, 0.0), on_line(1, 0.0)
 
 @pytest.fixture
 def source():
-    """Return two pieces with wires of each kind through both; a Blender unit is 100 mm."""
+    """Return a model of two pieces with wires of each kind through both. A Blender unit is 100 mm."""
     bpy.context.scene.unit_settings.scale_length = 0.1
     target = grid("Bump", bump, seam=SEAM, wire=WIRE)
     mark(target, on_line(1, 0.5), kind="ELASTIC", tolerance=0.02)

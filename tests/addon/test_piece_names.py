@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Names of pieces, and how they survive changes of the model."""
+"""Pieces are named after their places on the model, and keep their names when the model changes."""
 
 import json
 import math
@@ -45,12 +45,12 @@ def rename(source, old, new):
 
 @pytest.fixture
 def source():
-    """Return two pieces, at -x and +x."""
+    """Return a model of two pieces, at -x and +x."""
     return grid("Bump", bump, seam=on_line(0, 0.0))
 
 
 def middle_of(source, name):
-    """Return the middle, on the model, of the faces with the piece's id."""
+    """Return the middle of the faces of the model that have the piece's id."""
     piece_id = next(entry.piece_id for entry in source.wirewarp_pieces if entry.name == name)
     ids = read(source.data.attributes["wirewarp_piece"].data, "value", np.int32)
     return read(source.data.polygons, "center", np.float32, 3)[ids == piece_id].mean(axis=0)
@@ -101,7 +101,7 @@ def test_a_piece_that_winds_around_is_named_after_its_place():
     ]
     for sleeve in sleeves:
         sleeve.data.edges.foreach_set("use_seam", [set(edge.vertices) == {0, 8} for edge in sleeve.data.edges])
-    assert flatten(sleeves[0]) == ["Tube -4"]  # named after the model, because it is all of it
+    assert flatten(sleeves[0]) == ["Tube -4"]  # the only piece is named after the model
     select_only(*sleeves)
     bpy.ops.object.join()
     assert sorted(flatten(sleeves[0])) == ["Left", "Right"]
@@ -159,7 +159,7 @@ def test_a_linked_mesh_may_have_the_name_of_the_results(tmp_path):
 
 
 def test_pieces_in_one_half_of_a_side_are_numbered():
-    """They are numbered from front to back; a left-right pair has one number."""
+    """These pieces are numbered from front to back. A left-right pair has one number."""
     for axis, names in ((1, ["Top Back 1", "Top Back 2", "Top Front 1", "Top Front 2"]), (0, FOUR_HALVES)):
         target = grid("Bump", bump)
         for line in (-0.5, 0.0, 0.5):
@@ -169,7 +169,7 @@ def test_pieces_in_one_half_of_a_side_are_numbered():
 
 
 @pytest.mark.parametrize("kind", ["group", "material", "attribute"])
-def test_two_pieces_of_one_region_are_named_by_it_and_their_side(kind):
+def test_two_pieces_of_one_region_are_named_by_the_region_and_their_side(kind):
     target = grid("Bump", bump, seam=on_line(0, -0.5))
     mark_seam(target, on_line(0, 0.5))
     if kind == "group":
@@ -245,7 +245,7 @@ def test_joined_and_copied_pieces_keep_their_names_if_possible(source):
     bpy.ops.object.join()
     names = flatten(source)
     assert len(set(names)) == 4
-    assert {"Sleeve", "Top Right"} < set(names)  # each on one of two equal pieces
+    assert {"Sleeve", "Top Right"} < set(names)  # each name is on one of two equal pieces
     assert len({entry.piece_id for entry in source.wirewarp_pieces}) == 4
 
 
@@ -310,7 +310,7 @@ def test_a_forged_negative_id_counts_as_none(source):
 
 
 def tube_along(path, cuts):
-    """Return a tube of eight sides along a path (k,3) in the plane y = 0, cut along its lower side and rings."""
+    """Return a tube of eight sides along a path (k,3) at y = 0. Its lower side and the rings in cuts are seams."""
     path = np.array(path, dtype=float)
     along = np.gradient(path, axis=0)
     across = np.column_stack([-along[:, 2], 0 * along[:, 1], along[:, 0]]) / np.linalg.norm(along, axis=1)[:, None]
@@ -328,14 +328,14 @@ def test_sleeves_are_recognized_by_their_seams():
     path = [(x, 0, 0) for x in np.linspace(-3, 3, 13)]
     assert sorted(flatten(tube_along(path, {4, 8}))) == ["Around", "Left Sleeve", "Right Sleeve"]
     assert len(flatten(tube_along(path, {2, 4, 8, 10}))) == 5
-    assert not any("Sleeve" in name for name in names_of(bpy.context.object))  # cuffs and sleeves are tubes alike
+    assert not any("Sleeve" in name for name in names_of(bpy.context.object))  # cuffs look like sleeves
 
 
 def test_legs_are_recognized_by_their_crotch_seam():
     bend = [(-math.cos(turn), 0, math.sin(turn)) for turn in np.linspace(0, math.pi, 9)]
     legs = [(-1, 0, -2), (-1, 0, -1), *bend, (1, 0, -1), (1, 0, -2)]
     assert sorted(flatten(tube_along(legs, {6}))) == ["Left Leg", "Right Leg"]
-    tube_along([(x, y, -z) for x, y, z in legs], {6})  # upside down, as the handle of a bag
+    tube_along([(x, y, -z) for x, y, z in legs], {6})  # upside down, like the handle of a bag
     assert not any("Leg" in name for name in flatten(bpy.context.object))
 
 

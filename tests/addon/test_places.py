@@ -35,7 +35,7 @@ NEAR = 1e-5  # tolerance for coordinates of about 10 in single precision
 
 @pytest.fixture
 def source():
-    """Return two flattened pieces."""
+    """Return a flattened model of two pieces."""
     target = grid("Bump", bump, seam=SEAM)
     bpy.ops.object.wirewarp_flatten()
     return target
@@ -50,14 +50,14 @@ def vertices_of(source, name):
 
 
 def places_of(source):
-    """Return {(name of the piece, vertex of the model): place} for vertices that occur once in the piece."""
+    """Return the places of the flat vertices, keyed by the name of the piece and the vertex of the model."""
     places, sources = flat_places(source), flat_sources(source)
     own = [(name, vertex) for name in names_of(source) for vertex in vertices_of(source, name)]
     return {(name, int(sources[vertex])): places[vertex] for name, vertex in own}
 
 
 def farthest(now, then):
-    """Return the largest distance that vertices have moved."""
+    """Return the largest distance that a vertex has moved."""
     return max(np.linalg.norm(now[key] - then[key]) for key in then if key in now)
 
 
@@ -218,7 +218,7 @@ def test_a_rotated_model_keeps_its_pieces_with_a_message(source, notes):
         flatten(source)
         assert_same_places(places_of(source), before)
         (note,) = notes()
-        assert note.startswith("The model was turned after its pieces were laid out")
+        assert note.startswith("The model was rotated after its pieces were laid out")
     flatten(source, keep_places=False)
     assert notes() == []
     flatten(source)
@@ -236,7 +236,7 @@ def test_a_rotated_model_is_mentioned_only_if_the_grain_wire_leaves_out_a_piece(
     flatten(source)
     source.rotation_euler.x = math.radians(90)
     flatten(source)
-    assert [note[:20] for note in notes()] == ["The model was turned"]
+    assert [note[:21] for note in notes()] == ["The model was rotated"]
     source.data.edges.foreach_set("use_seam", [False] * len(source.data.edges))
     flatten(source, keep_places=False)
     source.rotation_euler.x = 0
@@ -290,7 +290,7 @@ def test_the_button_that_rearranges_is_shown_if_places_are_kept(source, addon):
     assert buttons() == with_button - 2  # the button is missing, in a narrow and in a wide sidebar
     bpy.context.scene.wirewarp.keep_places = True
     select_only(flat_of(source))
-    assert buttons() == with_button  # the buttons of their model
+    assert buttons() == with_button  # pieces have the buttons of their model
     describe = addon.flatten.operators.OBJECT_OT_wirewarp_flatten.description
     words = [describe(bpy.context, SimpleNamespace(only_active=only)) for only in (False, True)]
     assert "keep the length" in words[0] and "lay out all its pieces again" in words[1]

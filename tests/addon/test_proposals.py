@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The buttons that fix failures: their marks, their refusals, and the flat piece afterwards."""
+"""Buttons mark the edges or tolerances that the report of a failure suggests, or are refused in a sentence."""
 
 import json
 import math
@@ -44,7 +44,7 @@ def joined(source, *others):
 
 
 def test_two_sleeves_are_fixed_at_once_as_mirror_images(addon):
-    """The second sleeve's own proposal would put its seam on the same side as that of the first."""
+    """Each sleeve alone would get its seam on the same side, so the two seams would not be mirror images."""
     source, other = tube(place=-2.0), tube("Other", place=2.0)
     for target in (source, other):  # narrower on the inner side, where a seam is therefore best
         for vertex in target.data.vertices:
@@ -112,7 +112,7 @@ def test_without_proposals_the_button_is_refused():
 
 
 def neighbors(source, pairs):
-    """Return whether the edges connect each vertex with the next."""
+    """Return whether the pairs are edges of the model, and each pair shares a vertex with its successor."""
     return all(set(a) & set(b) for a, b in zip(pairs, pairs[1:], strict=False)) and {
         tuple(sorted(pair)) for pair in pairs
     } <= {tuple(sorted(pair)) for pair in edge_vertices(source.data).tolist()}
@@ -146,7 +146,7 @@ def test_a_proposed_diagonal_becomes_the_shorter_way_around_its_face(addon):
 
 @pytest.fixture
 def loosen(addon):
-    """Return a model with two wires, and the library's proposal of a tolerance for the first."""
+    """Return a model with two wires. Its report suggests tolerances for both wires."""
     source = grid("Bump", bump, wire=WIRE)
     mark(source, on_line(1, 0.5), kind="ELASTIC", tolerance=0.2)
     source.data.wirewarp_names[0].name = "Bust"
@@ -192,7 +192,7 @@ def test_the_proposed_tolerances_are_written_and_none_becomes_tighter(loosen, ad
 
 
 def inside(a, b):
-    """Select edges that are not on the outline of a grid."""
+    """Return whether an edge is not on the outline of a grid."""
     return not any(abs(a[k]) > 1 - 1e-6 and abs(a[k] - b[k]) < 1e-6 for k in (0, 1))
 
 
@@ -214,7 +214,7 @@ def test_tolerances_of_mirror_images_are_widened_at_once(addon):
 
 
 def test_a_wire_that_must_be_free_is_proposed_as_free(addon, tmp_path):
-    """Rigid lines over a steep peak contradict one another beyond any tolerance."""
+    """Rigid wires over a steep peak contradict one another, whatever the tolerance."""
     source = grid("Peak", lambda x, y: (x, y, 3 * (1 - x * x) * (1 - y * y)), size=6, faces="triangles", wire=inside)
     flatten_fails("can be flattened with", report_path=str(tmp_path / "report.json"))
     (entry,) = json.loads((tmp_path / "report.json").read_text())["objects"]

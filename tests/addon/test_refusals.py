@@ -44,7 +44,7 @@ def eight_maps(source, count=8):
 
 
 def break_a_wire(source):
-    """Mark a wire in a way that is possible only in a file that a script has changed."""
+    """Mark a wire with an invalid tolerance, which only a script can write."""
     mark(source, on_line(1, 0.0))
     source.data.attributes["wirewarp_tolerance"].data.foreach_set("value", [math.nan] * len(source.data.edges))
     source.data.wirewarp_names[0].name = "Dart Line"
@@ -54,16 +54,16 @@ NAMED = '"Bump" has something called "WireWarp" under Object Data > '
 REFUSED = {  # for each case, how the model is spoiled, and the resulting sentence
     "zero scale": (lambda s: scale(s, 2, 0), '"Bump" is scaled to zero along an axis'),
     "a vertex that is nowhere": (lose_a_vertex, "The coordinates of 1 vertex are not numbers, or far too large. Move"),
-    "too large": (enlarge, '"Bump" is more than 1e.18 Blender units wide, too large for true areas: scale it down'),
+    "too large": (enlarge, '"Bump" is more than 1e.18 Blender units wide, so its areas cannot be computed'),
     "eight UV maps": (eight_maps, "already has 8 UV maps"),
     "a flipped face": (lambda s: s.data.polygons[0].flip(), "opposite sides.*Mesh > Normals > Recalculate Outside"),
     "a faulty wire": (break_a_wire, 'Bump: Wire "Dart Line" has an invalid tolerance. Click it'),
-    "a vertex group": (lambda s: s.vertex_groups.new(name="WireWarp"), f"{NAMED}Vertex Groups.*rename it"),
-    "an attribute": (lambda s: s.data.attributes.new("WireWarp", "FLOAT", "POINT"), f"{NAMED}.*rename it"),
-    "a color": (lambda s: s.data.color_attributes.new("WireWarp", "BYTE_COLOR", "CORNER"), f"{NAMED}.*rename it"),
+    "a vertex group": (lambda s: s.vertex_groups.new(name="WireWarp"), f"{NAMED}Vertex Groups.*Rename it"),
+    "an attribute": (lambda s: s.data.attributes.new("WireWarp", "FLOAT", "POINT"), f"{NAMED}.*Rename it"),
+    "a color": (lambda s: s.data.color_attributes.new("WireWarp", "BYTE_COLOR", "CORNER"), f"{NAMED}.*Rename it"),
     "a vertex group of the name of an attribute": (
         lambda s: s.vertex_groups.new(name="wirewarp_piece"),
-        'called "wirewarp_piece" under Object Data > Vertex Groups.*rename it',
+        'called "wirewarp_piece" under Object Data > Vertex Groups.*Rename it',
     ),
 }
 SETTINGS = [
@@ -72,7 +72,7 @@ SETTINGS = [
     ({"report_path": "//report.json"}, "Blender file, so save the file first"),
     # nobody can create files in /proc
     ({"report_path": "/proc/report.json"}, 'Cannot write "/proc/report.json": '),
-    ({"use_modifiers": True}, "Bump: "),  # the first modifier leaves no face
+    ({"use_modifiers": True}, "Bump: "),  # the modifier leaves no faces
 ]
 
 
@@ -176,7 +176,7 @@ def test_objects_are_checked_again_before_writing(source, addon):
 
 
 def in_another_scene(data):
-    """Switch to a new scene with one object of this mesh."""
+    """Return a context in a new scene with one object of this mesh."""
     scene, other = bpy.data.scenes.new("Other"), bpy.data.objects.new("Other", data)
     scene.collection.objects.link(other)
     view_layer = scene.view_layers[0]
@@ -190,7 +190,7 @@ def test_a_mesh_that_is_edited_in_another_scene_is_refused(source):
     mark(source, on_line(0, 0.0))
     bpy.ops.object.mode_set(mode="EDIT")
     with in_another_scene(source.data):
-        flatten_fails('The mesh "Bump" is being edited in another scene or view layer: leave Edit Mode there first')
+        flatten_fails('The mesh "Bump" is being edited in another scene or view layer. Leave Edit Mode there first')
     assert "Other Flat" not in bpy.data.objects
 
 
@@ -229,14 +229,14 @@ def test_objects_with_one_mesh_and_different_scales_are_refused(source):
     twin.scale = (2, 2, 2)
     select_only(twin)
     flatten_fails('"Bump.001" and "Bump" share the mesh "Bump" but differ in scale.*Make Single User')
-    assert bpy.ops.object.wirewarp_flatten(use_modifiers=True) == {"FINISHED"}  # works, because it writes no UV map
+    assert bpy.ops.object.wirewarp_flatten(use_modifiers=True) == {"FINISHED"}  # this run writes no UV map
     bpy.ops.object.make_single_user(object=True, obdata=True)
     assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
     assert twin.data["wirewarp_uv_scale"] == pytest.approx(2 * source.data["wirewarp_uv_scale"], rel=1e-5)
 
 
 def test_flat_pieces_without_their_model_are_refused(source, addon):
-    """Blender keeps a deleted model in the file, because the pieces point to it, unless a script removes it."""
+    """A deleted model stays in the file, because its pieces point to it. Only a script can remove it."""
     bpy.ops.object.wirewarp_flatten()
     flat = flat_of(source)
     collection = bpy.data.collections.new("Away")
@@ -250,11 +250,11 @@ def test_flat_pieces_without_their_model_are_refused(source, addon):
     select_only(source)
     bpy.ops.object.delete()
     select_only(flat)
-    sentence = 'hese are flat pieces. Their model "Bump" was deleted: bring it back with Ctrl\\+Z'
+    sentence = 'hese are flat pieces. You deleted their model "Bump". Press Ctrl\\+Z to get it back'
     flatten_fails(f"t{sentence}")
     assert re.search(f"T{sentence}", draw_panels(addon))
     bpy.data.objects.remove(source)
-    flatten_fails('"Bump Flat" holds flat pieces, and their model was deleted')
+    flatten_fails('"Bump Flat" contains flat pieces, and their model was deleted')
     flat.data.attributes.remove(flat.data.attributes["source_vertex"])
     assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
 

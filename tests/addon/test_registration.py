@@ -14,7 +14,7 @@ pytestmark = pytest.mark.api
 
 
 def handlers_of(addon) -> list[tuple[str, str]]:
-    """Return the add-on's handlers among all handlers of the application: list and function."""
+    """Return the add-on's handlers in Blender, as the names of the list and the function of each."""
     return [
         (name, function.__qualname__)
         for name, functions in inspect.getmembers(bpy.app.handlers, lambda member: isinstance(member, list))
@@ -24,7 +24,7 @@ def handlers_of(addon) -> list[tuple[str, str]]:
 
 
 def all_that_blender_knows() -> dict:
-    """Return all of Blender's lists and classes to which add-ons add items."""
+    """Return everything in Blender to which add-ons can add, keyed by its kind."""
     kinds = ("Scene", "Object", "Mesh", "Collection", "WindowManager", "AddonPreferences")
     known = {kind: set(getattr(bpy.types, kind).bl_rna.properties.keys()) for kind in kinds}
     known["types"] = {name for name in dir(bpy.types) if hasattr(bpy.types, name)}
@@ -78,7 +78,7 @@ def test_a_registration_that_fails_leaves_nothing(addon, monkeypatch):
 
 
 def test_a_second_copy_of_the_add_on_is_refused(addon):
-    with pytest.raises(RuntimeError, match="enabled already"):
+    with pytest.raises(RuntimeError, match="already enabled"):
         addon.register()
     assert hasattr(bpy.types.Scene, "wirewarp")
 
@@ -99,11 +99,11 @@ def test_every_class_of_the_add_on_is_registered(addon):
 
 
 def test_the_panels_of_the_sidebar_come_in_the_order_of_the_work(addon):
-    """Blender shows them in the order of registration."""
+    """Blender shows panels in the order of registration."""
     panels = [cls for cls in addon.registration.CLASSES if issubclass(cls, bpy.types.Panel)]
     first = "Mark, Allowance and Ease, Flatten, Settings, Advanced, Export, Pieces, Wires, Report, Mark Sides"
     own = [cls.bl_label for cls in panels if getattr(cls, "bl_parent_id", "") != "VIEW3D_PT_wirewarp_report"]
-    assert own == [*first.split(", "), "Overlay", "Overlay"]  # the last one is in the UV Editor
+    assert own == [*first.split(", "), "Overlay", "Overlay"]  # the last panel is in the UV Editor
 
 
 def test_every_operator_and_its_properties_have_tooltips(addon):
@@ -159,7 +159,7 @@ def test_missing_arguments_come_from_the_scene(addon):
 
 
 class MenuLayout(SimpleNamespace):
-    """Records the entries of a menu. Its entries are executed, as if one of Blender's own entries were above them."""
+    """Records the entries of a menu. At first, its operator context is that of Blender's own entries above."""
 
     def __init__(self):
         super().__init__(operator_context="EXEC_REGION_WIN", contexts=[], menus=[], entries=[])
@@ -177,7 +177,7 @@ class MenuLayout(SimpleNamespace):
 
 
 def test_menu_entries_use_the_settings_of_the_scene_and_are_under_the_name_of_the_add_on(addon):
-    """The search by F3 finds them by the name of the add-on."""
+    """The search (F3) finds the entries by the name of the add-on."""
     tools = SimpleNamespace(mesh_select_mode=(False, True, False))
     menus = addon.ui.menus
     for name, draw in menus.ADDED.items():

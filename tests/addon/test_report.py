@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The JSON report, and the data kept for the panel."""
+"""The JSON report and the stored report have correct data, and the panel shows them."""
 
 import csv
 import io
@@ -45,7 +45,7 @@ def test_the_report_states_lengths_in_blender_units_and_meters(source, tmp_path)
     assert sorted(seam["pieces"]) == [0, 1] and seam["mismatch"] < 1e-9
     assert wire["name"] == "Wire 1"
     assert wire["length_2d"][0] == pytest.approx(length_on(source, WIRE), rel=1e-6)
-    for piece in entry["pieces"]:  # a part of the wire; on the outline, its side of the seam and one open section
+    for piece in entry["pieces"]:  # each piece has a part of the wire, one side of the seam, and an open section
         assert len(piece["wires"]) == 1
         assert sorted(chain["seam"] is None for chain in piece["outline"]) == [False, True]
 
@@ -99,7 +99,7 @@ def test_a_canceled_piece_with_exact_lengths_reports_it(addon, monkeypatch):
         left = iter(range(steps, 0, -1))
 
         def start(*what, **options):
-            """Return a finished job, canceled after this many steps."""
+            """Return a finished job that was canceled after `steps` steps."""
             stops = lambda stage, _: stage != "shape" or next(left, 0) > 0  # noqa: E731
             result = library.flatten(*what, progress=stops, **options)
             return SimpleNamespace(is_done=lambda: True, cancel=lambda: None, result=lambda: result)
@@ -120,7 +120,7 @@ def test_a_canceled_piece_with_exact_lengths_reports_it(addon, monkeypatch):
 
 
 def test_notes_are_not_warnings(addon, source):
-    """A note is only in the message after a run, together with possible faults of the pieces."""
+    """The message after a run contains a note, but only a note that is a warning makes the message a warning."""
     bpy.ops.object.wirewarp_flatten()
     bpy.ops.object.wirewarp_flatten(use_modifiers=True)
     report = addon.state.reports.last_report(source)
@@ -176,7 +176,7 @@ def test_lengths_and_areas_are_shown_in_the_scenes_units(addon, system, unit, sc
 
 
 def test_the_report_names_the_upright_direction(source, tmp_path):
-    """Without a grain wire, the report names the upward direction, even if another one was requested."""
+    """Without a grain wire, the report names the upward direction, even if the grain wire was requested."""
 
     def upright(**settings):
         return flatten_with_report(tmp_path, **settings)["objects"][0]["options"]["orientation"]
@@ -188,8 +188,10 @@ def test_the_report_names_the_upright_direction(source, tmp_path):
 
 
 def test_the_report_follows_the_names_of_wires(addon):
-    """Tables, advice and flat pieces have the new names, even if names were swapped. Wires with equal names stay
-    separate."""
+    """Tables, hints and flat pieces have the new names, even if names were swapped.
+
+    Wires with equal names stay separate.
+    """
     source = grid("Bump", bump)
     for line, tolerance in ((0.0, 0.001), (0.5, 0.002)):
         mark(source, on_line(1, line), kind="ELASTIC", tolerance=tolerance)
@@ -202,7 +204,7 @@ def test_the_report_follows_the_names_of_wires(addon):
         assert all(len(hint.edges) == 8 for hint in hints)
         return [addon.core.hint_text(report, hint) for hint in hints]
 
-    assert names() == ['"Wire 2" ±0.2%', '"Wire 1" ±0.1%']  # the longest change first
+    assert names() == ['"Wire 2" ±0.2%', '"Wire 1" ±0.1%']  # the largest change is first
     for entry in source.data.wirewarp_names:
         entry.name = {"Wire 1": "Wire 2", "Wire 2": "Hip \\1"}[entry.name]
     assert names() == ['"Hip \\1" ±0.2%', '"Wire 2" ±0.1%']
@@ -221,7 +223,7 @@ def test_the_report_is_parsed_and_its_rows_are_made_once(addon, source):
     tables = report.tables
     assert addon.state.reports.last_report(source) is report and report.tables is tables
     assert [side.label for side in tables.seams[0].sides] == ["Top Right", "Top Left"]
-    report.pieces[0].name = "Front"  # a new name, as if the user had renamed it
+    report.pieces[0].name = "Front"  # as if the user had renamed the piece
     assert report.tables.seams[0].note == "Front – Top Left"
 
 
@@ -265,7 +267,7 @@ def test_the_list_of_pieces_has_the_worst_first(addon):
 
 
 class MarkedRow:
-    """A layout that records how the names in a list are marked."""
+    """A layout that records which names in a list have a mark."""
 
     def __init__(self):
         self.marks = []

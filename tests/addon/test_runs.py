@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs that continue while Blender responds, and automatic updates. tests/window tests their parts in the window."""
+"""Runs continue while Blender responds, and Auto updates changed models. tests/window tests both in a window."""
 
 import subprocess
 import sys
@@ -46,8 +46,10 @@ def test_an_abandoned_run_is_canceled_in_the_core_too(addon, started):
 
 @pytest.fixture
 def started(addon, monkeypatch):
-    """Collect weak references to the core's jobs that start from now on. When these are dead, the threads of the jobs
-    have ended."""
+    """Return a list that collects weak references to all jobs of the core that start from now on.
+
+    After a reference is dead, the threads of its job have ended.
+    """
     jobs, start = [], addon.solve.flatten.start
 
     def remember(*what, **options):
@@ -121,7 +123,7 @@ def test_blender_ends_during_a_run(addon, tmp_path):
 
 @pytest.fixture
 def begun(addon):
-    """Return a run of these steps in the window after its first step."""
+    """Return a function that begins a run of these steps in a window, and returns the run after its first step."""
 
     def begin(steps):
         window_run = addon.ui.window_run
@@ -134,7 +136,7 @@ def begun(addon):
 
 
 def test_a_finished_run_may_still_be_canceled(addon, begun):
-    """A finished update waits for the mouse, and may still be canceled."""
+    """A finished update waits for a movement of the mouse, and may still be canceled."""
     run = begun(solving(addon))
     assert run.is_done
     addon.ui.window_run.cancel()
@@ -171,7 +173,7 @@ def failing():
 
 @pytest.mark.parametrize(("work", "error"), [(stubborn, OSError), (failing, MemoryError)])
 def test_exceptions_of_the_work_are_raised_with_the_result(addon, begun, work, error):
-    """Raise even exceptions of work that cannot clean up after it was canceled."""
+    """Exceptions of work that fails to clean up after it was canceled are raised, too."""
     run = begun(work())
     if work is stubborn:
         addon.ui.window_run.cancel()
@@ -227,8 +229,8 @@ def test_nothing_is_updated_after_undo_until_something_changes(addon, source):
     assert taken(addon) == ["Bump"]
     auto.note_undo()
     scene.wirewarp.auto_update = False
-    auto.forget_change(scene)  # what the next movement of the mouse does
-    scene.wirewarp.auto_update = True  # switching Auto off and on does not hide the next change
+    auto.forget_change(scene)  # as a movement of the mouse does
+    scene.wirewarp.auto_update = True  # switching Auto off and on does not hide later changes
     move_a_vertex(source)
     assert taken(addon) == ["Bump"]
 
@@ -240,8 +242,10 @@ def test_a_second_run_is_refused(addon, source, monkeypatch):
 
 
 def test_an_update_takes_the_undo_group_of_the_last_operator(addon):
-    """An update does not unregister operators, because that would remove Adjust Last Operation. The add-on does so when
-    it is disabled."""
+    """An update does not unregister operators, because that would remove the panel Adjust Last Operation.
+
+    The add-on unregisters them when it is disabled.
+    """
     updating = addon.flatten.auto_update.updating_in
     idnames = [updating(group).idname_py() for group in ("Move", "Mark Seam", "Move", "Update Flat Pieces")]
     assert len(set(idnames)) == 3 and idnames[0] == idnames[2] and idnames[3] == "object.wirewarp_update"
@@ -257,7 +261,7 @@ def test_an_update_takes_the_undo_group_of_the_last_operator(addon):
 
 
 def test_a_model_whose_update_was_canceled_says_what_to_do(addon, source, monkeypatch):
-    canceled, coming = "Auto was canceled for this change", "Auto updates the pieces when you finish."
+    canceled, coming = "Auto was canceled for this change", "Auto updates the pieces when the tool ends."
     bpy.context.scene.wirewarp.auto_update = True
     move_a_vertex(source)
     assert canceled not in draw_panels(addon)
@@ -265,7 +269,7 @@ def test_a_model_whose_update_was_canceled_says_what_to_do(addon, source, monkey
     move_a_vertex(source)
     bpy.context.view_layer.update()
     assert coming in draw_panels(addon)
-    assert taken(addon) == ["Bump"]  # taken by the update
+    assert taken(addon) == ["Bump"]  # the update takes the model
     with monkeypatch.context() as patched:
         patched.setattr(addon.report_panel.flatten_panel, "is_running", lambda _: True)
         shown = draw_panels(addon)

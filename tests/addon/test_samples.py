@@ -63,7 +63,7 @@ def check_eases_and_fabric(addon, shape, mesh):
 
 
 def check_view(mesh):
-    """The model fills a window 1.5 times as wide as high, with Blender's focal length of 50 mm."""
+    """Check that the model fills a window 1.5 times as wide as high, with Blender's focal length of 50 mm."""
     points = read(mesh.vertices, "co", np.float32, 3)
     areas = [area for screen in bpy.data.screens for area in screen.areas if area.type == "VIEW_3D"]
     assert areas

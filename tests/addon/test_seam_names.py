@@ -25,7 +25,7 @@ def source():
 
 
 def seams(addon, target):
-    """Return the places of the last report's seams by name."""
+    """Return the mean positions (x, y) of the last report's seams, keyed by name."""
     report = addon.state.reports.last_report(target)
     places = read(target.data.vertices, "co", np.float32, 3)
     return {seam.name: places[seam.edges].mean(axis=(0, 1))[:2].round(2).tolist() for seam in report.seams}
@@ -88,7 +88,7 @@ def test_a_seam_that_ends_inside_is_a_dart_and_one_that_opens_a_tube_is_not(addo
 
 
 def test_darts_are_numbered_on_their_own(addon, source):
-    """With common numbers, the first dart of a garment with 11 seams would be Dart 12."""
+    """If seams and darts shared numbers, the first dart of a garment with 11 seams would be Dart 12."""
     mark_seam(source, lambda a, b: DOWN(a, b) and max(a[1], b[1]) < 0.1)
     mark_seam(source, at(-0.5))
     flatten(source)
@@ -113,7 +113,7 @@ def test_a_seam_without_a_name_gets_a_new_one_that_stays_when_a_run_is_refused(a
     flatten(source)
     assert list(seams(addon, source)) == ["Seam 2"]  # 1 is not reused
     names = [piece.name for piece in addon.state.reports.last_report(source).pieces]
-    assert " – ".join(names) in draw_panels(addon)  # the panel shows the pieces that it joins
+    assert " – ".join(names) in draw_panels(addon)  # the panel shows the pieces that the seam joins
     source.scale.x = 0.0
     select_only(source)
     flatten_fails("scaled to zero")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Seams from UV islands."""
+"""The borders of UV islands can become seams."""
 
 import bpy
 import numpy as np
@@ -23,7 +23,7 @@ CUT, ACROSS = on_line(0, 0.0), on_line(1, 0.0)
 
 
 def with_islands(faces="quads"):
-    """Return a grid whose map, its own x and y, has the faces right of x = 0 moved aside."""
+    """Return a grid with a UV map of its x and y, in which the faces at x > 0 are moved aside."""
     target = grid("Bump", bump, faces=faces)
     mesh = target.data
     layer = mesh.uv_layers.new(name="Map")
@@ -91,7 +91,7 @@ def test_the_active_map_is_read_and_a_missing_map_is_refused(capfd):
     with pytest.raises(RuntimeError, match='"Bare" has no UV map'):
         bpy.ops.mesh.wirewarp_seams_from_uv_islands()
     bpy.ops.object.mode_set(mode="OBJECT")
-    assert seam_edges(target.data) == set()  # edges are seams in both or in neither
+    assert seam_edges(target.data) == set()  # either both models get seams or none does
     other = grid("Bump", bump, seam=CUT)
     flatten(other)
     select_edges(other)
@@ -102,7 +102,7 @@ def test_the_active_map_is_read_and_a_missing_map_is_refused(capfd):
 
 
 def cube(*, with_map=True):
-    """Return a closed cube with a map in which its six faces form one unfolded island."""
+    """Return a closed cube with a UV map in which its six faces form one unfolded island."""
     bpy.ops.mesh.primitive_cube_add(calc_uvs=with_map)
     return bpy.context.active_object
 
@@ -111,7 +111,7 @@ def uv_seams_of(addon, source):
     return addon.state.reports.last_report(source).uv_seams
 
 
-def test_the_seams_of_the_map_are_tried_and_offered_first_where_pieces_fail(addon):
+def test_the_seams_of_the_map_are_tried_and_offered_first_if_pieces_fail(addon):
     source = cube()
     flatten_fails("is closed")
     found = uv_seams_of(addon, source)
@@ -120,7 +120,7 @@ def test_the_seams_of_the_map_are_tried_and_offered_first_where_pieces_fail(addo
     assert len(seam_edges(source.data)) == 0  # the seams were tried, but not marked
     report = addon.state.reports.last_report(source)
     step = addon.report_panel.next_step.next_step(report, [])
-    assert step.sentence == "The seams of the UV map make 1 piece, stretch 0.0%."
+    assert step.sentence == "The seams of the UV map make 1 piece, with a stretch of 0.0%."
     assert bpy.ops.object.wirewarp_mend(**step.settings) == {"FINISHED"}
     assert len(seam_edges(source.data)) == 7  # twelve edges minus five that connect the six faces
     assert addon.core.verdict(addon.state.reports.last_report(source)).is_ready
@@ -133,14 +133,14 @@ def test_seams_of_the_map_beyond_the_fabric_come_after_suggestions(addon):
     flatten_fails("is closed", cloth="MINKY")
     found = uv_seams_of(addon, source)
     assert found.is_beyond_fabric and not found.is_good and found.stretch > 0.2  # minky stretches 20% across
-    assert ", more than this fabric has." in draw_panels(addon, buttons)
+    assert ", too much for this fabric." in draw_panels(addon, buttons)
     assert buttons.index("object.wirewarp_suggest_seams") < buttons.index("object.wirewarp_mend")
     flatten_fails("is closed")  # if no fabric is chosen, the seams of the map are good enough
     assert uv_seams_of(addon, source).is_good
 
 
 def test_before_the_first_run_the_seams_of_the_map_are_a_button(addon):
-    """A model with one island per piece becomes a pattern in one click, but not if something is marked already."""
+    """A model with one island per piece becomes a pattern in one click. If edges are marked, the button is missing."""
     source, buttons = with_islands(), []
     select_only(source)
     draw_panels(addon, buttons)
@@ -171,7 +171,7 @@ def test_seams_of_a_map_that_lowers_the_stretch_are_offered_for_a_model_without_
     report = addon.state.reports.last_report(source)
     assert report.uv_seams.pieces == 2
     assert 0 < report.uv_seams.stretch < report.pieces[0].needed
-    mark_seam(source, ACROSS)  # the model now has a seam of the user's
+    mark_seam(source, ACROSS)  # the model now has a seam that the user marked
     flatten(source)
     assert uv_seams_of(addon, source) is None
 
@@ -206,7 +206,7 @@ def test_the_seams_of_the_map_are_solved_once(addon):
     assert by_map.size == 2
 
 
-def test_seams_of_the_map_are_offered_although_no_fabric_can_do_some_of_their_pieces(addon):
+def test_seams_of_the_map_are_offered_although_some_of_their_pieces_exceed_every_fabric(addon):
     """A cube is unfolded. On a sphere, only the cap is a separate island."""
     bpy.ops.mesh.primitive_uv_sphere_add(segments=16, ring_count=8)
     sphere = bpy.context.active_object

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Buttons that select the edges and faces of a line of the report."""
+"""Buttons select the edges or faces of a line of the report."""
 
 from functools import partial
 
@@ -75,8 +75,8 @@ def test_places_that_cannot_be_shown_do_not_change_the_view(source, addon):
 
 
 def test_missing_places_are_reported(source):
-    select_fails("That entry is gone. Flatten again", what="SEAM", index=1)
-    select_fails("That entry is gone", what="OUTLINE", index=2)
+    select_fails("The report no longer has this entry. Flatten again", what="SEAM", index=1)
+    select_fails("The report no longer has this entry", what="OUTLINE", index=2)
     bpy.data.objects.remove(flat_of(source))
     select_fails('"Bump" has no flat pieces. Flatten it again', what="PIECE", index=0)
     grid("Other", bump)
@@ -118,7 +118,7 @@ def test_a_wire_is_selected_on_the_model_and_on_the_flat_pieces(wired, what):
     flat = flat_of(wired)
     select_only(flat)
     bpy.ops.mesh.wirewarp_select_result(what=what, index=0)
-    edges = selected(flat, "edges")  # back to Object Mode, because attributes can be read only there
+    edges = selected(flat, "edges")  # leaves Edit Mode, where attributes cannot be read
     ids = read(flat.data.attributes["wirewarp_wire"].data, "value", np.int32)
     assert np.array_equal(edges, np.flatnonzero(ids))
 

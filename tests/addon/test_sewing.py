@@ -19,7 +19,7 @@ def sewing_of(source):
 
 @pytest.fixture
 def source():
-    """Return two pieces, the right one with a dart."""
+    """Return a flattened model of two pieces. The right piece has a dart."""
     target = grid("Bump", bump, seam=SEAM)
     mark_seam(target, lambda a, b: on_line(1, 0.0)(a, b) and a.x + b.x > 0 and max(a.x, b.x) < 0.8)
     mark(target, on_line(1, 0.5))
@@ -86,7 +86,7 @@ def test_the_copy_is_not_a_flat_object_and_has_no_marks(source, addon):
 
 
 def test_the_copy_of_a_model_with_a_long_name_has_the_ending(source):
-    source.name = "Bump" * 100  # Blender cuts it
+    source.name = "Bump" * 100  # Blender shortens this name
     bpy.ops.object.wirewarp_sewing()
     assert bpy.context.active_object.name.endswith(" Sewing")
 
@@ -117,7 +117,7 @@ def test_the_copy_is_visible_although_the_pieces_are_hidden(source, put_away):
 
 
 def test_seams_of_a_piece_without_a_layout_are_ignored():
-    """Beside the others there is a ring with one cut, which is a tube and has no flat shape."""
+    """A third part is a torus with one seam. It has no flat shape, because it is a tube."""
     source = grid("Bump", bump)
     bpy.ops.mesh.primitive_torus_add(location=(4, 0, 0), major_segments=12, minor_segments=8)
     select_only(source, bpy.context.object)
@@ -125,4 +125,4 @@ def test_seams_of_a_piece_without_a_layout_are_ignored():
     mark_seam(source, SEAM)
     mark_seam(source, lambda a, b: on_line(1, 0.0)(a, b) and min(a.x, b.x) > 4)
     flatten_fails("mark a seam")
-    assert len(loose_edges(sewing_of(source))) == 9  # sewing edges along the other seam
+    assert len(loose_edges(sewing_of(source))) == 9  # sewing edges along the seam of the two good pieces

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Allowances and marks of one side of an edge survive edits, may be written by scripts, and are drawn."""
+"""Eases and allowances of one side of an edge survive edits, may be written by scripts, and are drawn."""
 
 import bpy
 import numpy as np
@@ -15,13 +15,13 @@ class Eases:
     first, second, unmarked = 0.05, 0.02, 0.0
     both = 0.0, 0.02  # values after both sides were marked in turn: the ease of one side replaces the ease of the other
     stored, rounding = 1.0, 1e-5
-    twice = 'Edges of "Bump" have two eases on one side.*Mark their ease again'
+    twice = 'Edges of "Bump" have two eases on one side.*Mark the ease of these edges again'
 
     def __init__(self, addon):
         self.addon, self.marks = addon, addon.state.allowances.SIDE_EASES
 
     def mark_again(self, source):
-        mark(source, HEM)  # this mark is not affected
+        mark(source, HEM)  # a wire on another line, which has no effect
         ease(source, SEAM, sides="ONE", ease_percent=5.0)
 
     def mark_selected(self, value):
@@ -43,7 +43,7 @@ class Allowances:
     first, second, unmarked = 15.0, 6.0, 10.0
     both = 15.0, 6.0
     stored, rounding = 0.01, 1e-4  # a Blender unit is 100 mm
-    twice = "have two allowances on one side.*Mark their allowance again"
+    twice = "have two allowances on one side.*Mark the allowance of these edges again"
 
     def __init__(self, addon):
         self.addon, self.marks = addon, addon.state.allowances.SIDE_ALLOWANCES
@@ -90,7 +90,7 @@ def check(kind, source, left, right):
 
 
 def write_corners(kind, source, left, right):
-    """Write values on the corners where edges of the seam begin."""
+    """Write the values of both sides on the face corners at which edges of the seam begin."""
     mesh = source.data
     sides = mesh.attributes.get(kind.attribute) or mesh.attributes.new(kind.attribute, "FLOAT", "CORNER")
     places = read(mesh.vertices, "co", np.float32, 3)
@@ -136,7 +136,7 @@ def test_two_marks_of_one_side_are_reported_until_it_is_marked_again(source, kin
 
 @pytest.mark.parametrize("side", [-1, 1])
 def test_between_parts_of_a_face_one_side_is_marked_and_other_marks_stay(source, kind, side):
-    """A loop cut copies the values that distinguish faces."""
+    """A loop cut copies the values that distinguish faces to both parts of a face."""
     bpy.ops.object.wirewarp_flatten()
     mark_side(kind, source, 1, kind.first)
     select_edges(source, lambda a, b: min(a.x, b.x) == 0 and max(a.x, b.x) == 0.25)
@@ -175,7 +175,7 @@ def test_marked_widths_stay_when_the_unit_is_set(addon, source, mode):
     assert marked.side_widths == pytest.approx([5.0])
 
 
-def test_edges_that_come_from_elsewhere_have_the_default(source, addon):
+def test_edges_of_a_joined_object_have_the_default_allowance(source, addon):
     """Blender sets the values of new corners to 0, which does not count as a width."""
     mark_allowance(source, SEAM, kind="WIDTH", width=6.0)
     other = grid("Other", lambda x, y: (x + 3, y, 0))

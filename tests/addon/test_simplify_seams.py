@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Simplify Seams: its suggestions have the figures of a run with fewer seams, and are shown, used and refused."""
+"""Simplify Seams suggests fewer seams. Its suggestions have the figures of a run, and are shown, used and refused."""
 
 from itertools import pairwise
 
@@ -56,7 +56,7 @@ def test_developable_strips_become_one_piece_again(addon, capfd):
     assert "length of cleared seams." in words and "Above" not in words and "Clear and Flatten" in words
     assert "Narrowest place of a piece: 2" in words
     places = read(source.data.vertices, "co", np.float32, 3)[np.unique(cut.cleared)]
-    for target in (source, flat_of(source)):  # drawn on the pieces, on both sides of each seam
+    for target in (source, flat_of(source)):  # on the pieces, both sides of each seam are drawn
         (drawn,) = (each for each in addon.overlay.shown.drawings(view_context()) if each.target == target)
         ends = {tuple(end) for end in drawn.failures.lines["proposed"].tolist()}
         assert len(ends) == (1 if target == source else 2) * len(places)
@@ -66,7 +66,7 @@ def test_developable_strips_become_one_piece_again(addon, capfd):
 
 
 @pytest.mark.parametrize("is_mirrored", [False, True])
-def test_a_wide_hem_leaves_room_where_it_has_no_neighbor(addon, is_mirrored):
+def test_a_wide_hem_leaves_room_if_it_has_no_neighbor(addon, is_mirrored):
     """The strips become a rectangle that is 2 wide and π long."""
     source = strips(half_cylinder, rows=(-0.5, 0.5))
     source.scale.x = -1 if is_mirrored else 1
@@ -81,11 +81,11 @@ def test_a_wide_hem_leaves_room_where_it_has_no_neighbor(addon, is_mirrored):
         assert cut.width == pytest.approx(2, rel=0.001)
         return cut.is_narrow
 
-    assert not is_narrow(0, 1.0, 2.5)  # a strip along one end
-    assert not is_narrow(1, 1.0, 1.5)  # a strip along a long side
-    # a strip along the other long side, too: 1.5 + 1 > 2 > 1.5 + 0.4
+    assert not is_narrow(0, 1.0, 2.5)  # a hem along one end
+    assert not is_narrow(1, 1.0, 1.5)  # a hem along a long side
+    # hems along both long sides: 1.5 + 1 > 2 > 1.5 + 0.4
     assert is_narrow(1, -1.0, 1.0) and not is_narrow(1, -1.0, 0.4)
-    assert is_narrow(0, -1.0, 1.0)  # a strip along the other end, too: 2.5 + 1 > π
+    assert is_narrow(0, -1.0, 1.0)  # hems along both ends: 2.5 + 1 > π
 
 
 def test_rows_go_from_few_pieces_to_little_stretch_with_the_figures_of_flattening(addon):
@@ -99,7 +99,7 @@ def test_rows_go_from_few_pieces_to_little_stretch_with_the_figures_of_flattenin
         assert few.num_pieces <= more.num_pieces and few.strain > more.strain
         assert pairs(few.cleared) > pairs(more.cleared) and few.lengths[0] > more.lengths[0]
     assert all(cut.strain_before == pytest.approx(before, rel=1e-5) for cut in cuts)
-    assert suggestions.chosen == 0 and cuts[0].strain <= 0.2  # as for plush and knits: no fabric is chosen
+    assert suggestions.chosen == 0 and cuts[0].strain <= 0.2  # the limit without a fabric
     bpy.ops.object.wirewarp_choose_suggestion(index=1)
     bpy.ops.object.wirewarp_mend(what="SUGGESTION")
     assert pairs(seams_of(source)) == seams - pairs(cuts[1].cleared)
@@ -148,7 +148,7 @@ def test_a_canceled_search_keeps_its_results(addon, monkeypatch):
     monkeypatch.setattr(addon.solve.seam_sets, "result_of", in_two)
 
     def search(cancel_at):
-        """Cancel when the share is reached; return the rows and all shares."""
+        """Cancel the search when it has reported this share. Return its rows and all reported shares."""
         shares, run = [], addon.suggest.operators.begin_search(bpy.context, source, "FEWER", None).steps
         try:
             shares.append(next(run))

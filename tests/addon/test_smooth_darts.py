@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Suggested darts as smooth lines: the drawn line is cut, has the claimed figure, and changes nothing else."""
+"""Suggested darts can be smooth lines. The drawn line is cut, has the shown figure, and changes nothing else."""
 
 import bpy
 import numpy as np
@@ -23,7 +23,7 @@ def lengths(ends):
 
 
 def are_alike(ends, others):
-    """Return whether each line, given by its ends (k,2,3), is one of the others within single precision."""
+    """Return whether lines, given by their ends (k,2,3), equal other lines in any order, within single precision."""
     apart = [np.abs(ends[:, None] - turned[None]).max(axis=(2, 3)) for turned in (others, others[:, ::-1])]
     is_same = np.minimum(*apart) < 1e-5
     return len(ends) == len(others) and is_same.any(axis=0).all() and is_same.any(axis=1).all()
@@ -102,7 +102,7 @@ def test_a_dart_along_edges_does_not_change_the_mesh(addon):
     bpy.context.scene.wirewarp.dart_lines = "SMOOTH"
     SUGGEST["DARTS"]()
     both = found(addon, source).cuts
-    worth_elbows = 0.05  # a dart with elbows is listed only if it leaves less strain by at least this share
+    worth_elbows = 0.05  # a dart with elbows is listed only if its strain is lower by at least this share
     assert min(cut.strain for cut in both) <= cuts[0].strain / (1 - worth_elbows)
     order = [(cut.is_bent, cut.strain) for cut in both]
     assert order == sorted(order) and not both[0].is_bent
@@ -141,7 +141,7 @@ def test_lines_that_cross_in_a_face_meet_there(addon, scale):
     paths = [line([0, 0], [(0.5, 0.5, 0), (0, 0, 1)]), line([0, 0], [(0, 0.5, 0.5), (1, 0, 0)])]
     before, area, normals = len(mesh.vertices), surface(source), sum((face.normal for face in mesh.polygons), Vector())
     assert addon.suggest.smooth.take_lines(source, paths, with_modifiers=False) == 4
-    assert len(mesh.vertices) == before + 3  # one on each side that a line ends at, and the crossing
+    assert len(mesh.vertices) == before + 3  # a vertex on each edge at which a line ends, and the crossing
     assert surface(source) == pytest.approx(area, rel=1e-6)
     assert sum((face.normal for face in mesh.polygons), Vector()).normalized() @ normals.normalized() > 0.999
     assert not mesh.validate()

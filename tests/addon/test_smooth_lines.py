@@ -24,7 +24,7 @@ pytestmark = pytest.mark.api
 SIZE = 8
 
 
-# Vertices of the grid in a row or column along which even n-gons have edges.
+# Columns and rows of vertices of the grid. Between these vertices, even grids of n-gons have edges.
 STAIRS = [(2, 2), (3, 2), (4, 2), (4, 3), (5, 3), (6, 3), (6, 4)]
 
 
@@ -158,7 +158,7 @@ def test_lines_that_cannot_be_smoothed_are_reported_and_stay(addon):
     bpy.ops.object.mode_set(mode="OBJECT")
     mark_seam(source, lambda a, b: all(max(abs(each[0]), abs(each[1])) == 0.5 for each in (a, b, (a + b) / 2)))
     before = edge_vertices(source.data)
-    with pytest.raises(RuntimeError, match='A line of "Bump" meets itself at vertex .*: smooth it in parts'):
+    with pytest.raises(RuntimeError, match='A line of "Bump" meets itself at vertex .* smooth each part'):
         smooth(source)
     bpy.ops.object.mode_set(mode="OBJECT")
     assert np.array_equal(edge_vertices(source.data), before)

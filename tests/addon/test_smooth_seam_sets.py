@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Suggested sets of seams as smooth lines: the drawn lines are cut, have the shown figures, and change nothing else."""
+"""Suggested seams can be smooth lines. The drawn lines are cut, have the shown figures, and change nothing else."""
 
 import bpy
 import numpy as np
@@ -11,7 +11,7 @@ from test_smooth_lines import seam_places, surface
 
 
 def narrowest(addon, source):
-    """Return the narrowest width of the pieces of the model as it is now."""
+    """Return the smallest width of a piece of the current model."""
     arrays = addon.state.read_model.object_to_arrays(source, addon.state.marked_mesh.marked_mesh(source), None)
     choices = addon.state.settings.choices_of(bpy.context.scene.wirewarp, 1.0)
     steps = addon.solve.flatten.flatten_arrays(arrays, choices)
@@ -25,7 +25,7 @@ def entered(cut):
 
 
 def choose_beside_painted_face(addon, source):
-    """Paint a face that an earlier smooth cut crosses, and choose a smooth cut again: none may enter this face."""
+    """Paint a face that an earlier smooth cut crosses, and choose a smooth cut again. No cut may enter this face."""
     crossed = entered(choose_smooth(addon, source, "SEAMS"))[0]
     painted = source.data.attributes.new("wirewarp_no_seam", "BOOLEAN", "FACE")
     painted.data.foreach_set("value", [index == crossed for index in range(len(source.data.polygons))])
@@ -40,7 +40,7 @@ def test_a_set_beside_a_painted_face_is_cut_as_drawn_and_has_the_claimed_figures
     add_layers(source)
     with pytest.raises(RuntimeError):
         bpy.ops.object.wirewarp_flatten()
-    assert "SMOOTH" in draw_panels(addon)  # the choice is shown for a closed model
+    assert "SMOOTH" in draw_panels(addon)  # a closed model has the choice of smooth lines
     cut = choose_beside_painted_face(addon, source)
     assert cut.is_set and "Marking it adds vertices and edges" in draw_panels(addon)
     drawn, area, before = drawn_on(addon, source), surface(source), places(source)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Suggested cuts: up to a target, for closed models and models with modifiers, and outside areas without cuts."""
+"""Cuts are suggested up to a target, for closed models and models with modifiers, and outside of painted areas."""
 
 from dataclasses import replace
 from itertools import pairwise
@@ -27,7 +27,7 @@ def ball():
 
 def test_a_closed_model_gets_cut_sets_of_which_one_is_marked(addon, capfd):
     source = ball()
-    bpy.context.scene.wirewarp.dart_lines = "EDGES"  # the edges below are those of the model
+    bpy.context.scene.wirewarp.dart_lines = "EDGES"  # so that seams follow edges of the model
     buttons = []
     with pytest.raises(RuntimeError):
         bpy.ops.object.wirewarp_flatten()
@@ -38,12 +38,12 @@ def test_a_closed_model_gets_cut_sets_of_which_one_is_marked(addon, capfd):
     cuts, chosen = suggestions.cuts, suggestions.cuts[suggestions.chosen]
     assert f"{len(cuts)} sets of seams. Chosen: {chosen.num_pieces} piece" in capfd.readouterr().out
     assert all(cut.is_first and cut.piece == 0 and len(cut.lengths) == 1 for cut in cuts)
-    for few, more in pairwise(cuts):  # each row has more pieces and less stretch than the row above
+    for few, more in pairwise(cuts):  # each row has less stretch than the row above, and no fewer pieces
         assert few.num_pieces <= more.num_pieces and few.strain > more.strain
     words = draw_panels(addon)
     assert f"Suggested Seams, {source.name}" in words and "→" not in words
     row = addon.solve.suggest.row_text("SEAMS", chosen, None, addon.blender.objects.length_text(bpy.context.scene))
-    assert row in words and "stretch" not in row  # the sentence below the list contains it
+    assert row in words and "stretch" not in row  # the sentence below the list contains the stretch
     (drawn,) = (each for each in addon.overlay.shown.drawings(view_context()) if each.target == source)
     places = read(source.data.vertices, "co", np.float32, 3)[np.unique(chosen.edges)]
     proposed = {tuple(place) for place in drawn.failures.lines["proposed"].tolist()}
@@ -58,7 +58,7 @@ def test_a_closed_model_gets_cut_sets_of_which_one_is_marked(addon, capfd):
 def test_a_canceled_search_keeps_the_sets_found_by_then(addon):
     bpy.context.scene.wirewarp.dart_lines = "EDGES"  # quicker than smooth lines
     run = addon.suggest.operators.begin_search(bpy.context, ball(), "SEAMS", None).steps
-    while next(run) < 0.8 * 0.3:  # when the second set is searched for, a first one exists
+    while next(run) < 0.8 * 0.3:  # when the search for a second set begins, there is a first set
         pass
     shares = []
     with pytest.raises(StopIteration) as end:
@@ -74,7 +74,7 @@ def test_sets_with_pieces_narrower_than_two_allowances_have_a_warning(addon):
     source = ball()
     settings = bpy.context.scene.wirewarp
     settings.dart_lines = "EDGES"  # smooth sets of a ball have no narrow pieces
-    settings.cloth, settings.gives_across, settings.gives_along = "SWIM", 100, 100  # far enough for every set
+    settings.cloth, settings.gives_across, settings.gives_along = "SWIM", 100, 100  # enough for every set
     SUGGEST["SEAMS"]()
     cuts = found(addon, source).cuts
     limit = (min(cut.width for cut in cuts) + max(cut.width for cut in cuts)) / 2
@@ -101,7 +101,7 @@ def test_a_set_that_makes_too_many_pieces_of_the_model_has_a_warning(addon, monk
     with pytest.raises(RuntimeError):
         bpy.ops.object.wirewarp_flatten()
     SUGGEST["SEAMS"]()
-    count = found(addon, source).cuts[found(addon, source).chosen].num_pieces + 1  # the cube remains
+    count = found(addon, source).cuts[found(addon, source).chosen].num_pieces + 1  # plus the cube
     for most, has_warning in ((count, False), (count - 1, True)):
         monkeypatch.setattr(addon.suggest.panel, "MOST_SEWN", most)
         shown = draw_panels(addon)
@@ -209,7 +209,7 @@ def test_cuts_disappear_if_their_path_is_painted(addon):
     source.vertex_groups[0].name = "wirewarp_no_seam"
     bpy.context.view_layer.update()
     assert found(addon, source) is None
-    with pytest.raises(RuntimeError, match="Nothing is suggested"):
+    with pytest.raises(RuntimeError, match="There are no suggestions"):
         bpy.ops.object.wirewarp_mend(what="SUGGESTION")
     source.vertex_groups.clear()  # a vertex group and an attribute cannot have the same name
     source.update_tag()
@@ -267,14 +267,14 @@ def test_a_fully_painted_model_has_no_cuts(data_type):
 
 @pytest.fixture
 def settings():
-    """Set targets that allow two cuts and any remaining stretch."""
+    """Return settings with targets of at most two cuts and a stretch of 0, which cuts do not reach."""
     wanted = bpy.context.scene.wirewarp
     wanted.suggest_together, wanted.aim_stretch, wanted.aim_cuts = True, 0.0, 2
     return wanted
 
 
 @pytest.mark.parametrize("row", [0, 1])
-def test_a_row_is_marked_with_all_earlier_ones_and_leaves_its_stretch(addon, settings, row):
+def test_a_row_is_marked_with_all_earlier_rows_and_leaves_its_stretch(addon, settings, row):
     source = grid("Bump", bump, size=6, faces="triangles")
     before = needed(addon, source)
     SUGGEST["DARTS"]()
@@ -314,7 +314,7 @@ def test_the_target_reaches_the_search_and_the_remaining_stretch_is_reported(add
     source = grid("Bump", bump, size=6)
     SUGGEST["DARTS"]()
     first, second = found(addon, source).cuts
-    assert "left, more than your target of 0.0%. Allow more cuts." in draw_panels(addon)
+    assert "is left, more than your target of 0.0%. Allow more cuts." in draw_panels(addon)
     assert "your target of 0.0%. Allow more cuts." in capfd.readouterr().out
     settings.aim_length, settings.aim_cuts = 0.9 * first.lengths[0], 9
     SUGGEST["DARTS"]()

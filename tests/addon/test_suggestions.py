@@ -47,7 +47,7 @@ def test_the_figures_are_those_of_flattening_with_the_cut(addon, kind, faces):
     assert pairs(edge_vertices(source.data)) - edges == pairs(suggestions.cuts[0].diagonals)
     flattened = addon.state.reports.last_report(source).pieces
     assert len(flattened) == (1 if kind == "DARTS" else 1 + len(suggestions.cuts[0].lengths))
-    # other faces have one figure for two triangles; single precision has an error of 1e-6 at 0.1
+    # other faces have one figure for each two triangles; single precision has an error of 1e-6 at 0.1
     if faces == "triangles":
         assert needed(addon, source) == pytest.approx(suggestions.cuts[0].strain, rel=1e-5)
 
@@ -85,7 +85,7 @@ def test_the_list_belongs_to_the_chosen_piece_and_is_cleared_when_the_model_chan
     bpy.context.view_layer.update()
     assert found(addon, source) is None
     assert "Suggested Darts" not in draw_panels(addon)
-    with pytest.raises(RuntimeError, match='Nothing is suggested for "Bump" as it is now'):
+    with pytest.raises(RuntimeError, match='There are no suggestions for the present shape of "Bump"'):
         bpy.ops.object.wirewarp_mend(what="SUGGESTION")
     with pytest.raises(RuntimeError, match='"Bump" has changed since it was flattened'):
         SUGGEST["DARTS"](piece=1)
@@ -152,7 +152,7 @@ def test_the_chosen_cut_is_drawn_in_edit_mode_until_the_mesh_changes(addon, at_o
 
 
 class Buttons(AnyLayout):
-    """Keeps which operators are drawn as buttons that can be clicked."""
+    """Stores the names of the operators that are drawn as clickable buttons."""
 
     def __init__(self, words, clickable, is_enabled=True):
         vars(self).update(words=words, clickable=clickable, is_enabled=is_enabled)
@@ -170,7 +170,7 @@ class Buttons(AnyLayout):
         return Buttons(self.words, self.clickable, self.is_enabled)
 
 
-def test_the_list_of_an_earlier_search_cannot_be_clicked_during_the_next_one(addon, monkeypatch):
+def test_the_list_of_an_earlier_search_cannot_be_clicked_during_the_next_search(addon, monkeypatch):
     grid("Bump", bump, size=6)
     SUGGEST["DARTS"]()
     panel = addon.suggest.panel
@@ -186,7 +186,7 @@ def test_the_list_of_an_earlier_search_cannot_be_clicked_during_the_next_one(add
 
 
 def flattened_for(addon, source, index):
-    """Mark a suggested set, flatten for the chosen fabric, and return the set and the verdict."""
+    """Mark a suggested set and flatten for the fabric. Return the set, the panel's earlier texts, and the verdict."""
     bpy.ops.object.wirewarp_choose_suggestion(index=index)
     suggestions, shown = found(addon, source), draw_panels(addon)
     bpy.ops.object.wirewarp_mend(what="SUGGESTION")
@@ -201,12 +201,12 @@ def flattened_for(addon, source, index):
 def test_a_set_that_needs_more_than_the_tighter_direction_is_chosen_if_the_verdict_allows_it(addon):
     bpy.ops.mesh.primitive_torus_add(major_radius=0.1, minor_radius=0.05)
     source = bpy.context.object
-    bpy.context.scene.wirewarp.cloth = "MINKY"  # 20% and 5%
+    bpy.context.scene.wirewarp.cloth = "MINKY"  # minky stretches 20% and 5%
     SUGGEST["SEAMS"]()
     cut, shown, verdict = flattened_for(addon, source, found(addon, source).chosen)
     assert cut.strain > 0.05 and "more than this minky can" not in shown
     needs = max(piece.needed for piece in addon.state.reports.last_report(source).pieces)
-    assert cut.strain == pytest.approx(needs, rel=1e-6)  # of its threads
+    assert cut.strain == pytest.approx(needs, rel=1e-6)  # both are strains along the threads
     assert verdict.kind is addon.core.Kind.READY
 
 
@@ -256,7 +256,7 @@ def test_a_model_that_became_a_curve_gets_no_suggestion(addon):
     cuts = addon.solve.steps.in_one_go(search.steps)
     bpy.data.objects.remove(source)
     bpy.context.scene.collection.objects.link(bpy.data.objects.new("Bump", bpy.data.curves.new("Bump", "CURVE")))
-    with pytest.raises(addon.issues.ObjectError, match='"Bump" changed during the search. Suggest again'):
+    with pytest.raises(addon.issues.ObjectError, match='"Bump" changed during the search. Search again'):
         suggest.keep_found(search, cuts)
 
 
@@ -267,17 +267,17 @@ def test_other_settings_are_reported(addon, capfd):
     assert ", for Piece 1." in capfd.readouterr().out  # the piece has no name yet
     settings.spacing, settings.mirror, settings.layout_kind = 50, True, "ROW"
     settings.orientation, settings.grain_angle, settings.gives_across = "BOUNDARY", 0.5, 10
-    assert "Suggest again" not in draw_panels(addon)  # no request to suggest again, because the figures are the same
+    assert "Search again" not in draw_panels(addon)  # no request to search again, because the figures are the same
     settings.fairness = 0.2
-    assert "Settings changed since (Smooth Outlines). Suggest again." in draw_panels(addon)
+    assert "Settings changed after the search: Smooth Outlines. Search again." in draw_panels(addon)
     settings.cloth, settings.orientation = "WOVEN", "WIRE"  # woven fabric has a grain
     SUGGEST["DARTS"]()
     source.data.wirewarp_grain = source.data.wirewarp_names[0].wire_id
-    assert "Settings changed since (Grain Wire). Suggest again." in draw_panels(addon)
+    assert "Settings changed after the search: Grain Wire. Search again." in draw_panels(addon)
     SUGGEST["DARTS"]()
-    assert "Suggest again" not in draw_panels(addon)
+    assert "Search again" not in draw_panels(addon)
     settings.grain_angle = 0.7
-    assert "Settings changed since (Grain Angle). Suggest again." in draw_panels(addon)
+    assert "Settings changed after the search: Grain Angle. Search again." in draw_panels(addon)
 
 
 def test_a_cut_across_quads_leaves_marks_maps_and_surface(addon):
@@ -318,7 +318,7 @@ def write_sides(mesh, name):
 
 
 def sides_of(mesh, name):
-    """Return the nonzero values by the ends of their edges, in the direction of the side."""
+    """Return the nonzero values, keyed by the ends of their edges in the direction of the side."""
     starts = read(mesh.loops, "vertex_index", np.int32)
     following = np.concatenate([np.roll(polygon.loop_indices, -1) for polygon in mesh.polygons])
     values = read(mesh.attributes[name].data, "value", np.float32)

@@ -10,7 +10,7 @@ pytestmark = pytest.mark.api
 
 
 def failed_source():
-    """Return a source whose report names elements, with flat pieces of an earlier run."""
+    """Return a model whose report names faulty elements, with flat pieces of an earlier run."""
     source = grid("Bump", bump)
     bpy.ops.object.wirewarp_flatten()
     source.data.vertices[0].co = source.data.vertices[1].co
@@ -64,7 +64,7 @@ def notes(addon, source):
     return [note.text for note in addon.state.reports.last_report(source).notes]
 
 
-def test_flattening_again_makes_the_size_true_and_keeps_the_place(addon):
+def test_flattening_again_restores_the_actual_size_and_keeps_the_place(addon):
     source = grid("Bump", bump)
     bpy.ops.object.wirewarp_flatten()
     flat = flat_of(source)
@@ -96,7 +96,7 @@ def test_new_pieces_do_not_overlap_objects_beside_the_model():
     place = tuple(flat_of(source).location)
     neighbor(*flat_of(source).location[:1], 0.0, 1.0)
     flatten(source)
-    assert tuple(flat_of(source).location) == place  # the pieces are placed here
+    assert tuple(flat_of(source).location) == place  # existing pieces keep their place
 
 
 @pytest.mark.parametrize(
@@ -141,7 +141,7 @@ def test_pieces_that_stay_hidden_or_scaled_are_reported(addon, how):
     flat = flat_of(source)
     flat.hide_set(True)
     flatten(source)
-    assert flat.visible_get() and notes(addon, source) == []  # objects hidden by the eye are shown again
+    assert flat.visible_get() and notes(addon, source) == []  # pieces hidden with the eye icon are shown again
     change, said = SAID[how]
     change(flat)
     flatten(source)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The list of wires follows the marks and changes them: names, kinds, tolerances."""
+"""The list of wires follows the marks, and changes names, kinds and tolerances of wires."""
 
 import math
 
@@ -16,7 +16,7 @@ EAST_WEST, NORTH_SOUTH = on_line(1, 0.0), on_line(0, 0.0)
 
 @pytest.fixture
 def source():
-    """Return two crossing wires, Bust (rigid) and Middle (elastic)."""
+    """Return a model with two crossing wires: Bust (rigid) and Middle (elastic)."""
     target = grid("Bump", bump, wire=EAST_WEST)
     mark(target, NORTH_SOUTH, kind="ELASTIC", tolerance=0.05)
     for entry, name in zip(target.data.wirewarp_names, ("Bust", "Middle"), strict=True):
@@ -111,7 +111,7 @@ def test_joined_copies_are_wires_of_their_own(addon, source):
 
 
 def test_the_last_marked_wire_is_chosen_in_the_list(source):
-    """The buttons below the list apply to it."""
+    """The buttons below the list apply to the chosen wire."""
     names = source.data.wirewarp_names
     mark(source, on_line(0, 0.5))
     assert source.data.wirewarp_active_wire == len(names) - 1
@@ -121,7 +121,7 @@ def test_the_last_marked_wire_is_chosen_in_the_list(source):
 
 def test_edges_without_a_wire_are_not_changed_or_selected(source):
     for command in (bpy.ops.mesh.wirewarp_change_wire, bpy.ops.mesh.wirewarp_select_wire):
-        with pytest.raises(RuntimeError, match='Edge 0 of "Bump" is not part of a wire. Choose one'):
+        with pytest.raises(RuntimeError, match='Edge 0 of "Bump" is not part of a wire. Choose a wire'):
             command(edge=0)
     select_edges(source, on_line(1, 0.5))
     with pytest.raises(RuntimeError, match="No selected edge is a wire"):
@@ -185,9 +185,9 @@ def test_a_row_of_the_list_has_name_kind_and_length_with_its_unit(addon, source)
         wire.length(np.eye(3)) for name, wire in addon.state.identities.listed_wires(source) if name == "Middle"
     )
     assert row == ["Middle", f"±5%  {100 * length:.3f} cm"]
-    assert row_of(addon, source, source.data.wirewarp_names[1], width=200) == ["Middle"]  # has room for nothing else
+    assert row_of(addon, source, source.data.wirewarp_names[1], width=200) == ["Middle"]  # no room for more
     source.data.wirewarp_active_wire = 1
-    assert draw_panels(addon).count(f"±5%  {100 * length:.3f} cm") == 1  # of the narrow sidebar, below the list
+    assert draw_panels(addon).count(f"±5%  {100 * length:.3f} cm") == 1  # in the narrow sidebar, below the list
     for vertex in source.data.vertices:
         vertex.co *= 2
     source.data.update()
@@ -196,7 +196,7 @@ def test_a_row_of_the_list_has_name_kind_and_length_with_its_unit(addon, source)
     assert row_of(addon, source, source.data.wirewarp_names[1]) == ["Middle", f"±5%  {200 * length:.3f} cm"]
 
 
-def test_unlisted_wires_are_below_the_list_and_cleared_ones_are_gone(addon, source):
+def test_unlisted_wires_are_below_the_list_and_cleared_wires_are_gone(addon, source):
     """The user cuts one wire in two without Mark, and a script clears the edges of the other."""
     wires = dict(addon.state.identities.listed_wires(source))
     for row in wires["Bust"].edges[3:5]:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A model of two pieces, the sides of its seam, and the resulting lengths of its lines."""
+"""Makes a model of two pieces, selects the sides of its seam, and measures its lines."""
 
 import bmesh
 import bpy
@@ -37,7 +37,7 @@ def ease(target, line, **settings):
 
 
 def lengths(source, line):
-    """Return the line's lengths on the model, on the left and on the right piece (equal for a line inside a piece)."""
+    """Return the lengths of a line on the model, on the left piece, and on the right piece."""
     flat = flat_of(source).data
     model = read(source.data.vertices, "co", np.float32, 3).astype(float)
     sources = read(flat.attributes["source_vertex"].data, "value", np.int32)
@@ -55,7 +55,7 @@ def lengths(source, line):
 
 
 def shares(source, line=SEAM):
-    """Return how much longer the left and the right side are than the line on the model."""
+    """Return by which fraction the left and the right side are longer than the line on the model."""
     spatial, left, right = lengths(source, line)
     return [left / spatial - 1, right / spatial - 1]
 

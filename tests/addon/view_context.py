@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Gives the overlay a 3D view of the file, because none is drawn without a window."""
+"""Gives the overlay a 3D view, because Blender draws no view without a window."""
 
 from types import SimpleNamespace
 
@@ -15,7 +15,7 @@ def view_context(show_overlays=True):
 
 
 def look(addon, source, eye, target, perspective=True, xray=False):
-    """Return the names in a region of 800 by 600 pixels, keyed by text, seen from one point to another."""
+    """Return the names in a view of 800 by 600 pixels from the eye toward the target, keyed by their texts."""
     forward = (Vector(target) - Vector(eye)).normalized()
     view = (Matrix.Translation(eye) @ forward.to_track_quat("-Z", "Y").to_matrix().to_4x4()).inverted()
     if perspective:  # with a horizontal angle of view of 90 degrees

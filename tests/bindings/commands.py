@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs python -m wirewarp within the process of the tests, which has loaded the libraries and started the server of
-processes. In its own process, each command takes a second longer.
+"""Runs commands of python -m wirewarp in the process of the tests.
+
+This process has already loaded the libraries and started the server of processes. In its own process, each command
+would take a second longer.
 """
 
 import io
@@ -15,7 +17,7 @@ pytest.importorskip("trimesh")
 from wirewarp.command import run as command_run
 from wirewarp.command.arguments import parsed
 
-# A square of 100 mm with one corner lifted; its map cuts it in the middle into two islands.
+# A square of 100 mm with one corner lifted; its UV map divides it in the middle into two islands.
 FOLDED = """v 0 0 0\nv .05 0 0\nv .1 0 0\nv 0 .1 0\nv .05 .1 0\nv .1 .1 .04
 vt 0 0\nvt .4 0\nvt .4 1\nvt 0 1\nvt .6 0\nvt 1 0\nvt 1 1\nvt .6 1
 f 1/1 2/2 5/3 4/4\nf 2/5 3/6 6/7 5/8\n"""

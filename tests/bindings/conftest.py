@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Random arguments are the same in every run, so that only a change can cause a failure.
 
-`./dev fuzz` tries others, and prints a decorator, @reproduce_failure, that repeats a failure.
+`./dev fuzz` tries other arguments, and prints a decorator, @reproduce_failure, that repeats a failure.
 """
 
 import signal
@@ -12,7 +12,7 @@ from wirewarp.pattern.label import fonts, glyphs
 
 settings.register_profile("repeatable", max_examples=150, derandomize=True, deadline=None)
 settings.register_profile("search", max_examples=3_000, deadline=None, database=None, print_blob=True)
-settings.load_profile("repeatable")  # the option --hypothesis-profile selects another
+settings.load_profile("repeatable")  # the option --hypothesis-profile selects another profile
 
 
 @pytest.fixture

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Flattens many small models twice, once undisturbed and once interrupted three times by kill -9.
 
-The files must be the same.
+The files of both runs must be equal.
 
-python tests/bindings/many_models.py COUNT FOLDER [--jobs N] does both runs and prints the seconds, on Linux.
+python tests/bindings/many_models.py COUNT FOLDER [--jobs N] does both runs on Linux and prints their seconds.
 """
 
 import argparse
@@ -26,8 +26,10 @@ SMALL_PIPE = 4096  # bytes, about ten lines; the run waits for a reader, so it c
 
 
 def write_models(folder, count):
-    """Write OBJ files of 50 to 200 triangles in folders of a hundred: bumpy sheets, some of them divided. Every 20th is
-    closed and cannot be flat; every 50th is not a model."""
+    """Write OBJ files of 50 to 200 triangles in folders of a hundred: bumpy sheets, some of them divided.
+
+    Every 20th model is closed and cannot be flattened. Every 50th file is not a model.
+    """
     for number in range(count):
         path = folder / f"{number // 100:03d}" / f"model {number:05d}.obj"
         path.parent.mkdir(parents=True, exist_ok=True)
@@ -38,7 +40,7 @@ def write_models(folder, count):
 
 
 def _sheet(random_numbers):
-    """Return a sheet 100 mm wide, with 5 to 10 squares in each direction; its map has one or two islands."""
+    """Return a sheet 100 mm wide, with 5 to 10 squares in each direction. Its UV map has one or two islands."""
     columns, rows = random_numbers.integers(5, 11, 2)
     x, y = np.meshgrid(np.linspace(0, 0.1, columns + 1), np.linspace(0, 0.1, rows + 1))
     phase, bump = random_numbers.random(2) * 6, random_numbers.random() * 0.02
@@ -46,7 +48,7 @@ def _sheet(random_numbers):
     lines = [f"v {a!r} {b!r} {c!r}" for a, b, c in np.column_stack([x.ravel(), y.ravel(), z.ravel()]).tolist()]
     lines += [f"vt {u!r} {v!r}" for u, v in np.column_stack([x.ravel(), y.ravel()]).tolist()]
     lines += [f"vt {u + 1!r} {v!r}" for u, v in np.column_stack([x.ravel(), y.ravel()]).tolist()]
-    cut = random_numbers.integers(0, columns)  # 0: none
+    cut = random_numbers.integers(0, columns)  # columns of the first island; 0 for a single island
     wide, count = columns + 1, (columns + 1) * (rows + 1)
     for row in range(rows):
         for column in range(columns):
@@ -58,7 +60,7 @@ def _sheet(random_numbers):
 
 
 def _ball():
-    """Return a closed box whose map is a single point."""
+    """Return a closed box whose UV map is a single point."""
     corners = [(x, y, z) for x in (0, 0.1) for y in (0, 0.1) for z in (0, 0.1)]
     lines = [f"v {x} {y} {z}" for x, y, z in corners] + ["vt 0 0"]
     for face in ((1, 2, 4, 3), (5, 7, 8, 6), (1, 5, 6, 2), (3, 4, 8, 7), (1, 3, 7, 5), (2, 6, 8, 4)):
@@ -72,21 +74,23 @@ def start(models, out, jobs):
         [sys.executable, "-m", "wirewarp", *map(str, words)],
         stdout=subprocess.PIPE,
         text=True,
-        env=os.environ | {"SOURCE_DATE_EPOCH": "0"},  # midnight may be between the two runs
+        env=os.environ | {"SOURCE_DATE_EPOCH": "0"},  # the same date in both runs
     )
     fcntl.fcntl(process.stdout, fcntl.F_SETPIPE_SZ, SMALL_PIPE)
     return process
 
 
 def run(models, out, jobs):
-    """Return the lines of a whole run."""
+    """Return the printed lines of an undisturbed run."""
     with start(models, out, jobs) as process:
         return [json.loads(line) for line in process.stdout]
 
 
 def run_with_kills(models, out, jobs, seed=0):
-    """Kill workers and drivers, and rerun until all is done. Return the lines of the last run, and the list of
-    kills."""
+    """Kill workers and drivers, and run again until all models are done.
+
+    Return the printed lines of the last run, and the list of kills.
+    """
     count = sum(1 for _ in models.rglob("*.obj"))
     # Kill the runs during the first half of the models, each time a little later, because a killed run is repeated.
     places = sorted(random.Random(seed).sample(range(1, count // 2), len(KILLS)))
@@ -96,7 +100,7 @@ def run_with_kills(models, out, jobs, seed=0):
             for number, _ in enumerate(process.stdout):
                 if len(killed) < len(KILLS) and number >= places[len(killed)]:
                     killed += _kill(process.pid, KILLS[len(killed)])
-        # Some files are not models, so this is the best exit code that a run can have.
+        # Some files are not models, so the exit code of a run that is not killed is 2 or 3.
         assert process.returncode in (-9, 2, 3), process.returncode
     while any(line["verdict"] == "stopped" for line in run(models, out, jobs)):
         pass  # until every model that a kill interrupted is finished
@@ -126,13 +130,15 @@ def contents(folder):
 
 
 def comparable(lines):
-    """Return lines by model, without values that may differ."""
+    """Return the lines keyed by model, without values that differ between runs."""
     return {line["model"]: {key: line[key] for key in line if key not in ("seconds", "skipped")} for line in lines}
 
 
 def check_kills(folder, count, jobs):
-    """Assert that nothing is lost or duplicated, and that the files are those of one run. Return the seconds of
-    both."""
+    """Do both runs, and check that no model is lost or duplicated, and that the files are equal.
+
+    Return the seconds of each run and the number of each verdict.
+    """
     models = folder / "models"
     write_models(models, count)
     begin = time.monotonic()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Flattenings for tests of patterns. Shapely, which is not used to make patterns, measures them."""
+"""Makes patterns for tests, and measures them with Shapely, which WireWarp does not use to make patterns."""
 
 from functools import cache
 from pathlib import Path
@@ -21,22 +21,24 @@ def sample(name: str, **options) -> Pattern:
 
 
 def quads(points, corners, **options) -> wirewarp.FlattenResult:
-    """Return the flattening of quads (q,4) between points (n,2) in millimeters, which are already planar."""
+    """Return the flattened planar quads (q,4) between points (n,2) in millimeters."""
     vertices = np.column_stack([np.array(points) / 1000, np.zeros(len(points))])
     faces = [triangle for a, b, c, d in corners for triangle in ((a, b, c), (a, c, d))]
     return wirewarp.flatten(vertices, np.array(faces), **options)
 
 
 def grid(xs, ys, **options) -> wirewarp.FlattenResult:
-    """Return quads between these coordinates in millimeters. Vertices are numbered along x, one row after the other."""
+    """Return flattened quads between these coordinates in millimeters. Vertices are numbered row by row along x."""
     row = len(xs)
     first = [row * y + x for y in range(len(ys) - 1) for x in range(row - 1)]
     return quads([(x, y) for y in ys for x in xs], [(a, a + 1, a + row + 1, a + row) for a in first], **options)
 
 
 def rectangle(width: float, height: float) -> wirewarp.FlattenResult:
-    """Return a rectangle in millimeters without a seam. Its vertices 0 to 3 run counterclockwise from the lower
-    left."""
+    """Return a flattened rectangle without a seam. Its vertices 0 to 3 run counterclockwise from the lower left.
+
+    width, height: millimeters.
+    """
     return quads([(0, 0), (width, 0), (width, height), (0, height)], [(0, 1, 2, 3)])
 
 
@@ -52,7 +54,7 @@ def cut_polygon(piece: PatternPiece) -> shapely.Polygon:
 
 
 def sew_polygon(piece: PatternPiece) -> shapely.Polygon:
-    """Return the flattened outlines from the stitching lines: the largest one, with the others as holes."""
+    """Return the flattened outlines from the stitching lines: the largest outline, with the other outlines as holes."""
     rings = shapely.polygonize([line_string(line) for line in piece.of_role("sew")]).geoms
     return max(rings, key=lambda ring: shapely.Polygon(ring.exterior).area)
 
@@ -62,7 +64,7 @@ def line_string(line: Line) -> shapely.LineString:
 
 
 def letters(text: Text) -> shapely.Polygon:
-    """Return the approximate place of the letters of a text of one line, at least half as wide as high."""
+    """Return the approximate place of a text of one line. Its letters are at least half as wide as high."""
     half = np.array([len(text.lines[0]) / 2, 1.0]) * text.height / 2
     turned = shapely.affinity.rotate(shapely.box(*-half, *half), text.angle, origin=(0, 0))
     return shapely.affinity.translate(turned, *text.center)

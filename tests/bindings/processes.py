@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Processes that other processes have started."""
+"""Waits for processes that other processes have started."""
 
 import time
 

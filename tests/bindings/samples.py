@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The samples of the add-on, flattened by the Python package; tests that share a result only read it."""
+"""Flattens the samples of the add-on with the Python package. Tests share the results, so they only read them."""
 
 import sys
 from functools import cache
@@ -52,6 +52,6 @@ def flattened_with_eases(name: str) -> wirewarp.FlattenResult:
 
 @cache
 def flattened_as_made(name: str) -> wirewarp.FlattenResult:
-    """Flatten a sample with its eases and in its fabric."""
+    """Return the sample flattened with its eases and in its fabric."""
     shape = SAMPLES[name]
     return flatten(shape, eases=eases_of(shape), cloth=cloth_of(shape), fairness=shape.fairness)

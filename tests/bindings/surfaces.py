@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Small surfaces as grids of triangles."""
+"""Makes small surfaces as grids of triangles."""
 
 import math
 from collections.abc import Callable

@@ -26,9 +26,9 @@ from wirewarp.command.staged import staged_folder
 from wirewarp.report import Issue, Note, Report, failure_report, make_report, to_dict
 from works_apart import hang_or_wait, square_or_crash, take_memory_and_hang
 
-posix = pytest.mark.skipif(os.name != "posix", reason="shell scripts and limits of POSIX")
+posix = pytest.mark.skipif(os.name != "posix", reason="uses shell scripts and limits of POSIX")
 NEVER = Limits(3600.0, 10**12)
-# Background runs of the tests and the programs that they start ignore SIGINT.
+# Tests that run in the background and their child processes ignore SIGINT without this line.
 HEARS_CTRL_C = "import signal; signal.signal(signal.SIGINT, signal.default_int_handler)"
 COMMAND = """
 import runpy
@@ -46,7 +46,7 @@ def run_apart(*words, **how):
 
 @pytest.fixture
 def models(tmp_path):
-    """Write two models of one name in two folders, and a file that is not a model."""
+    """Return a folder with two models of one name, a file that is not a model, and two hidden models."""
     folder = tmp_path / "models"
     for path in ("a.obj", "deep/er/a.obj", "notes.txt", ".hidden/b.obj", ".c.obj"):
         (folder / path).parent.mkdir(parents=True, exist_ok=True)
@@ -152,8 +152,8 @@ def test_other_models_are_processed_if_one_crashes():
     assert [results[0], results[3]] == [12**2, 15**2]
     assert [results[1].code, results[2].code] == ["crashed", "crashed"]
     if os.name == "posix":
-        assert results[1].sentence == "Its process was ended by SIGSEGV."
-    assert results[2].sentence == "Its process ended with code 1."
+        assert results[1].sentence == "The model's process was ended by SIGSEGV."
+    assert results[2].sentence == "The model's process ended with code 1."
 
 
 def test_a_hanging_model_is_stopped_with_its_child_processes(tmp_path):
@@ -214,14 +214,14 @@ def test_a_hanging_model_is_stopped_at_the_time_limit(tmp_path):
         each_apart(hang_or_wait, [("wait", tmp_path / "never")], 1, Limits(0.0, 10**12), command_run.MODULES)
     )
     (stopped,) = results.values()
-    assert (stopped.code, stopped.sentence) == ("time_limit", "It took longer than 0 seconds: see --time-limit.")
+    assert (stopped.code, stopped.sentence) == ("time_limit", "The model took longer than 0 seconds: see --time-limit.")
     assert stopped.seconds > 0
 
 
 def test_a_model_that_takes_all_memory_is_stopped():
     results = dict(each_apart(take_memory_and_hang, [600 * 10**6], 1, Limits(3600.0, 500 * 10**6), command_run.MODULES))
     (stopped,) = results.values()
-    assert stopped.sentence == "It took more than 0.5 GB of memory: see --memory-limit."
+    assert stopped.sentence == "The model needed over 0.5 GB of memory: see --memory-limit."
     assert stopped.code == "memory_limit"
 
 
@@ -240,7 +240,7 @@ def test_lines_are_in_order_and_the_worst_decides_the_exit_code(models, tmp_path
     assert (second["model"], second["verdict"]) == (str(models / "deep/er/a.obj"), "not ready to cut")
 
 
-@pytest.mark.skipif(sys.platform != "linux", reason="sees processes and pipes as Linux has them")
+@pytest.mark.skipif(sys.platform != "linux", reason="uses processes and pipes of Linux")
 def test_kills_lose_nothing_and_do_nothing_twice(tmp_path):
     from many_models import check_kills
 
@@ -316,7 +316,7 @@ def refused_bag():
 
 @pytest.fixture
 def blender(tmp_path):
-    """Write a program that answers like flatten_in_blender.py, which tests/addon tests."""
+    """Return a program that writes an answer like flatten_in_blender.py, which tests/addon tests."""
     program = tmp_path / "blender"
     program.write_text(BLENDER.format(python=sys.executable, reports=json.dumps([bag(), refused_bag()])))
     program.chmod(0o755)
@@ -367,7 +367,7 @@ def test_a_stopped_model_leaves_no_files(blender, tmp_path):
 
 @posix
 def test_a_closed_pipe_gives_one_sentence_and_leaves_no_hidden_files(models, blender, tmp_path):
-    """`| head` closes the pipe: the second model hangs when the line of the first cannot be printed."""
+    """The pipe is closed, as by `| head`, so the line of the first model cannot be printed. The second model hangs."""
     (models / "b hangs").mkdir()
     (models / "b hangs" / "hangs.blend").write_bytes(b"BLENDER")
     shut, stdout = os.pipe()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The examples of batch run on their engines."""
+"""The examples in examples/batch work with HyperQueue and Flamenco."""
 
 import json
 import shutil
@@ -11,7 +11,7 @@ import pytest
 from commands import FOLDED
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples" / "batch"
-# The part of Flamenco's job types that ours uses.
+# Replaces the parts of Flamenco that our job type uses.
 FLAMENCO = """
 const author = {
     Task: (name, type) => ({ name, type, commands: [], addCommand(command) { this.commands.push(command); } }),

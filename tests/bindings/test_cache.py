@@ -35,7 +35,7 @@ def contents(result):
 
 
 def run_again(cache, arguments, reused):
-    """Check that a run with the cache equals one without, and takes this many pieces from it."""
+    """Return the result of a run with the cache. Check that it equals a run without it. reused: number of pieces."""
     result = wirewarp.flatten(**arguments, cache=cache)
     fresh = wirewarp.flatten(**arguments)
     assert contents(result) == contents(fresh)
@@ -94,7 +94,7 @@ def test_an_error_is_reused_only_if_it_names_the_same_elements():
     assert again.pieces[0].error.vertices != first.pieces[0].error.vertices
 
 
-def test_a_cancelled_piece_is_solved_next_time(sheet):
+def test_a_canceled_piece_is_solved_in_the_next_run(sheet):
     cache = Cache()
     cancelled = wirewarp.flatten(**sheet, cache=cache, progress=lambda stage, fraction: stage == "charts")
     ends = [piece.report.termination for piece in cancelled.pieces]
@@ -110,7 +110,7 @@ def test_a_canceled_run_keeps_reused_pieces(sheet):
     vertices[1, 2] += 0.01
     changed = sheet | {"vertices": vertices}
     wirewarp.flatten(**changed, cache=cache, progress=lambda *call: False)
-    assert cache.size == 3, "as it was: no piece was looked at"
+    assert cache.size == 3, "the cache has not changed, because the run ended before any piece"
     wirewarp.flatten(**changed, cache=cache, progress=lambda stage, fraction: stage == "charts")
     assert cache.size == 2
     run_again(cache, sheet | {"vertices": vertices}, 2)

@@ -35,7 +35,7 @@ def model(tmp_path):
 
 
 def write_sample(name, path):
-    """Write the file in Blender's order, with quads."""
+    """Write a sample with quads in Blender's order, and its seams and wires. Return options for seams and wires."""
     shape = SAMPLES[name]
     lines = [f"v {x!r} {y!r} {z!r}" for x, y, z in np.asarray(shape.vertices, dtype=float).tolist()]
     lines += ["f " + " ".join(str(corner + 1) for corner in face) for face in shape.faces]
@@ -126,7 +126,7 @@ def test_the_picture_shows_the_pieces_in_scale(model, tmp_path):
     pixels = np.array(Image.open(tmp_path / "out" / "Folded-strain.png")).astype(int)
     assert max(pixels.shape) == pytest.approx(2000, abs=100)
     is_black = pixels.sum(axis=2) < 60
-    # The margin is 60 pixels, and the outlines fill the width between.
+    # The margin is 60 pixels, and the outlines fill the width between the margins.
     columns = np.flatnonzero(is_black[:-100].any(axis=0))
     assert (columns[0], columns[-1]) == pytest.approx((60, pixels.shape[1] - 60), abs=4)
     # The bar of the legend is 100 mm; the report contains the size of the layout.
@@ -176,7 +176,7 @@ def test_a_model_of_several_files_has_changed_when_one_file_has(tmp_path):
     words, text = (path, "--out", tmp_path / "out", "--format", "svg", "--resume"), path.read_text()
     assert "skipped" not in run(*words)[0][0]
     write(0.02)
-    path.write_text(text)  # a model with its geometry in other files
+    path.write_text(text)  # only the other files of the model have changed
     assert "skipped" not in run(*words)[0][0]
     assert run(*words)[0][0]["skipped"]
 
@@ -208,7 +208,7 @@ def failing_at(number):
 
 
 @pytest.mark.parametrize("is_killed", [False, True])
-# Three files are moved out, then three in. The fifth move is that of the second new file.
+# Three files are moved out, then three in. The fifth move moves the second new file in.
 @pytest.mark.parametrize("number", range(6))
 def test_files_of_two_runs_are_never_mixed(model, tmp_path, monkeypatch, number, is_killed):
     words = ["flatten", str(model), "--out", str(tmp_path / "out")]
@@ -233,7 +233,7 @@ def test_files_of_other_programs_do_not_change(model, tmp_path, name):
     theirs = tmp_path / "out" / name
     theirs.parent.mkdir()
     theirs.write_text("{}")
-    (tmp_path / "out" / "Folded.pdf").write_text("theirs")  # a run that writes SVG does not conflict
+    (tmp_path / "out" / "Folded.pdf").write_text("theirs")  # no conflict with a run that writes SVG
     words = (model, "--out", tmp_path / "out", "--format", "svg")
     ((line,), _) = run(*words, code=2)
     (problem,) = line["problems"]
@@ -281,7 +281,7 @@ def test_a_file_that_differs_when_read_again_is_refused_and_the_batch_continues(
 @pytest.mark.parametrize(
     ("name", "content", "words", "said"),
     [
-        ("a.fbx", "", (), '"a.fbx" is not a model of a kind that can be read: .obj'),
+        ("a.fbx", "", (), '"a.fbx" cannot be read: names of models end in .obj'),
         ("a.obj", "hello", (), '"a.obj" has no faces'),
         ("a.ply", "hello", (), '"a.ply" is damaged or is not PLY. Export the model again.'),
         ("a.ply", LOST_VERTEX, (), '"a.ply" has faces with vertices that are not in the file'),
@@ -296,7 +296,7 @@ def test_a_file_that_differs_when_read_again_is_refused_and_the_batch_continues(
         ("a.obj", FOLDED, ("--wires", "lines.json"), "must be a JSON list of wires"),
         ("a.obj", FOLDED, ("--wires", "wire.json"), "Wire 1 of"),
         ("a.obj", FOLDED, ("--wires", "ease.json"), "Ease 1 of \"ease.json\" has 'tolerance': give ease, side"),
-        ("a.obj", FOLDED, ("--orientation", "best"), "another one without a cloth"),
+        ("a.obj", FOLDED, ("--orientation", "best"), "grain if there is no cloth"),
         ("a.obj", FOLDED, ("--marker", "1in", "--imperial", "--picture"), "too large for a roll of 1 in"),
         ("a.obj", FOLDED, ("--page", "120mm", "--format", "svg,pdf"), "too large for a roll of 120 mm"),
     ],

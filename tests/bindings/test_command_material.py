@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""python -m wirewarp with a fabric, its stretch, a thickness, and eases."""
+"""python -m wirewarp uses a fabric, its stretch, a thickness, and eases."""
 
 import json
 
@@ -17,7 +17,7 @@ def model(tmp_path):
     return path
 
 
-def test_a_stretched_cloth_and_a_thick_one(model, tmp_path):
+def test_stretch_and_thickness_change_the_areas_of_pieces(model, tmp_path):
     def areas(*words):
         _, _ = run(model, "--out", tmp_path / "out", "--seams", "uv", *words)
         report = json.loads((tmp_path / "out" / "Folded.json").read_text())

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Models read from files."""
+"""Files of models may have any encoding. Materials do not change the model."""
 
 import numpy as np
 import pytest
@@ -12,7 +12,7 @@ from wirewarp.command.model import read_model
     [
         b"\xef\xbb\xbf",  # a byte order mark
         "# Größe: Ärmel\ng Rückenteil\n".encode("cp1252"),
-        "# 前身頃の表\n".encode("shift-jis"),  # the line ends in a backslash
+        "# 前身頃の表\n".encode("shift-jis"),  # its last byte is a backslash
         "# Größe 前身頃\nusemtl Stoff\n".encode(),
     ],
     ids=["byte order mark", "cp1252", "Shift-JIS", "UTF-8"],

@@ -113,7 +113,7 @@ def test_the_reason_for_removing_no_seam_is_reported(dome, tmp_path, columns, st
 def test_widths_are_only_for_cut_sets(dome, width):
     for words in (("--cut", "dart"), ("--cut", "seam", "--together", "2")):
         lines, said = commands.propose(dome, *words, "--narrowest", width, code=2)
-        assert lines == [] and "--narrowest is for cut sets" in said
+        assert lines == [] and "--narrowest is for sets of seams" in said
 
 
 def test_the_least_width_is_in_the_unit_of_the_option(tmp_path):

@@ -47,7 +47,7 @@ def test_vertices_that_are_merely_near_stay_apart():
 
 
 def test_a_face_without_area_is_removed_and_its_neighbor_divided():
-    """The right triangle of a square has a vertex in the middle of the diagonal that the left triangle does not use."""
+    """The diagonal of a square has a vertex in its middle, which the left triangle does not use."""
     vertices = [*SQUARE, (0.5, 0.5, 0)]
     uv = np.array([SQUARE[list(face), :2] for face in [(0, 2, 3)]] + [np.zeros((3, 2))] * 3)
     faces = [(0, 2, 3), (0, 4, 2), (0, 1, 4), (1, 2, 4)]
@@ -55,13 +55,13 @@ def test_a_face_without_area_is_removed_and_its_neighbor_divided():
     assert found.done == ["1 zero-area face removed"]
     assert areas(found.model) == pytest.approx([0.25] * 4)
     new = [row for row, face in enumerate(found.model.faces.tolist()) if {3, 4} <= set(face)]
-    for row in new:  # the map is divided at the same place
+    for row in new:  # the UV map is divided at the same place
         for corner, vertex in enumerate(found.model.faces[row]):
             assert found.model.corner_uv[row, corner] == pytest.approx(np.array(vertices[vertex])[:2])
 
 
 def test_two_faces_without_area_are_removed_and_their_neighbors_joined():
-    """A pair of needles on one line: each has a vertex on the long edge of the other."""
+    """Two faces without area are on one line. Each has a vertex on the long edge of the other face."""
     vertices = [(0, 0, 0), (3, 0, 0), (1, 0, 0), (2, 0, 0), (1, 1, 0), (1, -1, 0)]
     faces = [(0, 1, 2), (1, 0, 3), (0, 2, 4), (2, 1, 4), (0, 5, 3), (3, 5, 1)]
     found = repaired(model_of(vertices, faces))
@@ -88,7 +88,7 @@ def test_a_moebius_strip_does_not_change():
 
 
 def test_lines_of_the_file_are_translated():
-    """A merged vertex, a divided edge, and the side of a flipped face."""
+    """The lines have a merged vertex, a divided edge, and the side of a flipped face."""
     apart = repaired(
         model_of([*SQUARE, (1 + 1e-6, 0, 0), (2, 0, 0), (1, 1 + 1e-6, 0)], [(0, 1, 2), (0, 2, 3), (4, 5, 6)])
     )
@@ -129,7 +129,7 @@ def test_a_model_that_fails_is_repaired_on_request(tmp_path):
     ((line,), _) = run(path, "--out", tmp_path / "out", code=1)
     assert line["verdict"] == "not ready to cut"
     ((line,), _) = run(path, "--out", tmp_path / "out", "--repair")
-    assert line["repairs"] == ["2 duplicate faces removed"]  # the two triangles of the square
+    assert line["repairs"] == ["2 duplicate faces removed"]  # the two triangles of the repeated face
     assert line["pieces"] == 1 and "repairs" in json.loads((tmp_path / "out" / "double.json").read_text())["line"]
 
 

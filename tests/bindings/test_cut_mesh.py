@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""cut_mesh and straighten_path: arrays and attributes. tests/native tests the lines and the mesh."""
+"""cut_mesh() and straighten_path() return correct arrays. tests/native tests their lines and the mesh."""
 
 import pickle
 
@@ -12,13 +12,13 @@ Lines = list[wirewarp.SurfacePath]
 
 
 def across(columns: int, at: float, end: float) -> wirewarp.SurfacePath:
-    """Return a path across a grid over the unit square, from the left outline at one height to the right one."""
+    """Return a path in a grid over the unit square at height `at`, from the left side to x = `end`."""
     cell = int(at * columns)
     faces, coordinates = [], []
     fraction = at * columns - cell
     for column in range(int(end * columns)):
         lower = 2 * (cell * columns + column)  # corners: lower left, lower right, upper right
-        # Through the upper left triangle to the diagonal, then through the other one to the edge on the right.
+        # Through the upper left triangle to the diagonal, then through the lower right triangle to its right edge.
         faces += [lower + 1, lower]
         coordinates += [(1 - fraction, 0, fraction), (1 - fraction, 0, fraction)]
     faces.append(lower)

@@ -95,7 +95,7 @@ def refused_wire() -> FlattenError:
 
 
 def tube() -> FlattenError:
-    """Return two rings of three vertices, one of them larger; each outline is a triangle."""
+    """Return the error of a tube. Its two outlines are triangles, one twice as large as the other."""
     around = 2 * np.pi * np.arange(3) / 3
     ring = np.stack([np.cos(around), np.sin(around)], axis=1)
     vertices = np.vstack([np.c_[ring, np.zeros(3)], np.c_[2 * ring, np.full(3, 9.0)]])
@@ -133,8 +133,10 @@ def test_proposed_seams_can_be_passed_as_seams():
 
 
 def test_seams_are_proposed_for_a_piece_that_only_the_stretch_makes_infeasible():
-    """The stretch shortens the legs of a slim triangle to a fifth, but its seam only to three fifths. The seam joins
-    the triangle to a square. It runs across the grain of one piece and along the grain of the other."""
+    """The stretch shortens the legs of a slim triangle to a fifth, but its seam only to three fifths.
+
+    The seam joins the triangle to a square. It runs across the grain of one piece and along the grain of the other.
+    """
     around = [(i / 4, 0, 0) for i in range(5)] + [(0.5, 0.08, 0)]
     vertices = [*around, *((i / 4, 0, -1) for i in range(5))]
     faces = [(i, i + 1, 5) for i in range(4)]
@@ -151,8 +153,8 @@ def test_seams_are_proposed_for_a_piece_that_only_the_stretch_makes_infeasible()
     assert [piece.error for piece in cut.pieces] == [None, None, None]
 
 
-def test_the_package_works_inside_another_one(tmp_path, monkeypatch):
-    """An add-on may contain the package; its errors are separate."""
+def test_the_package_works_inside_another_package(tmp_path, monkeypatch):
+    """An add-on may contain a copy of the package, which has its own error classes."""
     shutil.copytree(Path(wirewarp.__file__).parent, tmp_path / "carrier" / "wirewarp")
     monkeypatch.syspath_prepend(tmp_path)
     inner = importlib.import_module("carrier.wirewarp")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""wirewarp.start: flatten() while Python continues."""
+"""wirewarp.start() flattens a mesh while Python continues."""
 
 import copy
 import gc
@@ -53,7 +53,7 @@ def test_a_canceled_job_reports_it():
     assert [piece.error.code for piece in job.result().pieces] == [wirewarp.ErrorCode.cancelled]
 
 
-def test_bad_input_is_raised_by_result():
+def test_errors_of_bad_input_are_raised_by_result():
     vertices, faces = half_cylinder()
     job = wirewarp.start(vertices, [[0, 1, 10_000_000]])
     for _ in range(2):
@@ -62,7 +62,7 @@ def test_bad_input_is_raised_by_result():
         assert caught.value.code == wirewarp.ErrorCode.vertex_out_of_range
 
 
-def test_arguments_of_a_wrong_type_are_raised_at_once():
+def test_arguments_of_a_wrong_type_are_refused_at_once():
     with pytest.raises(wirewarp.FlattenError):
         wirewarp.start(*half_cylinder(), options=3)
     with pytest.raises(wirewarp.FlattenError):
@@ -90,7 +90,7 @@ def test_proposals_are_found_in_a_job(start, find, limits):
             job.result()
         assert caught.value.code == code
     with pytest.raises(wirewarp.FlattenError, match="no_seam"):
-        start(*mesh, no_seam="all")  # wrong type: raised immediately
+        start(*mesh, no_seam="all")  # a wrong type is refused immediately
     job = start(*spherical_patch(100, 100))
     job.cancel()
     with pytest.raises(wirewarp.FlattenError) as caught:
@@ -102,8 +102,8 @@ def test_a_job_without_references_is_canceled():
     cache = wirewarp.Cache()
     job = wirewarp.start(*spherical_patch(300, 300), cache=cache)
     del job
-    gc.collect()  # returns when its thread has ended
-    assert cache.size == 0  # canceled pieces are not kept, others are
+    gc.collect()  # returns when the thread of the job has ended
+    assert cache.size == 0  # the canceled piece is not kept
 
 
 @pytest.mark.skipif(not hasattr(signal, "pthread_kill"), reason="this system sends no signals to threads")

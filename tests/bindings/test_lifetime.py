@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Objects that are pickled, created in unusual ways or used while Python ends cause exceptions, never an abort.
 
-Many runs leave no memory behind.
+Many runs do not leak memory.
 """
 
 import copy
@@ -26,7 +26,7 @@ COMPILED = [cls for cls in CLASSES if not issubclass(cls, str | Exception)]
 
 
 def rich_result() -> wirewarp.FlattenResult:
-    """Return two pieces, one with an error that proposes seams, with wires of two kinds and a seam."""
+    """Return a result with a seam, wires of two kinds, and a piece whose error proposes seams."""
     vertices, faces = half_cylinder()
     ball = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1.0]]) + 5
     ball_faces = np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]) + len(vertices)
@@ -40,7 +40,7 @@ def rich_result() -> wirewarp.FlattenResult:
 
 
 def same(one: object, other: object) -> bool:
-    """Compare field by field and bit for bit, including NaN."""
+    """Return whether two objects are equal field by field and bit by bit. NaN equals NaN."""
     if hasattr(one, "_fields"):
         return type(one) is type(other) and all(
             same(getattr(one, name), getattr(other, name)) for name in type(one)._fields
@@ -172,12 +172,12 @@ def test_python_ends_while_a_thread_reads_arguments(call):
         *SHEET,
         "import atexit",
         "ending = threading.Event()",
-        "atexit.register(ending.set)",  # this handler runs before that of wirewarp
+        "atexit.register(ending.set)",  # this handler runs before the handler of wirewarp
         "class Slow:",
         "    def __array__(self, dtype=None, copy=None):",
         "        begun.set()",
         "        ending.wait()",
-        "        time.sleep(0.1)",  # without the wait for calls, Python would end during this time
+        "        time.sleep(0.1)",  # if wirewarp did not wait for calls, Python would end now
         "        wirewarp.measure(vertices, faces, vertices[faces][:, :, :2])",  # a call within the call
         "        print('read', file=sys.stderr)",
         "        return vertices",
@@ -191,7 +191,7 @@ def test_python_ends_while_a_thread_reads_arguments(call):
 def test_a_mesh_is_flattened_while_python_ends():
     ended = run(
         "import atexit",
-        "atexit.register(lambda: print(wirewarp.flatten(vertices, faces).pieces[0].error))",  # runs after wirewarp's
+        "atexit.register(lambda: print(wirewarp.flatten(vertices, faces).pieces[0].error))",  # after wirewarp's
         *SHEET,
     )
     assert ended.stdout == "None\n", ended.stderr
@@ -232,7 +232,7 @@ def resident_megabytes():
 @pytest.mark.skipif(sys.platform != "linux", reason="reads /proc")
 @pytest.mark.parametrize("method", ["refined", "wirewarp++", "wirewarping"])
 def test_many_runs_leave_no_memory_behind(method):
-    """One result takes about 0.2 MB: a leak of a fortieth of it would be seen."""
+    """One result takes about 0.2 MB. The test notices if each run leaks a fortieth of a result."""
     vertices, faces = spherical_patch(columns=10, rows=10)
     across = {"wires": [Wire(range(55, 66), tolerance=0.03)], "options": Options(method=method)}
 
@@ -243,7 +243,7 @@ def test_many_runs_leave_no_memory_behind(method):
             with pytest.raises(FlattenError):
                 wirewarp.flatten(vertices, faces + len(vertices))
 
-    run(100)  # first lets the allocator get enough memory
+    run(100)  # in these runs, the allocator gets enough memory
     before = resident_megabytes()
     run(400)
     assert resident_megabytes() - before < 2

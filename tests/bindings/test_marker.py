@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Pieces of markers are on the fabric, apart, along the grain, and in their quantity; shapely measures them."""
+"""Pieces of markers are on the fabric, apart, along the grain, and as many as requested. Shapely measures them."""
 
 import json
 import math
@@ -178,7 +178,7 @@ def test_better_markers_are_shown_and_a_stop_keeps_the_best(engine):
     assert marker.placements == shown[-1].placements
     lengths = [each.length for each in shown]
     assert lengths == sorted(lengths, reverse=True) and len(set(lengths)) == len(lengths)
-    assert asked.index(False) == len(asked) - 1  # it stopped at the first refusal
+    assert asked.index(False) == len(asked) - 1  # the search stopped at the first refusal
 
 
 def test_errors_of_spyrrow_are_reported_and_pieces_are_packed_without_it(monkeypatch):
@@ -222,7 +222,7 @@ def test_the_search_process_ends_if_progress_raises(searches):
         if searches:
             raise ZeroDivisionError
 
-    with pytest.raises(ZeroDivisionError) as raised:  # the traceback is kept alive
+    with pytest.raises(ZeroDivisionError) as raised:  # the traceback keeps the search's frames alive
         sample("Hat").nested(1400, seconds=600, progress=progress)
     (search,) = searches
     assert search.returncode is not None and not Path(search.args[-1]).parent.exists(), raised
@@ -244,7 +244,7 @@ def test_a_search_ends_if_its_parent_is_killed(tmp_path):
     caller.kill()
     caller.wait()
     wait_until_gone(search)
-    assert os.name != "posix" or not list(tmp_path.iterdir())  # Windows keeps open files
+    assert os.name != "posix" or not list(tmp_path.iterdir())  # Windows cannot delete open files
 
 
 @pytest.mark.parametrize(
@@ -264,7 +264,7 @@ def test_a_search_ends_if_its_parent_is_killed(tmp_path):
         ({"width": 600, "seconds": math.nan}, "seconds is nan"),
         ({"width": 600, "seconds": "long"}, "seconds is 'long'"),
         ({"width": "200"}, "too large for a roll of 200 mm"),
-        ({"width": 200}, '"Piece 1" is 220.0 mm x 320.0 mm: too large for a roll of 200 mm, as its grain runs'),
+        ({"width": 200}, '"Piece 1" is 220.0 mm x 320.0 mm: too large for a roll of 200 mm, with its grain lengthwise'),
         ({"width": 600, "length": 300}, "too large for sheets of 600 mm x 300 mm"),
     ],
 )
@@ -318,7 +318,7 @@ def test_a_long_marker_has_several_pages_that_overlap(tmp_path):
     pages = [page.get_size() for page in pypdfium2.PdfDocument(tmp_path / "long.pdf")]
     assert np.array(pages) * 25.4 / 72 == pytest.approx(np.array(sizes), abs=0.01)
     assert len(sizes) == 2 and max(size.max() for size in sizes) <= 5000
-    # Margins of 10 mm around each page, the test square on the first, 10 mm of overlap.
+    # Margins of 10 mm around both pages, 158 mm for the test square on the first page, and 10 mm of overlap.
     assert sum(size[1] for size in sizes) == pytest.approx(length + 2 * 20 + 158 + 10)
     with pytest.raises(wirewarp.FlattenError, match=r"needs a roll of 920 mm, not 910 mm"):
         laid.page_sizes(910.0)

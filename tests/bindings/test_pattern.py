@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Patterns of samples and of made-up pieces: lines, notches, darts, warnings and errors."""
+"""Patterns of samples and invented pieces have correct lines, notches, darts, warnings and errors."""
 
 import math
 
@@ -79,8 +79,7 @@ def test_notches_pair_at_equal_sewn_length_and_no_seam_fits_upside_down(name):
                 places.setdefault(point.pair, []).append((at, line.length))
     seams = {}
     for (seam, _), ends in places.items():
-        # Both sides of a dart have the same name. On other seams, the outline of the other side runs in the opposite
-        # direction.
+        # On seams that are not darts, the outline of the other side runs in the opposite direction.
         (first, length), (second, _) = ends
         assert min(abs(first - second), abs(first - (length - second))) < 1e-6
         seams.setdefault(seam, (length, []))[1].append(first)
@@ -108,15 +107,15 @@ def test_seams_of_a_back_have_double_notches():
 
 
 def junction() -> wirewarp.FlattenResult:
-    """Return four pieces around a vertex: the seam from side to side is straight there, the other one bends."""
+    """Return four pieces around a vertex. The seam from left to right is straight, and the other seam bends there."""
     points = [(0, 0), (160, 0), (300, 0), (0, 100), (150, 100), (300, 100), (0, 200), (190, 200), (300, 200)]
     corners = [(0, 1, 4, 3), (1, 2, 5, 4), (3, 4, 7, 6), (4, 5, 8, 7)]
     return quads(points, corners, seams=[(1, 4), (4, 7), (3, 4), (4, 5)])
 
 
-def test_both_allowances_of_a_seam_end_on_the_cut_lines_that_cross_it():
+def test_both_allowances_of_a_seam_end_on_the_cutting_lines_that_cross_it():
     # The cross seam continues straight across seams 1-4 and 4-7, so these are sewn first. Their allowances are pressed
-    # open, and end on the cut line of the cross seam.
+    # open, and end on the cutting line of the cross seam.
     result = junction()
     sticks_out, falls_short = np.zeros(4), np.zeros(4)
     for piece in Pattern.from_result(result).pieces:
@@ -163,7 +162,7 @@ def test_a_slit_inside_a_piece(tmp_path):
         found[how] = [line_string(line).length for line in piece.of_role("inner_cut")]
         holes = [point.at for point in piece.points if point.role == "drill"]
         assert len(holes) == (0 if how == "cut" else 2)
-        if holes:  # 13 mm before either end
+        if holes:  # the holes are 13 mm before the ends of the slit
             assert np.linalg.norm(holes[0] - holes[1]) == pytest.approx(3 * 40 - 2 * 13)
         assert [warning.count("fills 1 of 1 holes") for warning in pattern.warnings] == ([1] if how == "cut" else [])
         for ending in ("svg", "pdf", "dxf", "plt"):
@@ -185,7 +184,7 @@ def test_an_inward_corner_is_clipped():
     result = quads(points, [(0, 1, 4, 3), (1, 2, 5, 4), (3, 4, 7, 6)])
     (piece,) = Pattern.from_result(result).pieces
     (clip,) = [point for point in piece.points if point.role == "clip"]
-    assert clip.depth == pytest.approx(10 * math.sqrt(2) - 2, abs=1e-3)  # from the corner of the cut line
+    assert clip.depth == pytest.approx(10 * math.sqrt(2) - 2, abs=1e-3)  # from the corner of the cutting line
     start, end = (shapely.Point(place) for place in clip.stroke)
     assert cut_polygon(piece).exterior.distance(start) < 1e-3
     assert sew_polygon(piece).exterior.distance(end) == pytest.approx(math.sqrt(2), abs=1e-3)
@@ -213,7 +212,7 @@ def test_pieces_with_different_allowances_are_not_a_pair():
 
 def test_holes_filled_by_their_allowance_are_reported():
     assert sample("Carnival mask", allowance=25.0).warnings == [
-        '"Piece 1": the allowance fills 2 of 2 holes; they are not cut.'
+        '"Piece 1": the allowance fills 2 of 2 holes, which are not cut.'
     ]
 
 
@@ -248,7 +247,7 @@ def test_bad_input_gives_one_sentence(options, words):
 
 @pytest.mark.parametrize("size", [1e6, 1e12, 1e20, 1e30])
 def test_a_piece_of_the_wrong_unit_gives_one_sentence(size):
-    """With 1e12, Clipper used to end the process."""
+    """With coordinates of 1e12, Clipper would end the process."""
     vertices = size * np.array([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)], dtype=float)
     result = wirewarp.flatten(vertices, np.array([(0, 1, 2), (0, 2, 3)]))
     with pytest.raises(wirewarp.FlattenError, match=r'"Piece 1" reaches .* km far, .* unit of the model'):
@@ -312,7 +311,7 @@ def test_the_date_is_on_every_piece():
 
 @pytest.mark.parametrize(("height", "depth"), [(8, 2.4), (60, 5.0)])
 def test_notches_without_allowance_that_face_each_other_do_not_meet(height, depth):
-    """A wire across the piece has a notch at each end. Its depth is 0.3 times the piece's width, but at most 5 mm."""
+    """A wire across the piece has a notch at each end. Each depth is 0.3 times the piece's width, at most 5 mm."""
     result = grid([0, 100, 200], [0, height], wires=[wirewarp.Wire([1, 4])])
     (piece,) = Pattern.from_result(result, allowance=0, notch_spacing=0).pieces
     (wire,) = piece.of_role("wire")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""For any outline, the cut line is one loop with the requested widths, and corners have the shapes of their types."""
+"""For any outline, the cutting line is one loop with the requested widths. Each type of corner has its shape."""
 
 import math
 
@@ -36,7 +36,7 @@ def random_sections(random: np.random.Generator) -> list[Section]:
     ]
 
 
-@settings(max_examples=max(300, settings.default.max_examples))  # 2 s
+@settings(max_examples=max(300, settings.default.max_examples))  # takes 2 s
 @given(seed=st.integers(0, 2**32 - 1))
 def test_any_widths_around_any_outline_make_one_loop(seed):
     loop = random_sections(np.random.default_rng(seed))
@@ -68,13 +68,15 @@ def test_any_widths_around_any_outline_make_one_loop(seed):
     for number, (section, line) in enumerate(zip(loop, lines, strict=True)):
         nearest = places[distances.argmin(axis=0) == number]
         feet = shapely.line_interpolate_point(line, shapely.line_locate_point(line, nearest))
-        on_edges = shapely.distance(feet, vertices) > 1e-6  # the mitre is slightly farther from a vertex
+        on_edges = shapely.distance(feet, vertices) > 1e-6  # a miter is slightly farther from a vertex
         assert np.all(np.abs(shapely.distance(feet, nearest)[on_edges] - section.width) < 0.01)
 
 
 def square(widths, corner: Corner) -> list[Section]:
-    """Return the sections of a square of 100 mm from the lower left corner on. corner: type of the lower right
-    corner."""
+    """Return the sections of a square of 100 mm, beginning at the lower left corner.
+
+    corner: type of the lower right corner.
+    """
     points = np.array([[0.0, 0], [100, 0], [100, 100], [0, 100], [0, 0]])
     corners = [corner, Corner(), Corner(), Corner()]
     return [Section(points[i : i + 2], widths[i], corners[i]) for i in range(4)]
@@ -86,7 +88,7 @@ def square(widths, corner: Corner) -> list[Section]:
         ("mitre", 10, 10, 100),
         ("mitre", 20, 10, 200),
         ("step", 20, 20, 400),  # equal widths have no step
-        ("fold-back", 20, 10, 200),  # at a right angle, it continues the mirror image of its neighbor
+        ("fold-back", 20, 10, 200),  # at a right angle, the allowance continues its neighbor's mirror image
         ("extend", 10, 10, 50),  # straight from end to end: half the square
         ("round", 10, 10, 25 * math.pi),
         ("mitre", 0, 10, 0),
@@ -113,7 +115,7 @@ def test_a_hole_gets_its_allowance_inside_and_a_hole_too_small_is_not_cut():
     hole = np.array([[50.0, 50], [50, 150], [150, 150], [150, 50], [50, 50]])
     found = cut_lines([[Section(outer, 10.0)], [Section(hole, 10.0)]])
     assert signed_area(found.holes[0]) == pytest.approx(-(80**2), abs=0.01)
-    for width in (49.99, 50.0):  # the first leaves less than rounding may
+    for width in (49.99, 50.0):  # 49.99 mm leaves less than rounding errors
         assert cut_lines([[Section(outer, 10.0)], [Section(hole, width)]]).holes == []
 
 
@@ -125,7 +127,7 @@ def test_a_gap_that_the_allowance_closes_is_a_pocket():
     assert len(found.outer) == 1 and found.holes == []
     area = shapely.Polygon(room).buffer(-10, join_style="mitre").area
     assert sum(-signed_area(pocket) for pocket in found.pockets) == pytest.approx(area, abs=0.01)
-    hole = np.array([(5.0, 5), (5, 35), (195, 35), (195, 5), (5, 5)])  # a piece may have both
+    hole = np.array([(5.0, 5), (5, 35), (195, 35), (195, 5), (5, 5)])  # a piece may have holes and pockets
     both = cut_lines([[Section(points, 10.0)], [Section(hole, 10.0)]])
     assert [-signed_area(line) for line in (*both.holes, *both.pockets)] == pytest.approx([170 * 10, area], abs=0.01)
 
@@ -144,8 +146,8 @@ def test_a_notch_in_a_section_is_filled_as_far_as_the_width(mouth, depth, lean, 
 
 @pytest.mark.parametrize("of_next", [False, True])
 @pytest.mark.parametrize("wide_first", [False, True])
-def test_at_obtuse_corners_the_wider_allowance_ends_on_the_narrower_cut_line(wide_first, of_next):
-    """With mitres, every edge of a convex polygon has its own allowance along its whole length."""
+def test_at_obtuse_corners_the_wider_allowance_ends_on_the_narrower_cutting_line(wide_first, of_next):
+    """With miters, every edge of a convex polygon has its own allowance along its whole length."""
     angles = 2 * np.pi * np.arange(8) / 8
     points = 200 * np.column_stack([np.cos(angles), np.sin(angles)])
     expected, loop = shapely.box(-500, -500, 500, 500), []
@@ -156,7 +158,7 @@ def test_at_obtuse_corners_the_wider_allowance_ends_on_the_narrower_cut_line(wid
         expected &= shapely.Polygon([*edge, *(edge[::-1] - 2000 * aside)])
         loop.append(Section(np.array([a, b]), width, Corner("mitre", of_next)))
     (outer,) = cut_lines([loop]).outer
-    assert shapely.Polygon(outer).symmetric_difference(expected).area < 0.2  # of about 150,000
+    assert shapely.Polygon(outer).symmetric_difference(expected).area < 0.2  # of about 150,000 mm²
 
 
 def test_without_an_allowance_no_point_moves():
@@ -185,7 +187,7 @@ def half_strip(section, at_end):
     st.data(),
 )
 def test_an_allowance_that_folds_back_lies_on_the_piece_and_leaves_its_neighbor_whole(sides, widths, of_next, data):
-    """On convex polygons, the allowance does not extend beyond the piece if it is folded over its stitching line."""
+    """An allowance of a convex polygon that is folded over its stitching line does not extend beyond the piece."""
     start = data.draw(st.floats(0, 6))
     angles = start + np.linspace(0, 2 * np.pi, sides, endpoint=False)
     points = 300 * np.column_stack([np.cos(angles), np.sin(angles)])
@@ -202,7 +204,7 @@ def test_an_allowance_that_folds_back_lies_on_the_piece_and_leaves_its_neighbor_
         if turn <= np.pi / 2:
             assert cut.buffer(1e-3).contains(half_strip(other, at_end=other is first))
         if back.width + other.width > 2.2 * min(back.width, other.width):
-            continue  # a corner that would extend too far becomes a mitre
+            continue  # a corner that would extend too far becomes a miter
         a, b = back.points
         aside = right_of(a, b)
         whole = shapely.Polygon([a, b, b + 3 * back.width * aside, a + 3 * back.width * aside])
@@ -216,7 +218,7 @@ def test_an_allowance_that_folds_back_lies_on_the_piece_and_leaves_its_neighbor_
 @pytest.mark.parametrize("width", [3.0, 10.0])
 @pytest.mark.parametrize("degrees", [8, 30, 46, 48, 60, 90, 150])
 def test_a_tip_inside_of_a_section_is_a_mitre_that_is_cut_square_at_its_limit(degrees, width):
-    """At a tip of this angle, the point of the mitre is at the distance width / sin(angle / 2)."""
+    """The point of the miter is at the distance width / sin(angle / 2) from the tip."""
     half = math.radians(degrees / 2)
     tip, leg = np.array([0.0, 0.0]), 400.0
     ends = leg * np.array([[-math.cos(half), -math.sin(half)], [-math.cos(half), math.sin(half)]])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Darts on patterns: closed, cut out or slit."""
+"""Patterns have darts that are closed, cut out or slit."""
 
 import math
 
@@ -12,8 +12,10 @@ from wirewarp.pattern import Chain, FlatPiece, Pattern
 
 
 def dart(mouth: float, depth: float) -> wirewarp.FlattenResult:
-    """Return a rectangle of 300 x 200 with a dart from the middle of its lower edge. The mouth of the dart is folded
-    away."""
+    """Return a rectangle of 300 x 200 mm with a dart from the middle of its lower edge.
+
+    The mouth of the dart is folded away. mouth, depth: millimeters.
+    """
     # The dart's legs are sewn, so the model is a cone and the flat piece opens by itself.
     half = mouth / 2
     leg = math.hypot(half, depth)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""For seams with a longer side, notches still match, and the pattern says how to sew them."""
+"""If one side of a seam is longer, its notches still match, and the pattern says how to sew it."""
 
 import sys
 from pathlib import Path
@@ -20,8 +20,10 @@ SEAM = [(x, x + 1) for x in range(COUNT)]
 
 
 def two_strips(eased, **options) -> wirewarp.FlattenResult:
-    """Return two strips of 150 mm, below and above a seam in steps of 20 mm; eased: (start, end, ratio) on the lower
-    one."""
+    """Return two strips of 150 mm, below and above a seam with edges of 20 mm.
+
+    eased: ratio of the lower strip for the edges from start to end, as (start, end, ratio).
+    """
     row = COUNT + 1
     points = [(x * LENGTH / COUNT, y) for y in (0, 150, -150) for x in range(row)]
     above = [(x, x + 1, row + x + 1, row + x) for x in range(COUNT)]
@@ -31,7 +33,7 @@ def two_strips(eased, **options) -> wirewarp.FlattenResult:
 
 
 def notches_in_file(path: Path, name: str) -> list[float]:
-    """Return the distances of a piece's notches, after lengthening, from the end that is farther from a notch."""
+    """Return the distances in mm of a piece's notches from the end of its seam that is farther from a notch."""
     drawing = Drawing(path)
     (seam,) = [line for line in drawing.lines(name, "Sew") if len(line) == COUNT + 1]
     line = shapely.LineString(seam)
@@ -55,7 +57,7 @@ def test_notches_of_an_eased_seam_are_at_equal_sewn_lengths(tmp_path, eased):
     step = LENGTH / COUNT
     ends_below = np.concatenate([[0.0], np.cumsum(step * ratios)])
     assert above == pytest.approx(np.arange(40, LENGTH, 50), abs=0.02) and len(below) == len(above)
-    sewn = np.interp(below, ends_below, np.arange(COUNT + 1) * step)  # each edge's length divided by 1 + r
+    sewn = np.interp(below, ends_below, np.arange(COUNT + 1) * step)  # each edge's length divided by 1 + ratio
     assert sewn == pytest.approx(above, abs=0.02)
     (walk,) = pattern.walks
     assert np.interp(walk.notches[1], ends_below, np.arange(COUNT + 1) * step) == pytest.approx(walk.notches[0])
@@ -73,7 +75,7 @@ def test_the_longer_side_is_named_on_its_line_and_on_the_proof():
     assert "Seam 1: Above, 12 mm longer, ease between notches" in texts and "Seam 1: Below" in texts
 
 
-def test_much_longer_sides_are_gathered_and_equal_ones_have_no_text():
+def test_much_longer_sides_are_gathered_and_equal_sides_have_no_text():
     for eased, expected in (([(0, COUNT, 0.5)], "200 mm longer, gather between notches"), ([], "")):
         pattern = Pattern.from_result(two_strips(eased), piece_names=["Above", "Below"])
         (note,) = [line.note for line in pattern.pieces[1].of_role("sew") if line.seam is not None]

@@ -108,7 +108,7 @@ def test_svg_is_drawn_in_true_size_by_another_renderer(tmp_path, preset):
 
 
 def rendered_svg(path) -> np.ndarray:
-    """Return (h,w) bool, like dark()."""
+    """Return a mask (h,w) of the pixels with a line, bottom row first."""
     resvg = pytest.importorskip("resvg_py", exc_type=ImportError)
     image = Image.open(
         io.BytesIO(resvg.svg_to_bytes(svg_path=str(path), dpi=96, zoom=SCALE * 25.4 / 96, background="#ffffff"))
@@ -220,7 +220,7 @@ def test_plotter_commands_draw_every_outline_last(tmp_path):
     same_up_to_moves(found, cut_points(pattern), 0.026)
 
 
-# ---- all
+# ---- all formats
 
 
 def test_a_failure_leaves_the_old_file_as_it_was(tmp_path, monkeypatch):
@@ -283,10 +283,10 @@ def test_exceptions_of_progress_keep_the_old_file(tmp_path, monkeypatch):
     path.write_bytes(b"old")
 
     def progress(*_):
-        if len(list(tmp_path.iterdir())) > 1:  # the new one is being written
+        if len(list(tmp_path.iterdir())) > 1:  # while the new file is written
             raise ZeroDivisionError
 
-    with pytest.raises(ZeroDivisionError) as raised:  # the traceback is kept alive
+    with pytest.raises(ZeroDivisionError) as raised:  # the traceback keeps frames alive
         sample("Hat").write(path, progress=progress)
     assert path.read_bytes() == b"old" and list(tmp_path.iterdir()) == [path], raised
 

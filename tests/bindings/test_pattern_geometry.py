@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Plane geometry: which outlines overlap or touch, and which points are inside and how far."""
+"""Plane geometry finds which outlines overlap, which points are inside, and their distances from outlines."""
 
 import math
 
@@ -26,7 +26,7 @@ def test_outlines_that_cross_or_contain_each_other_overlap():
 
 
 def polygon(corners, scale=1.0, start=0):
-    """Return a polygon in single precision, like those of a mesh."""
+    """Return a polygon with coordinates in single precision, as in a mesh."""
     return [np.roll(np.float32(scale * np.array(corners)).astype(float), -start, axis=0)]
 
 
@@ -77,7 +77,7 @@ def test_outlines_without_area_overlap_nothing():
 
 @pytest.mark.parametrize("seed", range(5))
 def test_points_beside_random_outlines_are_judged_as_by_shapely(seed):
-    """The outline is a star, and its hole another star."""
+    """The outline is a star, and its hole is a smaller star."""
     random = np.random.default_rng(seed)
     angles = np.sort(random.uniform(0, 2 * np.pi, 40))
     ways = np.column_stack([np.cos(angles), np.sin(angles)])

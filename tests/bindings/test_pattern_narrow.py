@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The narrowest width of shapes that have one in closed form."""
+"""The narrowest width is correct for shapes whose width is known in closed form."""
 
 import numpy as np
 import pytest
@@ -16,7 +16,7 @@ def circle(radius, center=(0.0, 0.0), first=0.0, last=2 * np.pi, count=128):
 
 
 def dumbbell(first, second, waist):
-    """Return two disks of these radii, 4 apart, with a bar between them."""
+    """Return two disks of these radii with centers 4 apart, and a bar of width `waist` between them."""
     left, right = np.arcsin(waist / 2 / first), np.arcsin(waist / 2 / second)
     return np.concatenate(
         [circle(first, (-2, 0), left, 2 * np.pi - left), circle(second, (2, 0), right - np.pi, np.pi - right)]
@@ -52,7 +52,7 @@ def test_an_outline_without_area_has_no_width():
 
 
 def test_a_piece_is_measured_flat():
-    """The pieces are strips of a half cylinder of radius 1 and length 1, whose section is a polygon of eight sides."""
+    """The pieces are strips of a half cylinder of radius 1 and length 2. Each strip has four flat sides."""
     vertices, faces = half_cylinder()
     for piece in flatten(vertices, faces, seams=chain_edges(column_chain(8, 4, 4))).pieces:
         sides = np.ptp(piece.vertices, axis=0)
@@ -60,7 +60,7 @@ def test_a_piece_is_measured_flat():
 
 
 def sheet(columns, rows, is_hole, options=None):
-    """Return a piece: the flat sheet of unit squares without those for which is_hole(x, y) is true."""
+    """Return a flat sheet of unit squares without the squares for which is_hole(x, y) is true, and its vertices."""
     lower, left = np.divmod(np.arange((rows + 1) * (columns + 1)), columns + 1)
     vertices = np.column_stack([left, lower, 0 * lower]).astype(float)
     cells = [(x, y) for y in range(rows) for x in range(columns) if not is_hole(x, y)]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A notch is at the same place of the model on all pieces that meet there, even on round ones."""
+"""A notch is at the same place of the model on all pieces that meet there, even on round pieces."""
 
 import math
 from types import SimpleNamespace
@@ -17,8 +17,10 @@ CORNERS, RADIUS = 24, 100.0  # millimeters
 
 
 def disc_in_ring(*more_seams):
-    """Return a disc in a ring, separated along the circle between them. Vertex 0 is the center, then come the
-    circles."""
+    """Return a disc in a ring, separated by a seam along the circle between them.
+
+    Vertex 0 is the center. The vertices of the inner and the outer circle follow.
+    """
     angles = 2 * math.pi * np.arange(CORNERS) / CORNERS
     circle = RADIUS * np.column_stack([np.cos(angles), np.sin(angles)])
     points = np.concatenate([[(0, 0)], circle, 2 * circle])
@@ -35,7 +37,7 @@ def notches(result, spacing):
     return [[point for point in piece.points if point.role == "notch"] for piece in pattern.pieces]
 
 
-def test_a_seam_all_around_begins_at_a_notch_and_has_one_more():
+def test_a_seam_all_around_begins_at_a_notch_and_has_a_second_notch():
     ring = disc_in_ring()
     found = notches(ring, 1000.0)
     assert [len(own) for own in found] == [2, 2]
@@ -47,7 +49,8 @@ def test_a_seam_all_around_begins_at_a_notch_and_has_one_more():
 
 def test_seams_that_meet_on_a_smooth_outline_end_at_notches():
     halves = disc_in_ring((1, 1 + CORNERS), (1 + CORNERS // 2, 1 + CORNERS + CORNERS // 2))
-    # The disc has two ends and two middles; each half of the ring has corners there, and the middles of three seams.
+    # The disc has notches at the ends and middles of two seams. Each half of the ring has corners at these ends, so it
+    # has notches only in the middles of three seams.
     assert sorted(len(own) for own in notches(halves, 1000.0)) == [3, 3, 4]
 
 
@@ -69,9 +72,9 @@ def test_a_seam_shorter_than_the_spacing_has_a_notch_beside_its_middle_if_it_has
     [
         (100, [], 30, [30, 60, 90]),
         (96, [], 30, [30, 60]),  # 90 is a fifth of the spacing from the end
-        (120, [], 30, [24, 54, 84]),  # from 30 on, they would be the same if the seam were reversed
+        (120, [], 30, [24, 54, 84]),  # 30, 60 and 90 would not change if the seam were reversed
         (15, [], 100, [5]),
-        (65, [30], 100, []),  # reversed, the wire's notch is off by 5 mm, which shows
+        (65, [30], 100, []),  # if the seam is reversed, the wire's notch is visibly off by 5 mm
         (64, [30], 100, [23.68]),
         (100, [50], 1000, [37]),
         (100, [42, 58], 1000, []),  # 58 is too close to 42
@@ -107,7 +110,7 @@ def test_notches_are_at_least_1_mm_apart_and_at_most_10_000():
 
 
 def test_a_notch_without_its_partner_is_left_out():
-    """A wedge is sewn into a narrow gap of a piece, whose allowances meet in the gap, at its end or everywhere."""
+    """A wedge is sewn into a narrow gap of a piece. The allowances meet at the end of the gap, or everywhere in it."""
     points = [(-100, -50), (100, -50), (100, 100), (4, 100), (0, 0), (-4, 100), (-100, 100)]
     faces = np.array([(0, 1, 4), (1, 2, 4), (2, 3, 4), (4, 5, 6), (0, 4, 6), (4, 3, 5)])
     vertices = np.column_stack([np.array(points) / 1000, np.zeros(len(points))])
@@ -134,8 +137,8 @@ def test_a_wire_that_ends_at_a_seam_has_a_notch_on_the_other_side_too():
     assert sewn == pytest.approx([60, 60]) or sewn == pytest.approx([140, 140])
 
 
-def test_where_four_pieces_meet_the_straight_one_has_a_notch():
-    """One piece below, and three with corners of 60 degrees above."""
+def test_if_four_pieces_meet_the_straight_piece_has_a_notch():
+    """One piece is below a straight line. Three pieces with corners of 60 degrees are above it."""
     rim = [(100 * math.cos(math.radians(60 * k)), 100 * math.sin(math.radians(60 * k))) for k in range(6)]
     vertices = np.array([(0, 0, 0), *((x, y, 0) for x, y in rim)]) / 1000
     faces = np.array([(0, 1 + k, 1 + (k + 1) % 6) for k in range(6)])
@@ -150,7 +153,7 @@ def test_where_four_pieces_meet_the_straight_one_has_a_notch():
 @pytest.mark.parametrize(("depth", "before"), [(80, 13), (26.5, 13), (20, 10), (4, 2)])
 @pytest.mark.parametrize("mouth", [8.0, 0.0])
 def test_a_hole_is_drilled_13_mm_before_the_tip_of_a_dart_or_halfway(depth, before, mouth):
-    """1/2 in is usual; a closed dart has its hole on the line of its legs."""
+    """The usual distance is 1/2 in. A dart without a mouth has its hole on the line of its legs."""
     tip, ends = np.array([30.0, depth]), np.array([(30 - mouth / 2, 0.0), (30 + mouth / 2, 0.0)])
     first = Side(0, np.array([1, 2]), np.array([ends[0], tip]), 0, False)
     second = Side(0, np.array([2, 1]), np.array([tip, ends[1]]), 0, False)
@@ -167,8 +170,8 @@ def test_the_hole_of_a_curved_dart_is_where_its_legs_lead_from_the_tip():
     assert drill_hole(Dart(first, second)).at == pytest.approx(tip + 13 * back / np.linalg.norm(back))
 
 
-def test_the_hole_of_legs_in_one_line_is_on_the_first():
-    """The middle between them is no direction."""
+def test_the_hole_of_legs_in_one_line_is_on_the_first_leg():
+    """The legs have opposite directions, so there is no direction between them."""
     places = np.array([(30.0, y) for y in (-15.0, -5.0, 5.0, 15.0, 25.0)])
     first = Side(0, np.array([1, 2, 3]), places[:3], 0, False)
     second = Side(0, np.array([3, 2, 1]), places[2:], 0, False)

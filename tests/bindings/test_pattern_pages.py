@@ -44,7 +44,7 @@ def test_the_pages_are_reported_before_they_are_written(tmp_path, paper, sides):
 @pytest.mark.parametrize("keep_places", [False, True])
 @pytest.mark.parametrize(("paper", "margin"), [("a4", 10.0), ("a3", 10.0), (2500.0, 0.0), ("projector", 0.0)])
 def test_the_pages_show_the_reported_parts_of_the_pattern(tmp_path, paper, margin, keep_places):
-    """Every point of a cut line is dark on the pages that show it, and at least one page shows it."""
+    """Every point of a cutting line is on at least one page, and is dark on each page that shows it."""
     pattern = sample("Hat").with_only([])
     apart = np.array([[0.0, 0.0], [33.0, 21.0]])[np.arange(len(pattern.pieces)) % 2]
     pattern = replace(pattern, pieces=[piece.moved(by) for piece, by in zip(pattern.pieces, apart, strict=True)])
@@ -71,7 +71,7 @@ def test_the_pages_show_the_reported_parts_of_the_pattern(tmp_path, paper, margi
 
 @cache
 def whole_and_alone():
-    """Return 30 straps of 60 by 2 mm with their names beside them, and their cutting lines alone."""
+    """Return a pattern of 30 straps of 60 by 2 mm with names beside them, and a pattern of their cutting lines only."""
     pieces = straps(30)
     return Pattern.from_pieces(pieces, [], allowance=0), Pattern.of_cut_lines(pieces, allowance=0)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Pieces that are cut as mirrored pairs or on the fold: all pieces are still cut, in their actual shapes."""
+"""Pieces can be cut as mirrored pairs or on the fold. All pieces are still cut, in their actual shapes."""
 
 from collections import defaultdict
 from dataclasses import replace
@@ -18,7 +18,10 @@ HALF = np.array([(0, 0), (120, 0), (150, 80), (0, 110)])  # half of a symmetric 
 
 
 def symmetric(angle, **options):
-    """Return a piece of two halves with a wire across and one on the fold, rotated by degrees from an upright fold."""
+    """Return the pattern of a symmetric piece with a wire across and a wire on the fold.
+
+    angle: degrees from an upright fold.
+    """
     points = np.array([*HALF, *(HALF[1:3] * (-1, 1)), (0, 40), (60, 40), (-60, 40)])
     faces = [
         (0, 1, 7),
@@ -42,7 +45,7 @@ def symmetric(angle, **options):
 
 
 def test_a_pair_is_cut_as_drawn_and_mirrored():
-    """The right sleeve, as drawn, is the mirror image of the left one."""
+    """The right sleeve, which is drawn, is the mirror image of the left sleeve."""
     paired = sample("Fitted top", pairs=True)
     assert [piece.quantity for piece in paired.pieces] == [(1, 0), (1, 0), (1, 1)]
     assert "Cut 1 pair (2 pieces, one mirrored)" in paired.pieces[2].texts[0].lines
@@ -52,7 +55,7 @@ def test_a_pair_is_cut_as_drawn_and_mirrored():
 
 
 def test_pieces_of_one_shape_are_cut_several_times():
-    """The pieces are one without symmetry, its copy beside it, its copy after half a turn, and its mirror image."""
+    """The pieces are a shape without symmetry, its copy, its copy after half a turn, and its mirror image."""
     corners = np.array([(0, 0), (90, 0), (80, 40), (0, 60)])
     places = [corners, corners + (200, 0), (490, 60) - corners, (corners * (-1, 1) + (700, 0))[::-1]]
     faces = [tuple(range(4 * place, 4 * place + 4)) for place in range(4)]
@@ -81,14 +84,14 @@ def test_holes_must_match_too():
 
 
 def test_a_wire_on_one_half_alone_is_not_lost():
-    for wire, on_fold in (([1, 5], False), ([1, 4], True)):  # the wires lead to a corner, and along the middle
+    for wire, on_fold in (([1, 5], False), ([1, 4], True)):  # one wire leads to a corner, the other along the middle
         result = grid([-60, 0, 60], [0, 40], wires=[wirewarp.Wire(wire)])
         assert Pattern.from_result(result, on_fold=True).pieces[0].on_fold == on_fold
 
 
 @pytest.mark.parametrize("name", ["Fitted top", "Ball of six gores", "Jeans", "Wetsuit upper body", "Swimsuit"])
 def test_mirrored_copies_have_their_notches_where_they_are_sewn(name):
-    """Pieces on the fabric, opened and mirrored, have their notches where all sides of a seam have them."""
+    """Opened and mirrored pieces on the fabric have notches that match those of the other sides of their seams."""
     drawn, whole = sample(name, pairs=True, on_fold=True), sample(name)
     marker = drawn.nested(5000, seconds=0)
     opened = defaultdict(dict)  # by drawn piece: its copies on the fabric, as drawn and mirrored
@@ -154,7 +157,7 @@ def test_a_copy_keeps_the_grain():
 
 @pytest.mark.parametrize("name", ["Fitted top", "Ball of six gores", "Cushion", "Jeans", "Toy"])
 def test_every_seam_is_named_on_paper(name):
-    """A piece that is drawn for its copies has the numbers of all their seams."""
+    """A piece that is drawn once for several copies has the numbers of the seams of all copies."""
     drawn = sample(name, pairs=True, on_fold=True)
     for piece in drawn.pieces:
         numbers = set(" ".join(line.name for line in piece.of_role("sew")).replace("/", " ").split()) - {"Seam"}
@@ -180,11 +183,11 @@ def test_a_piece_on_the_fold_is_one_half_to_the_fold(angle):
     (piece,) = symmetric(angle, allowance=8.0, on_fold=True).pieces
     (fold,) = piece.of_role("fold")
     across, up = fold.points[1] - fold.points[0]
-    assert up > 1e-6 or (up > -1e-6 and across > 0)  # the right half is drawn, or the lower one
+    assert up > 1e-6 or (up > -1e-6 and across > 0)  # the right or the lower half is drawn
     area = cut_polygon(whole.pieces[0]).area
     (cut,) = piece.of_role("cut")
     assert shapely.Polygon(cut.points).area == pytest.approx(area / 2, rel=1e-6)
-    # The fold has 110 mm of the piece and an allowance at both ends, which is wider where it is slanted.
+    # The fold has 110 mm of the piece, and an allowance at both ends. The allowance at the slanted end is wider.
     slant = 8.0 / np.cos(np.arctan2(30, 150))
     assert np.linalg.norm(fold.points[1] - fold.points[0]) == pytest.approx(110 + 8 + slant, abs=1e-3)
     wires = {line.name: line for line in piece.of_role("wire")}
@@ -239,7 +242,7 @@ def test_a_half_opens_at_whichever_of_its_edges_is_the_fold(fold, area):
 
 
 def test_a_fold_that_is_a_little_crooked_opens_without_a_slit():
-    """Its middle is 0.4 mm off: less than half a millimeter counts as straight."""
+    """The middle of the fold is 0.4 mm off. A fold that is less than 0.5 mm off counts as straight."""
     points = [(0, 0), (100, 0), (100, 60), (0, 60), (-0.4, 30)]
     vertices = np.column_stack([np.array(points) / 1000, np.zeros(5)])
     half, piece = opened(wirewarp.flatten(vertices, np.array([(0, 1, 4), (1, 2, 4), (2, 3, 4)])), [(3, 4), (4, 0)])
@@ -258,8 +261,10 @@ UP = wirewarp.Options(orientation="up")
 
 
 def capped_tubes(ring, *seam_rows):
-    """Return tubes side by side, each with a cap below; every second one is a mirror image. ring: (n,2) points
-    around a tube. seam_rows: for each tube, the point at which a seam along it opens it."""
+    """Return tubes side by side, each with a cap below. Every second tube is a mirror image.
+
+    ring: (n,2) points around a tube. seam_rows: for each tube, the index of the point at which a seam opens it.
+    """
     count, vertices, faces, seams = len(ring), [], [], []
     for number, row in enumerate(seam_rows):
         below = np.column_stack([ring, np.zeros(count)])
@@ -275,8 +280,10 @@ def capped_tubes(ring, *seam_rows):
 
 
 def test_caps_of_mirrored_tubes_are_a_pair():
-    """The egg has edges of different lengths, so its notches are between vertices. The places in the walks are
-    compared."""
+    """The egg has edges of different lengths, so its notches are between vertices.
+
+    The test compares the places of notches in the walks.
+    """
     result = capped_tubes(EGG, 5, 5)
     drawn, whole = Pattern.from_result(result, pairs=True), Pattern.from_result(result)
     assert [piece.quantity for piece in drawn.pieces] == [(1, 1), (1, 1)]
@@ -289,7 +296,7 @@ def test_caps_of_mirrored_tubes_are_a_pair():
 
 
 def test_a_cushion_of_two_faces_is_a_pair():
-    """A seam all around begins where one face maps to the other. Two cushions have four faces of one shape."""
+    """The seam around a cushion begins at a place that suits both faces. Two cushions have four faces of one shape."""
     count, vertices, faces, seams = len(EGG), [], [], []
     for number in range(2):
         first, around = number * (count + 2), range(count)
@@ -309,7 +316,7 @@ def test_the_bear_has_one_sole_and_one_paw_on_paper():
     quantities = {piece.name: piece.quantity for piece in Pattern.from_result(result, pairs=True).pieces}
     assert quantities == {
         **dict.fromkeys(["Piece 1", "Piece 2", "Piece 3", "Piece 4"], (1, 0)),
-        **dict.fromkeys(["Piece 5", "Piece 7"], (1, 1)),  # copies of a leg and an arm
-        **dict.fromkeys(["Piece 6", "Piece 8"], (2, 0)),  # copies of a sole and a paw
+        **dict.fromkeys(["Piece 5", "Piece 7"], (1, 1)),  # a leg and an arm, with their mirror images
+        **dict.fromkeys(["Piece 6", "Piece 8"], (2, 0)),  # a sole and a paw, each cut twice
         "Piece 9": (2, 2),  # an ear
     }

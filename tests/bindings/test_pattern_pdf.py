@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""PDF, rendered and measured by a library that did not write it."""
+"""PDF files are correct as rendered by a library that did not write them."""
 
 import re
 
@@ -12,7 +12,7 @@ from wirewarp.pattern import Pattern
 
 
 def test_prints_have_the_actual_size(tmp_path):
-    # Without marks and texts, the outermost lines are the cut line of a rectangle, 0.5 mm wide.
+    # Without marks and texts, the outermost lines are the cutting line of a rectangle, 0.5 mm wide.
     pattern = Pattern.from_result(rectangle(150, 700), allowance=10.0)
     pattern.write(tmp_path / "strip.pdf", paper=1000)
     (page,) = pypdfium2.PdfDocument(tmp_path / "strip.pdf")
@@ -25,13 +25,13 @@ def test_prints_have_the_actual_size(tmp_path):
 
 
 @pytest.mark.parametrize("name", ["Hat", "Carnival mask"])
-def test_a4_sheets_put_together_are_the_one_page_line_by_line(tmp_path, name):
+def test_a4_sheets_put_together_show_the_same_lines_as_one_page(tmp_path, name):
     pattern = sample(name).with_only([])
     pattern.write(tmp_path / "tiles.pdf", paper="a4", keep_places=True)
     pattern.write(tmp_path / "page.pdf", paper="projector")
     scale, wide = 6.0, 2  # pixels per millimeter; allowed shift of lines in pixels
 
-    def black(page):  # finds only cut lines, because everything else is gray
+    def black(page):  # finds only cutting lines, because everything else is gray
         image = page.render(scale=scale / MILLIMETER, grayscale=True).to_numpy().squeeze()
         return image[::-1] < 40
 

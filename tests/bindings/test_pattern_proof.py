@@ -41,7 +41,7 @@ def test_a_long_proof_has_several_pages_and_long_names_are_cut_off(tmp_path):
 
 
 def two_squares(**options):
-    """Return two squares of 200 mm, sewn to each other; the second is on the left of the edge from 1 to 4."""
+    """Return two squares of 200 mm that are sewn to each other along the edge 1-4."""
     return Pattern.from_result(grid([0, 200, 400], [0, 200], seams=[(1, 4)]), **options)
 
 
@@ -58,7 +58,7 @@ def test_the_proof_lists_the_places_of_notches(tmp_path):
         own = [point for point in piece.points if point.pair]
         assert [point.along for point in own] == list(places)
         starts = [side[0], side[-1]]
-        # All are measured from one end of the seam.
+        # All places are measured from the same end of the seam.
         assert any(
             [np.hypot(*(point.at - start)) for point in own] == pytest.approx([np.hypot(p, 10) for p in places])
             for start in starts

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Names in non-Latin scripts, with fonts made here: each letter is a box of its own width."""
+"""Names in non-Latin scripts are written with fonts that these tests make. Each letter is a box of its own width."""
 
 import numpy as np
 import pypdfium2
@@ -28,13 +28,13 @@ LETTERS = {
     "٣": 350,
     "(": 150,
     ")": 450,
-}  # widths in thousandths
-NO_OUTLINE = "👗"  # fonts have pictures of emoji
+}  # widths in thousandths of the font size
+NO_OUTLINE = "👗"  # fonts have a picture of an emoji, not an outline
 
 
 @pytest.fixture
 def folder(tmp_path, no_fonts):
-    """Make and return the only folder with fonts, which contains one font."""
+    """Return the parent folder of the only folder with fonts, in which one font is valid."""
     (tmp_path / "fonts").mkdir()
     write_font(tmp_path / "fonts" / "boxes.ttf", LETTERS | {NO_OUTLINE: 0})
     (tmp_path / "fonts" / "broken.ttf").write_bytes(b"no font")
@@ -70,7 +70,7 @@ def write_font(path, widths):
 
 
 def boxes(text):
-    """Return start and width of each letter from left to right, in thousandths."""
+    """Return start and width of each letter from left to right, in thousandths of the font size."""
     found = []
     for operator, points in glyphs.line_of(text).parts:
         if operator == "m":
@@ -113,7 +113,7 @@ def test_letters_are_printed_in_the_height_of_the_text(folder):
     assert written.warnings == []
     (text,) = pattern.pieces[0].texts
     (page,) = pypdfium2.PdfDocument(folder / "x.pdf")
-    scale = 10  # pixels to the millimeter
+    scale = 10  # pixels per millimeter
     dark = page.render(scale=scale * 25.4 / 72, grayscale=True).to_numpy().squeeze() < 128
     # The largest dark rectangle is the letter. Its width is the height of the text, and its height is 0.7 times as
     # much.

@@ -21,8 +21,8 @@ CONNECTED = ["Fitted top", "Ball of six gores", "Cushion", "Hat", "Jeans", "Wets
 def test_the_kinds_of_steps_add_up_to_the_model(name):
     """Compare Euler's characteristics, so that no more rings are closed than exist.
 
-    The characteristic of the model is the sum over its pieces, minus one for each joined piece and each closed ring,
-    plus one for each body without an open edge.
+    The model's characteristic is the sum over the pieces, minus one for each joined piece and closed ring, plus one for
+    each closed body.
     """
     steps, result = sample(name).steps, flattened(name)
     assert sorted(step.seam for step in steps) == sorted(f"Seam {n}" for n in range(1, len(result.seams) + 1))
@@ -54,7 +54,7 @@ def test_a_closed_body_has_one_gap_to_turn_it_through(name, tmp_path):
 
 
 def test_a_dart_is_closed_first(tmp_path):
-    """The dart is in the upper one of two pieces, from the free edge to the middle of the piece."""
+    """The dart is in the upper of two pieces, from the free edge to the middle of the piece."""
     pattern = Pattern.from_result(grid([0, 100, 200], [-80, 0, 50, 100], seams=[(3, 4), (4, 5), (7, 10)]))
     assert [step.kind for step in pattern.steps] == ["dart", "flat"]
     areas = sorted(cut_polygon(piece).area for piece in pattern.pieces)
@@ -63,7 +63,7 @@ def test_a_dart_is_closed_first(tmp_path):
 
 
 def test_a_closed_body_beside_an_open_one_has_its_gap():
-    """A tetrahedron of four triangles, and a strip of two pieces."""
+    """The bodies are a tetrahedron of four triangles and a strip of two pieces."""
     corners = 0.1 * np.array([(1, 1, 1), (1, -1, -1), (-1, 1, -1), (-1, -1, 1)])
     strip = np.array([(x, y, 0) for y in (1.0, 1.1) for x in (0.0, 0.1, 0.2)])
     faces = [(0, 1, 2), (0, 3, 1), (0, 2, 3), (1, 3, 2), (4, 5, 8), (4, 8, 7), (5, 6, 9), (5, 9, 8)]

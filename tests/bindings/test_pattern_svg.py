@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The look of SVG: layers, colors and dashes of kinds of lines, a test square, names of groups."""
+"""SVG files have layers, colors and dashes for each kind of line, a test square, and names of groups."""
 
 import re
 import sys
@@ -21,7 +21,7 @@ KINDS = ["Rigid Wires", "Elastic Wires", "Free Wires"]
 
 @pytest.fixture
 def drawn(tmp_path):
-    """Return two pieces with a wire of each kind across both."""
+    """Return a function that draws two pieces with a wire of each kind across both."""
     chains = [list(range(3 * row, 3 * row + 3)) for row in (1, 2, 3)]
     wires = [wirewarp.Wire(chain, tolerance) for chain, tolerance in zip(chains, (0.0, 0.02, np.inf), strict=True)]
     seams = [(3 * row + 1, 3 * row + 4) for row in range(4)]

@@ -112,7 +112,7 @@ def test_no_line_to_a_name_crosses_a_large_piece():
 
 
 def test_names_beside_a_piece_are_clear_of_each_other():
-    """A strip of four pieces, each 2 by 6 mm."""
+    """The model is a strip of four pieces, each 2 by 6 mm."""
     result = grid(range(0, 10, 2), [0, 6], seams=[(column, column + 5) for column in range(1, 4)])
     pattern = Pattern.from_result(result, allowance=0, piece_names=["A", "B", "C", "D"])
     for piece, seams in zip(pattern.pieces, (1, 2, 2, 1), strict=True):
@@ -174,7 +174,7 @@ def card_line_center(card, row):
 @pytest.mark.parametrize(("width", "height"), [(90, 60), (80, 70), (45, 120)])
 @pytest.mark.parametrize("angle", [0, 30, 90])
 def test_the_grain_arrow_and_the_card_of_a_piece_keep_apart(width, height, angle):
-    """A wire crosses the pieces. With the arrow in the middle, no part beside it has room for the card of texts."""
+    """A wire crosses the piece. If the arrow were in the middle, the card of texts would have no room beside it."""
     result = grid([0, width], [0, height / 2, height], wires=[wirewarp.Wire([2, 3], name="Waist")])
     sheet = flat_piece(result.pieces[0], "Left sleeve", 1000.0)
     (piece,) = Pattern.from_pieces([replace(sheet, grain=np.array([0.0, 1.0]) @ turn(angle))], [], title="Top").pieces
@@ -186,7 +186,7 @@ def test_the_grain_arrow_and_the_card_of_a_piece_keep_apart(width, height, angle
 
 
 def test_a_grain_arrow_that_crosses_a_text_is_not_moved_into_the_allowance():
-    """The text fills the stitching line, 40 by 40 mm, and the allowance around it is 30 mm wide."""
+    """The text fills the square inside the stitching line, 40 by 40 mm. The allowance around it is 30 mm wide."""
     square = np.array([(0.0, 0.0), (100, 0), (100, 100), (0, 100)])
     stitching = 30 + 0.4 * np.concatenate([square, square[:1]])
     text, arrow = Text(("M" * 7,) * 4, np.array([50.0, 50.0]), 6.0), Line("grain", np.array([(50.0, 35.0), (50, 65)]))
@@ -220,7 +220,7 @@ def test_names_lie_inside_narrow_pieces_or_close_beside_and_clear_of_each_other(
         assert len(seams) == (1 if width in (widths[0], widths[-1]) else 2)
 
 
-def test_a_wire_shorter_than_its_name_has_none_and_others_have_it_inside():
+def test_a_wire_shorter_than_its_name_is_not_named_and_others_are_named_inside():
     for name, count in (("Waist", 1), ("Waist, as measured on the fitting day, " * 5, 0)):
         result = grid([0, 200], [0, 100, 200], wires=[wirewarp.Wire([2, 3], name=name)])
         (piece,) = Pattern.from_result(result, allowance=0).pieces
@@ -233,7 +233,7 @@ def test_a_wire_shorter_than_its_name_has_none_and_others_have_it_inside():
 
 
 def test_the_number_of_a_seam_avoids_the_end_of_a_wire():
-    """Without the wire, the number would be in the middle."""
+    """Without the wire, the number would be in the middle of the seam."""
     wire = wirewarp.Wire([3, 4, 5], name="Waist")
     result = grid([-150, 0, 150], [0, 100, 200], seams=[(1, 4), (4, 7)], wires=[wire])
     for piece in Pattern.from_result(result, allowance=0).pieces:

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Darts and seams proposed or left out through Python; native tests test which. Strains are those of the report."""
+"""Python functions propose darts and seams, and leave out seams. Their strains equal those of the report.
+
+Native tests check which cuts are found.
+"""
 
 import json
 import pickle
@@ -61,7 +64,7 @@ def test_strain_is_the_figure_of_the_report_and_decreases(wire, options):
 
 def test_smooth_cuts_have_the_figures_of_the_mesh_that_is_cut_along_them():
     darts = propose_darts(*DOME, count=1, smooth=True)
-    assert any(len(each.edges) == 0 for each in darts), "none crosses a triangle"
+    assert any(len(each.edges) == 0 for each in darts), "no dart crosses a triangle"
     for each in darts:
         vertices, faces, edges, _ = cut_mesh(*DOME, each.paths)
         (piece,) = make_report(flatten(vertices, faces, seams=edges), vertices, faces).pieces
@@ -155,7 +158,7 @@ def test_a_plan_keeps_to_its_limits():
     for cut in plan_cuts(*DOME, strain=0.0, most=1, no_seam=first.edges, longest=1.0, seams=[]):
         assert cut.length <= 1.0 and not taken & {frozenset(pair) for pair in cut.edges.tolist()}
     cuts = plan_cuts(*DOME, kind="seam", strain=0.0, most=2)
-    assert len(flatten(*DOME, seams=np.concatenate([cut.edges for cut in cuts])).pieces) == 3  # a part is cut again
+    assert len(flatten(*DOME, seams=np.concatenate([cut.edges for cut in cuts])).pieces) == 3  # a part is divided again
 
 
 def undirected(edges):
@@ -166,7 +169,7 @@ def test_fewer_seams_keep_to_the_arguments_and_have_the_figures_of_a_run():
     eased = chain_edges(column_chain(8, 8, 4))
     arguments = {"seams": COLUMNS, "eases": [Ease(eased, 0.02)], "options": Options(thickness=0.05)}
     fewer = simplify_seams(*DOME, **arguments, strain=0.5)
-    assert undirected(fewer.edges) == undirected(eased)  # they remain, because they have an ease
+    assert undirected(fewer.edges) == undirected(eased)  # seams with an ease remain
     assert undirected(fewer.edges) | undirected(fewer.opened) == undirected(COLUMNS)
     for seams, energy, count in (
         (COLUMNS, fewer.energy_before, fewer.num_pieces_before),

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Compares results with figures that were computed independently of this code, and solves requests with known answers.
 
-Skipped if these are not available. The toy is left out of the figures of samples because it had other seams then.
+The tests are skipped if the figures are not available. The toy is left out, because its seams have changed since its
+figures were computed.
 """
 
 import json
@@ -26,9 +27,9 @@ CASES = [
     "wetsuit_front_bodice",
     "wetsuit_back",
 ]
-# The pieces of fabric were computed without the term against zigzags; the tolerances allow for its effect. Jersey is
-# left out, because the figures do not divide its stiffnesses by the larger one. The samples were computed with that
-# term, and with a bending term that differs where lines cross and edges are short.
+# The figures of pieces of fabric lack the term against zigzags, so the tolerances allow for its effect. The figures of
+# samples include this term, but their bending term differs where lines cross and edges are short. Jersey is left out,
+# because the figures do not divide its stiffnesses by the larger stiffness.
 WOVEN = wirewarp.Cloth(1, 1, 0.05)
 CLOTHS = {"woven": (1, 1, 0.05), "denim": (0.21, 1, 0.06), "isotropic": (1, 1, 0.5)}
 HAS_OTHER_MINIMA = "bodysuit_collar"  # piece with several minima, whose energies differ by a few percent
@@ -48,7 +49,7 @@ SOLVED = [
 
 pytestmark = [
     pytest.mark.core,
-    pytest.mark.skipif(not REFERENCE.exists(), reason="the reference figures are not at hand"),
+    pytest.mark.skipif(not REFERENCE.exists(), reason="the reference figures are not available"),
 ]
 
 
@@ -57,14 +58,17 @@ def figures(name: str) -> dict:
 
 
 def entries(file: str, start: str) -> list:
-    """Return (case, entry) of the file's results whose entries begin with `start`."""
+    """Return (case, entry) for each result of the file whose entry begins with `start`."""
     cases = {name: case for name, case in figures(file).items() if isinstance(case, dict) and name != "Toy"}
     return [(name, entry) for name, case in cases.items() for entry in case if entry.startswith(start)]
 
 
 def quarter_sphere(n: int) -> tuple[np.ndarray, np.ndarray, list[list[int]]]:
-    """Return longitude 0 to 90, latitude -75 to 75 degrees of a sphere, in n by 2 n quads with alternating diagonals.
-    The wires are on the middle meridian and the equator."""
+    """Return a part of the unit sphere in n by 2 n quads with alternating diagonals.
+
+    Its longitudes are 0 to 90 degrees, and its latitudes -75 to 75 degrees. The wires are on the middle meridian and
+    the equator.
+    """
     longitude, latitude = np.meshgrid(np.linspace(0, math.pi / 2, n + 1), np.radians(np.linspace(-75, 75, 2 * n + 1)))
     vertices = np.stack(
         [np.cos(latitude) * np.cos(longitude), np.cos(latitude) * np.sin(longitude), np.sin(latitude)], axis=-1
@@ -133,8 +137,8 @@ def test_refined(name: str, entry: str):
     piece = exact_piece(name, tolerance, method="refined", fairness=fairness)
     assert piece.error is None  # exact lengths, no flipped face, no overlap
     assert piece.report.termination == "converged" and piece.report.factorizations <= 20
-    # Where lines with edges shorter than D/8 meet, corners have less weight here than in the reference. The least f is
-    # therefore lower, and E may be a larger part of it.
+    # D is fairness * √area. At corners where lines with edges shorter than D/8 meet, the objective has less weight here
+    # than in the reference. Its minimum is therefore lower, and the ARAP energy may be a larger part of this minimum.
     vertices, _, wires = read_case(name)
     chains = (*wires, *(boundary.vertices for boundary in piece.boundaries))
     shortest = min(np.linalg.norm(np.diff(vertices[chain], axis=0), axis=1).min() for chain in chains)
@@ -146,7 +150,7 @@ def test_refined(name: str, entry: str):
 
 @pytest.fixture(scope="module")
 def seams():
-    """Return the seams of each sample as chains."""
+    """Return a dictionary in which a test stores the seams of each sample as chains."""
     return {}
 
 
@@ -202,7 +206,7 @@ def thread_strain(shape: Shape, result: wirewarp.FlattenResult) -> float:
 def test_samples_of_fabric(name: str):
     expected = figures("cloth")["variants of whole samples"][WITH_SMOOTHING].get(name)
     if expected is None:
-        pytest.skip("has no strain")
+        pytest.skip("the sample has no strain")
     result = flatten(SAMPLES[name], cloth=WOVEN)
     area = np.array([piece.metrics.area_3d for piece in result.pieces])
     energy = np.array([piece.metrics.cloth_energy for piece in result.pieces]) @ area / area.sum()
@@ -211,7 +215,7 @@ def test_samples_of_fabric(name: str):
 
 
 def request_of(name: str) -> tuple[np.ndarray, np.ndarray, list[wirewarp.Wire]]:
-    """Return vertices, faces and wires."""
+    """Return vertices, faces and wires of a stored request."""
     request = json.loads((SHARED / "cases" / f"{name}.json").read_text())
     wires = [wirewarp.Wire(wire["vertices"], wire["tolerance"]) for wire in request["wires"]]
     return np.array(request["vertices"]), np.array(request["faces"]), wires

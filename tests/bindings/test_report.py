@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""wirewarp.report: how far fabric must stretch, the verdict, and where a dart would help."""
+"""Reports state how far fabric must stretch, the verdict, and where a dart would help."""
 
 import csv
 import io
@@ -39,8 +39,10 @@ from wirewarp.report.wording import strain_text
 
 
 def report_of_pieces(*stretches, name="Bump", limits=None):
-    """Return a report of pieces that must stretch this far, with a fabric of this maximum stretch; None: a failed
-    piece."""
+    """Return a report of pieces.
+
+    stretches: how far each piece must stretch, or None for a failed piece. limits: maximum stretch of the fabric.
+    """
     (sample,) = report_of("Half cylinder").pieces
     pieces = [
         replace(sample, index=index, name=f"Piece {index + 1}", ok=stretch is not None, stretch=stretch)
@@ -59,7 +61,7 @@ def kinds(*reports):
     return [line.kind for line in verdict(*reports).lines]
 
 
-# 99% of the area is below the figure. The tested values are far enough apart that rounding does not matter.
+# 99% of the area does not exceed a piece's stretch. The tested values are so far apart that rounding has no effect.
 @pytest.mark.parametrize(
     ("stretches", "limits", "expected"),
     [
@@ -122,11 +124,11 @@ def test_the_verdict_names_the_stretch_the_pieces_and_the_fabric():
 
 
 def test_lists_show_the_figures_that_the_verdict_compares_with_the_fabric():
-    """Across, the first piece must stretch more, but only the second is beyond the fabric, which is tighter along."""
+    """The first piece must stretch more across. Only the second exceeds the fabric, which stretches less along."""
     report = report_of_pieces(0.15, 0.13, limits=0.2)
     for piece, along in zip(report.pieces, (0.01, 0.07), strict=True):
         piece.threads = replace(piece.threads, along=along, gives=Ways(across=0.2, along=0.05))
-        piece.wires = []  # the report has none
+        piece.wires = []  # the report has no wires
     beyond, _ = verdict(report).lines
     assert beyond.text.startswith("Piece 2 must stretch 7.0% along, but this denim stretches only 5.0%.")
     rows = piece_rows(report)
@@ -137,7 +139,7 @@ def test_lists_show_the_figures_that_the_verdict_compares_with_the_fabric():
     assert ways == [pytest.approx([15, 1]), pytest.approx([13, 7])]
 
 
-def test_many_pieces_are_counted_and_those_of_several_models_have_its_name():
+def test_many_pieces_are_counted_and_pieces_of_several_models_have_the_name_of_their_model():
     (line,) = verdict(report_of_pieces(*[1.5] * 6)).lines
     assert line.text.startswith("Piece 1, Piece 2, Piece 3, Piece 4 and 2 more: no fabric")
     (line, _) = verdict(report_of_pieces(1.5, name="A"), report_of_pieces(0.0, 0.1, name="B")).lines
@@ -171,9 +173,9 @@ def test_a_piece_that_only_a_seam_flattens_has_not_failed():
         "Piece 2 is closed: choose where to cut it",
         "Piece 1 needs a seam: choose where to cut it",
     )
-    assert [line.kind for line in found(tube, outline)] == [Kind.FAILED]  # without the seam, a wire may be wrong
+    assert [line.kind for line in found(tube, outline)] == [Kind.FAILED]  # without a proposed seam, a wire may be wrong
     assert [line.kind for line in found(tube, Issue("flipped_faces", "It flips.", 1))] == [Kind.FAILED]
-    report.pieces[0].has_layout = True  # it looks like a piece to cut
+    report.pieces[0].has_layout = True  # a piece with a layout looks as if it could be cut
     report.pieces = report.pieces[:1]
     assert [line.kind for line in found(tube)] == [Kind.FAILED]
 
@@ -209,7 +211,7 @@ def test_success_mentions_exact_lengths_only_if_they_are_fixed():
 
 
 def test_the_figure_is_the_one_that_ranks_suggestions():
-    """The test computes it from the core's aspect ratios, as the least value that 99% of the area does not exceed."""
+    """The figure is the least value that 99% of the area does not exceed. The test computes it from aspect ratios."""
     shape, result, report = SAMPLES["Fitted top"], flattened("Fitted top"), report_of("Fitted top")
     corners = np.asarray(shape.vertices)[shape.triangles()]
     areas = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1) / 2
@@ -233,14 +235,14 @@ def test_gathers_are_not_strain():
     shape, result = SAMPLES["Gathered skirt"], flattened_as_made("Gathered skirt")
     mesh, wires = (shape.vertices, shape.triangles()), wires_of(shape)
     gathered = make_report(result, *mesh, wires=wires, eases=eases_of(shape))
-    unintended = make_report(result, *mesh, wires=wires)  # the same shape as if the gathers were not its target
+    unintended = make_report(result, *mesh, wires=wires)  # the same shape, as if its gathers were not intended
     assert max(piece.needed for piece in gathered.pieces) < 0.1
     assert max(piece.needed for piece in unintended.pieces) > 0.9
     assert unintended.hints and not gathered.hints
 
 
 def test_intended_stretch_gives_no_hint():
-    """A cylinder unfolds: its fabric must stretch exactly by its negative ease."""
+    """A cylinder unfolds, so its fabric must stretch exactly by the intended 20%."""
     shape = SAMPLES["Half cylinder"]
     vertices, faces = shape.vertices, shape.triangles()
     cloth = Cloth(stretch=(0.2, 0.2))
@@ -255,8 +257,7 @@ def test_intended_stretch_gives_no_hint():
 
 
 def test_a_piece_that_is_ready_for_any_fabric_is_ready_for_each():
-    """A piece that is ready for any fabric is ready for each fabric of the table. The sentence has the words and
-    figures of each fabric."""
+    """Each fabric of the table stretches at least as far as the limit for any fabric, and has all of its texts."""
     for name in Cloth.presets():
         assert min(Cloth.preset(name).limits) >= ANY_FABRIC
         about = Cloth.about(name)
@@ -287,7 +288,7 @@ def triangle_metrics(flat):
         ([[0, 0], [0.8, 0], [0, 1]], 0.25, 0),  # 0.8 of fabric must stretch to 1
         ([[0, 0], [1.25, 0], [0, 1]], 0, 0.2),  # 1.25 of fabric must be compressed to 1
         ([[0, 0], [0.8, 0], [0, 1.25]], 0.25, 0.2),
-        # Sheared by k, (1, 0) and (k, 1): singular values s and 1/s with s - 1/s = k; for k = 1.5 that is s = 2.
+        # A shear by k has the singular values s and 1/s with s - 1/s = k. For k = 1.5, s is 2.
         ([[0, 0], [1, 0], [1.5, 1]], 1.0, 0.5),
         ([[0, 0], [1, 0], [2, 0]], math.inf, 0),
     ],
@@ -307,7 +308,7 @@ def test_threads_of_a_collapsed_piece_are_stretched_without_limit():
     assert from_dict(json.loads(written), Report).pieces[0].threads == threads
 
 
-def test_a_good_piece_that_has_collapsed_under_a_fabric_is_beyond_it():
+def test_a_good_piece_that_has_collapsed_is_beyond_its_fabric():
     report = report_of_pieces(math.inf, limits=0.2)
     assert kinds(report) == [Kind.BEYOND_FABRIC]
     assert "unlimited across" in verdict(report).lines[0].text
@@ -331,8 +332,8 @@ def test_regions_are_connected_by_edges():
     vertices, faces = grid(size, size, lambda u, v: (u, v, 0))
     piece = SimpleNamespace(faces=faces, vertices=vertices)
     cells = np.zeros((size, size), dtype=bool)
-    cells[0, :] = cells[:, 0] = True  # an L,
-    cells[4, 4] = cells[5, 5] = True  # and two cells that touch only at a corner
+    cells[0, :] = cells[:, 0] = True  # cells that form an L
+    cells[4, 4] = cells[5, 5] = True  # two cells that touch only at a corner
     members = np.repeat(cells.ravel(), 2)
     regions = connected_regions(piece, members)
     assert sorted(len(region) for region in regions) == [2, 2, 22]

@@ -10,7 +10,7 @@ from wirewarp.report import COARSE, make_report
 
 
 def disc(count, radius=0.1, **options):
-    """Return a regular polygon, 200 mm wide, of triangles around its center."""
+    """Return a regular polygon of `count` triangles around its center, 200 mm wide by default."""
     angles = 2 * np.pi * np.arange(count) / count
     rim = radius * np.column_stack([np.cos(angles), np.sin(angles), np.zeros(count)])
     faces = np.array([(0, 1 + k, 1 + (k + 1) % count) for k in range(count)])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The report as JSON, as rows and as a table, and its names."""
+"""A report can be written as JSON, as rows and as a table, and its wires can be renamed."""
 
 import csv
 import io

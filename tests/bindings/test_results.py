@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""End to end through Python, and the guarantees of the result objects."""
+"""Results of flatten() in Python have exact lengths, and result objects keep their guarantees."""
 
 import gc
 import importlib.metadata

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Progress, cancellation, and several threads."""
+"""Runs report their progress, can be canceled, and let other threads run."""
 
 import signal
 import sys
@@ -71,7 +71,7 @@ def test_ctrl_c_stops_the_run(python_handles_ctrl_c):
 
 @pytest.fixture
 def no_forced_switches():
-    """Make Python switch threads only if one releases the GIL itself."""
+    """Make Python switch threads only if a thread releases the GIL itself."""
     interval = sys.getswitchinterval()
     sys.setswitchinterval(1000)
     yield

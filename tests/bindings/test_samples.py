@@ -32,7 +32,7 @@ def test_outline_and_wire_edges_change_no_more_than_allowed(name):
     checked = set()
     for piece in flattened(name).pieces:
         assert piece.error is None
-        assert piece.report.factorizations <= (16 if name == "Quarter sphere" else 8)  # its start is a saddle
+        assert piece.report.factorizations <= (16 if name == "Quarter sphere" else 8)  # the sphere starts at a saddle
         edges, use = edges_with_use(piece.faces)
         source = np.sort(piece.source_vertex[edges], axis=1)
         allowed = np.array([tolerance.get(tuple(pair), np.inf) for pair in source.tolist()])

@@ -94,7 +94,7 @@ def test_everything_public_is_documented(module):
 
 
 def parameters(function: ast.FunctionDef) -> list[tuple[str, str]]:
-    """Return (name, default) of each argument, with a star before keyword-only ones."""
+    """Return (name, default) of each argument, with a star before keyword-only arguments."""
     arguments = function.args
     plain = [*arguments.posonlyargs, *arguments.args]
     defaults = [None] * (len(plain) - len(arguments.defaults)) + arguments.defaults
@@ -161,7 +161,7 @@ def test_results_have_the_types_of_the_stub():
         kind = typed[type(each).__name__]
         hints = typing.get_type_hints(kind, typed)
         for name in type(each)._fields:
-            (hint,) = typing.get_args(hints[name])  # of Final
+            (hint,) = typing.get_args(hints[name])  # the argument of Final
             if not fits(getattr(each, name), hint):
                 wrong.append((kind.__name__, name, getattr(each, name), hint))
     assert wrong == []

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The verdict on every sample, for fabrics that stretch little or far."""
+"""Every sample has the correct verdict for fabrics that stretch little or far."""
 
 import numpy as np
 import pytest
@@ -14,7 +14,7 @@ WITH_COARSE_CURVES = {"Jeans", "Armchair cover"}
 
 
 def share_within(piece: wirewarp.Piece, name: str, limits: tuple[float, float]) -> float:
-    """Return the share of the area that stretches at most this far along a thread; the smaller one of both threads."""
+    """Return the share of the area that stretches no further than the limit, for the thread with the smaller share."""
     shape = SAMPLES[name]
     a, b, c = shape.vertices[shape.triangles()[piece.source_face]].transpose(1, 0, 2)
     areas = np.linalg.norm(np.cross(b - a, c - a), axis=1)
@@ -22,7 +22,7 @@ def share_within(piece: wirewarp.Piece, name: str, limits: tuple[float, float]) 
     return min(areas[strain <= limit].sum() / areas.sum() for strain, limit in zip(strains, limits, strict=True))
 
 
-# each fabric is enough for samples for which the one before is not enough
+# each fabric is sufficient for some samples for which its predecessor is not
 FABRICS = ["vinyl", "minky", "jersey", "swim"]
 
 

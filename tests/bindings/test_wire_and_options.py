@@ -171,7 +171,7 @@ def test_an_option_is_the_same_however_it_is_set(name):
         ("surface", "top", "'inside' or 'middle' or 'outside'"),
         ("mirror", 1, "True or False"),
         ("cloth", "lace", "'woven' or 'denim'"),
-        ("cloth", 7, "None, a Cloth or the name of one"),
+        ("cloth", 7, "None, a Cloth or the name of a fabric"),
         ("grain_angle", 7, "grain_angle is 7"),
     ],
 )

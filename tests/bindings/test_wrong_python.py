@@ -17,4 +17,4 @@ def test_a_copy_for_another_python_says_so(tmp_path):
     code = f"import sys; sys.path.insert(0, {str(tmp_path)!r}); import wirewarp"
     said = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, stdin=subprocess.DEVNULL).stderr
     here = f"Python {sys.version_info.major}.{sys.version_info.minor}"
-    assert f"ImportError: this copy of wirewarp is made for another Python or system than this {here} on" in said
+    assert f"ImportError: this copy of wirewarp does not fit {here} on" in said

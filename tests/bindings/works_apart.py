@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Functions that the processes in tests run; their argument is one item."""
+"""Functions that tests run in other processes. The argument is one item of work."""
 
 import os
 import signal
@@ -9,7 +9,7 @@ import time
 
 
 def square_or_crash(number):
-    """Return the square of a number. 13 crashes as C++ does, and 14 as Python does."""
+    """Return the square of a number. 13 ends the process like a crash in C++, and 14 raises an exception."""
     if number == 13:
         os.kill(os.getpid(), getattr(signal, "SIGSEGV", signal.SIGABRT))
     if number == 14:
@@ -18,8 +18,10 @@ def square_or_crash(number):
 
 
 def hang_or_wait(task):
-    """Hang or wait, as the task requires. ("hang", path) starts a process, writes its id to the path, and hangs.
-    ("wait", path) waits for that file."""
+    """Hang or wait, as the task requires.
+
+    ("hang", path) starts a process, writes its id to the path, and hangs. ("wait", path) waits until this file exists.
+    """
     kind, path = task
     if kind == "hang":
         other = subprocess.Popen([sys.executable, "-c", "import time; time.sleep(3600)"])

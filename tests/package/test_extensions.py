@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The zips in dist/ meet the rules of the extension platform that its reviewers check. The steps of the later Blenders
-run Blender's own check of the manifest.
+"""The zips in dist/ meet the rules of the extension platform that its reviewers check.
+
+The CI steps for later versions of Blender run Blender's own check of the manifest.
 
 https://developer.blender.org/docs/features/extensions/moderation/guidelines/
 https://docs.blender.org/manual/en/latest/advanced/extensions/
@@ -27,7 +28,7 @@ INSTALLERS = {"pip", "ensurepip", "venv", "site", "pkg_resources"}
 # spyrrow, if the user has installed it, runs in a separate process: a program that Blender never imports.
 PROGRAM, STARTER = "wirewarp/pattern/nest/spyrrow_process.py", "wirewarp/pattern/nest/spyrrow_nesting.py"
 TEXTS = {".py", ".md", ".toml", ""}  # "": LICENSE
-ZSTANDARD = b"\x28\xb5\x2f\xfd"  # how Blender packs its files
+ZSTANDARD = b"\x28\xb5\x2f\xfd"  # first bytes of Blender's compressed files
 BINARIES = (".so", ".pyd", ".dll", ".dylib", ".a", ".lib", ".exe", ".pyc")
 # Five times the present size. A larger file has debug symbols or unintended contents.
 MOST_BYTES = 30e6
@@ -129,8 +130,10 @@ def test_no_network_no_threads_no_installers(path):
 
 @extensions
 def test_paths_and_names_are_not_changed(path):
-    """sys.path and sys.modules do not change, and nothing is written beside the add-on. It finds itself by __package__,
-    whatever the name of its repository."""
+    """The add-on does not change sys.path or sys.modules, and writes nothing beside its own files.
+
+    It finds its modules by __package__, whatever the name of its repository.
+    """
     for name, tree in sources_of(path).items():
         if name in (PROGRAM, STARTER):
             continue

@@ -82,7 +82,7 @@ def test_libraries_in_compiled_files_are_listed(path):
 
 @zips
 def test_no_compiled_file_comes_from_elsewhere(path):
-    """All compiled files are our modules or those of a listed package. None is from a folder PACKAGE.libs."""
+    """All compiled files are our modules or modules of a listed package. None is from a folder PACKAGE.libs."""
     for name in compiled(path):
         package = name.removeprefix("_core/").removeprefix("libraries/").split("/")[0]
         assert package in {"wirewarp", *table()}, name

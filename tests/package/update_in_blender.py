@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs in a Python with bpy: adds a repository's address, installs, flattens, and updates through Blender, as users do.
+"""Adds a repository to Blender, installs the add-on, flattens a sample, and updates, as users do.
 
-Usage: python update_in_blender.py REPOSITORY GENERATOR, with dist/repository/ and Blender's program for extensions.
+Usage: python update_in_blender.py REPOSITORY GENERATOR, in a Python with bpy. REPOSITORY is dist/repository/, and
+GENERATOR is Blender's program for extensions.
 BLENDER_USER_RESOURCES must name an empty folder.
 """
 
@@ -16,7 +17,7 @@ from pathlib import Path
 import bpy
 
 NEXT_VERSION = "99.0.0"  # higher than any future version of this project
-MODULE = "bl_ext.WireWarpupdates.wirewarp"  # Blender's name, which contains that of the repository
+MODULE = "bl_ext.WireWarpupdates.wirewarp"  # Blender's name of the add-on contains the repository's name
 SAMPLE = Path(__file__).resolve().parents[2] / "blend_samples" / "half_cylinder.blend"
 
 
@@ -84,4 +85,4 @@ except Exception:
 sys.stdout.flush()
 sys.stderr.flush()
 shutil.rmtree(bpy.app.tempdir, ignore_errors=True)
-os._exit(code)  # the module could wait forever for one of its threads when Python ends
+os._exit(code)  # when Python ends, bpy could wait forever for one of its threads

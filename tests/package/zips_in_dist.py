@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The zips that ./dev package has left in dist/, for all platforms."""
+"""Finds and reads the zips that ./dev package has left in dist/, for all platforms."""
 
 import ast
 import io
@@ -24,7 +24,7 @@ def files_of(path: Path) -> dict[str, bytes]:
 
 @cache
 def wheels_of(path: Path) -> dict[str, dict[str, bytes]]:
-    """Return the files of each wheel inside, by the path of the wheel."""
+    """Return the files of each wheel inside, keyed by the path of the wheel."""
     found = {}
     for name, content in files_of(path).items():
         if name.endswith(".whl"):
@@ -39,7 +39,7 @@ def manifest_of(path: Path) -> dict:
 
 
 def sources_of(path: Path) -> dict[str, ast.Module]:
-    """Return the sources that Blender runs: the add-on's modules, and the library's except for the command line."""
+    """Return the sources that Blender runs: modules of the add-on, and of the library without its command line."""
     sources = {name: content for name, content in files_of(path).items() if name.endswith(".py")}
     for wheel, files in wheels_of(path).items():
         if wheel.startswith("wheels/wirewarp-"):
@@ -49,7 +49,7 @@ def sources_of(path: Path) -> dict[str, ast.Module]:
 
 
 def imports(tree: ast.Module) -> Iterator[str]:
-    """Yield the top-level names of all absolute imports, including those inside functions."""
+    """Yield the top-level names of all absolute imports, including imports inside functions."""
     for node in ast.walk(tree):
         if isinstance(node, ast.Import):
             yield from (alias.name.split(".")[0] for alias in node.names)
@@ -58,7 +58,7 @@ def imports(tree: ast.Module) -> Iterator[str]:
 
 
 def at_import(tree: ast.AST) -> Iterator[ast.AST]:
-    """Yield the nodes that run when the module is imported, not those inside functions."""
+    """Yield the nodes that run when the module is imported. Nodes inside functions do not run then."""
     for node in ast.iter_child_nodes(tree):
         if not isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.Lambda):
             yield node

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The add-on consists of a few packages. Each states which others it may import, and whether it runs without Blender.
+"""The add-on consists of a few packages. Each states which packages it may import, and if it runs without Blender.
 
 A contract in pyproject.toml, which `./dev test lint` checks, forbids circular imports.
 """
@@ -20,7 +20,7 @@ SAYS_SO = "Does not use Blender"
 
 
 def imported(file: Path) -> Iterator[Path | str]:
-    """Yield files for our own modules and top-level names for others, including imports inside functions."""
+    """Yield all imports of a file: files for our own modules, and top-level names for other modules."""
     for node in ast.walk(ast.parse(file.read_text())):
         if isinstance(node, ast.Import):
             yield from (alias.name.split(".")[0] for alias in node.names)
@@ -43,7 +43,7 @@ def room_of(file: Path) -> str:
 
 
 def _module_file(base: Path, name: str) -> Path:
-    """Return the module for `from base import name`: the one with this name, or the one that defines the name."""
+    """Return the module for `from base import name`: the module with this name, or the module that defines the name."""
     choices = [base / f"{name}.py", base / name / "__init__.py", base.with_suffix(".py"), base / "__init__.py"]
     return next(choice for choice in choices if choice.is_file())
 
@@ -85,8 +85,10 @@ def test_modules_of_the_ground_import_no_package(module: str) -> None:
 
 
 def says_so(file: Path) -> bool:
-    """Return whether the file states that it does not use Blender. The __init__ of a package states it for all its
-    modules."""
+    """Return whether the file states that it does not use Blender.
+
+    The __init__ of a package states this for all modules of the package.
+    """
     files = [file, file.parent / "__init__.py"]
     return any(SAYS_SO in (ast.get_docstring(ast.parse(each.read_text())) or "") for each in files)
 
@@ -96,7 +98,7 @@ def claiming() -> list[str]:
 
 
 def way_to_blender(file: Path, seen: set[Path]) -> list[str]:
-    """Return the chain of modules from this one to one that imports Blender; empty if there is none."""
+    """Return the chain of imports from this module to Blender. The list is empty if there is no such chain."""
     seen.add(file)
     for each in imported(file):
         if each in BLENDER:

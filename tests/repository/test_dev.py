@@ -33,7 +33,7 @@ def dev():
 
 @pytest.fixture
 def main(dev, monkeypatch):
-    """Run `./dev test WORDS` with steps that only end as their names say; return the exit code."""
+    """Return a function that runs `./dev test WORDS` and returns the exit code. Steps end as their names say."""
     monkeypatch.setattr(dev, "missing_python_notice", lambda: None)
     monkeypatch.setattr(dev, "require_apt", lambda *names: None)
 
@@ -72,7 +72,7 @@ NOT_HERE = "missing is NOT TESTED: there is no such Python"
         ("window windows-3.11 windows-3.13", "window", "window passed", 0, ""),
         ("lint window", "macos", "", 1, "no step starts with macos; there are: lint, window"),
         ("bad good", "bad good", "bad FAILED, good passed", 1, "dev: failed: bad"),
-        ("missing", "missing", "missing NOT TESTED", 0, NOT_HERE),  # which is no failure
+        ("missing", "missing", "missing NOT TESTED", 0, NOT_HERE),  # not a failure
         ("good bad", "", "good passed, bad FAILED", 1, "dev: it is bad"),
         ("good missing", "", "good passed, missing NOT TESTED", 0, NOT_HERE),
         ("seldom extra good", "", "good passed", 0, ""),
@@ -81,7 +81,7 @@ NOT_HERE = "missing is NOT TESTED: there is no such Python"
     ],
 )
 def test_the_steps_that_words_choose(main, capfd, tmp_path, monkeypatch, names, words, outcomes, code, line):
-    """Named steps run in order, all of them side by side."""
+    """Named steps run in order. Without names, steps run side by side."""
     monkeypatch.setattr(steps, "LOGS", tmp_path)
     assert main(names.split(), *words.split()) == code
     output = capfd.readouterr().out
@@ -99,7 +99,7 @@ def test_every_step_has_its_own_name_and_comes_after_a_step_that_is_not_rarer(de
 
 @pytest.fixture
 def log(tmp_path, monkeypatch):
-    """Return the texts that the steps print, in order. Replaces build/log, too."""
+    """Return the path of a file to which steps write texts in order. Logs of steps are beside it, not in build/log."""
     monkeypatch.setattr(steps, "LOGS", tmp_path)
     return tmp_path / "events"
 
@@ -166,13 +166,13 @@ from pathlib import Path
 from tools import children, steps
 from tools.environment import run
 
-signal.signal(signal.SIGINT, signal.default_int_handler)  # a run in the background has it ignored
+signal.signal(signal.SIGINT, signal.default_int_handler)  # runs in the background ignore this signal
 folder, way, *names = sys.argv[1:]
 steps.LOGS = Path(folder)
 children.PATIENCE = 0.1
 
 def hang(name):
-    # In a session of its own, as Blender on its virtual screen is, and deaf to the first signal.
+    # The process has its own session, like Blender on its virtual screen, and ignores the first signal.
     run(["sh", "-c", f"setsid sh -c 'trap : TERM; echo $$ > {folder}/{name}.pid; while true; do sleep 1; done'; true"])
 
 with children.no_child_left():

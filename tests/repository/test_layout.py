@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The layers of the code: includes and imports have one direction, and every source file names its license."""
+"""Includes and imports of the code have one direction, and every source file names its license."""
 
 import ast
 import re
@@ -23,7 +23,7 @@ SOURCE_FOLDERS = (
     "tools",
 )
 
-# The folders of native/src. Each folder may include from itself and from those before it.
+# The folders of native/src. Each folder may include from itself and from the folders before it.
 LAYERS = [
     "base",
     "numerics/optimize",
@@ -65,7 +65,7 @@ def includes(file: Path) -> list[str]:
 
 
 def imports(file: Path) -> Iterator[str]:
-    """Yield the top-level names of all absolute imports, including those inside functions."""
+    """Yield the top-level names of all absolute imports, including imports inside functions."""
     for node in ast.walk(ast.parse(file.read_text())):
         if isinstance(node, ast.Import):
             yield from (alias.name.split(".")[0] for alias in node.names)
@@ -98,14 +98,14 @@ def test_native_includes_point_one_way(folder: str) -> None:
 
     def includes_upward(file: Path) -> bool:
         ours = [name for name in includes(file) if (CORE / name).is_file()]
-        # The search for cuts needs the solver, because it flattens pieces to evaluate each cut.
+        # The search for cuts needs the solver, because the search flattens pieces to evaluate each cut.
         ours = [name for name in ours if (folder, name) != ("cuts/propose", "flatten.h")]
         return any(Path(name).parent.as_posix() not in allowed for name in ours)
 
     assert offenders(listed(f"native/src/{folder}/*"), includes_upward) == []
 
 
-def test_only_the_entry_points_of_the_core_are_in_no_room() -> None:
+def test_only_the_entry_points_of_the_core_are_outside_of_its_folders() -> None:
     assert {file.stem for file in listed("native/src/*")} == {"flatten", "measure", "propose"}
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A module linked against an old glibc is refused if it needs a newer one, although it would load here."""
+"""A module linked against an old glibc is refused if it needs a newer glibc, although it would load here."""
 
 import subprocess
 import zipfile

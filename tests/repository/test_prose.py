@@ -63,7 +63,7 @@ NAME_AS_STRING = re.compile(r"\"(?:[a-z_0-9]+|[A-Z_0-9]+)\"|'(?:[a-z_0-9]+|[A-Z_
 CPP_TEXT = re.compile(r'//[^\n]*|"(?:\\.|[^"\\\n])*"')
 
 PERCENT_IN = ("README.md", "CHANGELOG.md", "docs/**/*.md", "addon/**/*.py", "python/**/*.py", "native/src/**/*.cpp")
-# A number or placeholder before a percent sign, unless an operand follows it as in a remainder.
+# A number or placeholder and a space before a percent sign. With an operand after the sign, it is a remainder.
 APART = re.compile(r"[0-9}] %(?! ?[\w(])")
 TARGET = re.compile(r"\]\((?!https?:)([^)#]+)")
 

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs in Blender: installs WireWarp, then drives the window through tours, generator functions of a script.
+"""Runs in Blender, installs WireWarp, and drives the window through tours, which are generator functions of a script.
 
 blender ... --enable-event-simulate --python-expr "import drive; drive.main()" -- SCRIPT FUNCTION...
 
-A tour yields a condition (any function without arguments) to let Blender continue until it is true. Its script imports
-this module as `drive`. Each tour starts in Blender's startup file. Blender exits with 0 after the last tour, and with 1
-if one of them raises or waits too long.
+A tour yields a condition (any function without arguments) to let Blender continue until the condition is true. Its
+script imports this module as `drive`. Each tour starts in Blender's startup file. Blender exits with 0 after the last
+tour, and with 1 if a tour raises or waits too long.
 """
 
 import importlib
@@ -19,7 +19,7 @@ from types import ModuleType
 
 import bpy
 
-if "COVERAGE_PROCESS_START" in os.environ:  # path of the settings; see tools/addon_coverage.py
+if "COVERAGE_PROCESS_START" in os.environ:  # path of the settings of coverage; see tools/addon_coverage.py
     import coverage
 
 TICK = 0.02  # seconds
@@ -64,7 +64,7 @@ def send(kind: str, value: str = "PRESS", at: tuple[int, int] | None = None, **m
 
 
 def press(kind: str, at: tuple[int, int] | None = None, **modifiers: bool) -> Tour:
-    """Move the mouse there, then press and release a key or mouse button."""
+    """Move the mouse to this place, then press and release a key or mouse button."""
     for kind_now, value in (("MOUSEMOVE", "NOTHING"), (kind, "PRESS"), (kind, "RELEASE")):
         send(kind_now, value, at, **modifiers)
         yield from ticks(2)
@@ -113,7 +113,7 @@ def open_tab(panel: type) -> Tour:
 
 
 def command_at(place: tuple[int, int]) -> Generator[Callable[[], bool], None, str]:
-    """Move the mouse there. Return the command of the sidebar's button there as Blender copies it; "" for no button."""
+    """Move the mouse to this place. Return the command that Blender copies for the sidebar's button there, or ""."""
     window_manager().clipboard = ""  # an earlier copy must not remain
     for at in ((place[0], place[1] + 1), place):
         send("MOUSEMOVE", "NOTHING", at)
@@ -125,8 +125,11 @@ def command_at(place: tuple[int, int]) -> Generator[Callable[[], bool], None, st
 
 
 def click_button(command: str, share: float = 0.4) -> Generator[Callable[[], bool], None, tuple[int, int]]:
-    """Click the button of the sidebar that runs this operator: the one for which Blender copies this command. Return
-    its place. share: where to look for it, as a share of the sidebar's width from the left."""
+    """Click the button of the sidebar that runs this operator, and return the button's place.
+
+    command: beginning of the command that Blender copies for the button. share: horizontal place of the button, as a
+    share of the sidebar's width from the left.
+    """
     sidebar = region("UI")
     for y in range(sidebar.y + sidebar.height - 20, sidebar.y, -12):
         place = (sidebar.x + int(share * sidebar.width), y)
@@ -175,7 +178,7 @@ def start_anew() -> Tour:
 
 
 def one_after_another(script: ModuleType, names: list[str]) -> Generator[Callable[[], bool], None, list[str]]:
-    """Run the tours; return the names of failed ones, with their tracebacks and last pictures."""
+    """Run the tours, and return the names of failed tours. Print their tracebacks, and save a picture of each."""
     failed = []
     for name in names:
         if name != names[0]:
@@ -215,7 +218,7 @@ class Driver:
 
 
 def leave(code: int) -> None:
-    """Exits immediately, because Blender would ignore an exception in a timer, and would ask whether to save."""
+    """Exit immediately, because Blender would ignore an exception in a timer, and would ask whether to save."""
     if "COVERAGE_PROCESS_START" in os.environ:
         measured = coverage.Coverage.current()
         measured.stop()
@@ -226,7 +229,7 @@ def leave(code: int) -> None:
 
 
 def main() -> None:
-    """Must be called on the imported module, because Blender clears the names of scripts that it runs itself."""
+    """Run the tours. Call this on the imported module, because Blender clears the names of scripts that it runs."""
     script, *names = sys.argv[sys.argv.index("--") + 1 :]
     sys.path.insert(0, str(Path(script).parent))
     if "COVERAGE_PROCESS_START" in os.environ:

@@ -17,7 +17,7 @@ Stages = Generator[tuple[str, float], None, object]
 
 
 def open_dialog(path: Path) -> drive.Tour:
-    """Open the export dialog with this name in the window of the other editors, because events reach only that one."""
+    """Open the export dialog for this path inside the main window, because simulated events reach no other window."""
     bpy.context.preferences.view.filebrowser_display_type = "SCREEN"
     with drive.in_view():
         bpy.ops.object.wirewarp_export("INVOKE_DEFAULT", filepath=str(path))
@@ -46,7 +46,7 @@ def press_export() -> drive.Tour:
 
 
 def tick_failed_pieces() -> drive.Tour:
-    """Tick the lowest of the settings."""
+    """Tick Failed Pieces, the lowest of the settings."""
     settings, operator = region("TOOL_PROPS"), browser().spaces.active.active_operator
     for y in range(settings.y + 20, settings.y + settings.height, 10):
         yield from drive.press("LEFTMOUSE", (settings.x + 20, y))
@@ -78,7 +78,7 @@ def the_dialog_says_the_size_and_follows_its_settings() -> drive.Tour:
 
 
 def halting(exporting: Callable[..., Stages]) -> Callable[..., Stages]:
-    """Start this export, stop it as soon as its unfinished file exists, and return it."""
+    """Return an export that stops and waits as soon as its unfinished file exists."""
 
     def export_and_wait(parts: object, choices: object, path: Path) -> Stages:
         with closing(exporting(parts, choices, path)) as steps:
@@ -97,7 +97,7 @@ def unfinished(path: Path) -> list[Path]:
 
 
 def escape_leaves_the_file_as_it_was() -> drive.Tour:
-    """The view can be used during the run, and the next export is complete."""
+    """A second run is refused during the export. After Esc, another export is complete."""
     source = marked_bump()
     yield from flatten()
     select_only(source)

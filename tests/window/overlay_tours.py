@@ -16,12 +16,12 @@ import wirewarp_addon
 from surfaces import bump, flat_of, grid, mark, on_line, select_edges, select_only
 
 STYLES = wirewarp_addon.overlay.lines.STYLES
-# left out, because Blender's own letters and shadows are also white and black
+# without white and black lines, because Blender's own letters and shadows have these colors
 COLORFUL = {"outline", "rigid", "elastic", "free"}
 
 
 def marked() -> bpy.types.Object:
-    """Return two pieces with a wire of each kind, in an empty scene."""
+    """Return a model of two pieces with a wire of each kind, in an empty scene."""
     bpy.data.batch_remove(list(bpy.data.objects))
     source = grid("Bump", bump, seam=on_line(0, 0.0), wire=on_line(1, 0.0))
     mark(source, on_line(1, 0.5), kind="ELASTIC", tolerance=0.05)
@@ -34,7 +34,7 @@ def kinds_seen(name: str, editor: str) -> set[str]:
 
 
 def pixels_seen(name: str, editor: str) -> dict[str, int]:
-    """Return the pixels of each kind of line, in the lower left part of the editor, away from the legend."""
+    """Return the number of pixels of each kind of line in the left part of the editor, away from the legend."""
     drive.screenshot(name)
     image = bpy.data.images.load(str(Path(os.environ["WIREWARP_PICTURES"]) / f"{name}.png"))
     pixels = np.empty(len(image.pixels), dtype=np.float32)
@@ -109,8 +109,7 @@ def lines_are_in_the_uv_editor() -> drive.Tour:
 
 
 def marks_are_undone() -> drive.Tour:
-    """Marking, clearing, changing a wire, setting eases and allowances, choosing the grain wire and marking islands are
-    one undo step each."""
+    """Each command that marks edges is one undo step."""
     source = marked()
     bpy.ops.object.wirewarp_flatten()
     source.data.edges.foreach_set("use_seam", [False] * len(source.data.edges))

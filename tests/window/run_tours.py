@@ -15,7 +15,7 @@ solve_models = wirewarp_addon.flatten.models
 
 
 def collect_messages() -> list[tuple[str, str]]:
-    """Collect the messages of operators from now on, with their level."""
+    """Return a list that collects the levels and messages of operators from now on."""
     messages = []
     steps = wirewarp_addon.flatten.operators.FlattenSteps
     drive.replace(steps, "message", lambda _operator, level, text: messages.append((level, text)))
@@ -23,7 +23,7 @@ def collect_messages() -> list[tuple[str, str]]:
 
 
 def begin_held_run() -> Event:
-    """Start a run that continues until the event is set or the run is canceled. Later runs do the same."""
+    """Start a run that continues until the event is set or the run is canceled. Later runs wait for this event, too."""
     goes_on = hold_runs()
     with drive.in_view():
         bpy.ops.object.wirewarp_flatten("INVOKE_DEFAULT", True)
@@ -151,7 +151,7 @@ def quitting_ends_the_run() -> drive.Tour:
 
 
 def cancel_button() -> drive.Tour:
-    """During a run the button is a progress bar, and the button beside it, which can be clicked, stops the run."""
+    """During a run, the button Flatten is a progress bar. The button beside it stops the run."""
     source = marked_bump()
     before, messages = contents(source), collect_messages()
     yield from drive.open_tab(bpy.types.VIEW3D_PT_wirewarp_flatten)

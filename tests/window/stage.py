@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Shared parts of the tours: models to flatten, running, undoing, and checking the file. Runs in Blender."""
+"""Functions that tours share to make models, flatten, undo and check the file. Runs in Blender."""
 
 import sys
 from collections.abc import Generator

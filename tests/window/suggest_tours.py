@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tours through suggested darts, which are searched while the window responds, shown, taken and undone."""
+"""Tours through suggested cuts, which are searched while the window responds, shown, marked and undone."""
 
 from collections.abc import Generator
 from threading import Event
@@ -13,7 +13,7 @@ from surfaces import bump, grid, mark_seam, on_line, read, select_edges
 
 current = wirewarp_addon.state.suggestions.current_suggestions
 
-MARK = "bpy.ops.object.wirewarp_mend(what='SUGGESTION'"  # Mark and Flatten, also Clear and Flatten
+MARK = "bpy.ops.object.wirewarp_mend(what='SUGGESTION'"  # the buttons Mark and Flatten, and Clear and Flatten
 
 
 def seam_count() -> int:
@@ -46,7 +46,7 @@ def a_suggestion_is_taken_and_undone_with_one_click_each() -> drive.Tour:
     yield from undo()
     yield lambda: contents(bpy.data.objects["Bump"]) == before
     assert seam_count() == 0
-    assert current(bpy.data.objects["Bump"]).cuts == found.cuts  # the model is the same as when they were found
+    assert current(bpy.data.objects["Bump"]).cuts == found.cuts  # the model is the same as during the search
     yield from redo()
     yield lambda: seam_count() == len(edges)
 
@@ -139,7 +139,7 @@ def no_button_moves_under_the_mouse(command: str) -> drive.Tour:
 
 def the_list_appears_below_the_button_that_was_pressed() -> drive.Tour:
     source = grid("Bump", bump, size=12)
-    for cloth, place in (("JERSEY", "PIECES"), ("NONE", "FLATTEN")):  # a fabric that suffices, and one to choose
+    for cloth, place in (("JERSEY", "PIECES"), ("NONE", "FLATTEN")):  # a sufficient fabric, and none
         bpy.context.scene.wirewarp.cloth = cloth
         remember()
         yield from flatten()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The add-on in Blender's real window on a virtual screen. The tours of a script share one Blender."""
+"""The add-on works in Blender's real window on a virtual screen. The tours of a script share one Blender."""
 
 import os
 from pathlib import Path
@@ -12,7 +12,7 @@ SECONDS = 400.0  # seconds for each tour on a slow machine; most take about ten
 
 
 def blender_environment(folder: Path) -> dict[str, str]:
-    """Return private, empty folders for add-ons, settings and pictures."""
+    """Return the environment of Blender, with private, empty folders for add-ons, settings and pictures."""
     parts = {"BLENDER_USER_SCRIPTS": "scripts", "BLENDER_USER_CONFIG": "config", "WIREWARP_PICTURES": "pictures"}
     for part in parts.values():
         (folder / part).mkdir()

@@ -9,7 +9,7 @@ from surfaces import bump, flat_of, grid, on_line, select_edges
 
 
 def panel_button() -> drive.Tour:
-    """The button of the sidebar flattens."""
+    """The button Flatten in the sidebar flattens the model."""
     source = grid("Bump", bump)
     yield from drive.open_tab(bpy.types.VIEW3D_PT_wirewarp_flatten)
     yield from drive.click_button("bpy.ops.object.wirewarp_flatten(")
@@ -108,7 +108,7 @@ def auto_update_waits_for_a_tool() -> drive.Tour:
 
 
 def settings_can_be_adjusted_after_a_run() -> drive.Tour:
-    """A run in the window uses the scene's settings, and Blender can repeat it at once with others."""
+    """A run in the window uses the scene's settings, and Blender can repeat it immediately with other settings."""
     source = marked_bump()
     bpy.context.scene.wirewarp.mirror = True
     yield from flatten()
@@ -134,13 +134,13 @@ def report_shows_the_place() -> drive.Tour:
         with drive.in_view():
             bpy.ops.mesh.wirewarp_select_result("INVOKE_DEFAULT", True, what="OUTLINE", index=0)
             assert (bpy.context.mode, bpy.context.object) == ("EDIT_MESH", target)
-        yield lambda before=before: (view.view_location - before).length > 0.2  # half of the dome, which is 2 wide
+        yield lambda before=before: (view.view_location - before).length > 0.2  # to half of the dome, which is 2 wide
         with drive.in_view():
             bpy.ops.object.mode_set(mode="OBJECT")
 
 
 def report_turns_the_view_to_elements_on_the_back() -> drive.Tour:
-    """If everything is visible, the view does not change. Flat pieces are seen from above."""
+    """If all elements are visible, the view does not change. Flat pieces are seen from above."""
     source = grid("Bump", bump, seam=on_line(0, 0.0))
     remember()
     yield from flatten()
@@ -167,7 +167,7 @@ def report_turns_the_view_to_elements_on_the_back() -> drive.Tour:
 
 
 def copies_the_report() -> drive.Tour:
-    """Copy a table to the clipboard, which does not exist without a window."""
+    """The report can be copied to the clipboard, which does not exist without a window."""
     grid("Bump", bump, wire=on_line(1, 0.0))
     yield from flatten()
     with drive.in_view():

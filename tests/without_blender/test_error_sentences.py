@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The library's errors in the words of Blender's users."""
+"""The add-on describes the library's errors in the words of Blender's users."""
 
 import math
 
@@ -10,7 +10,7 @@ HIP, BUST = 0, 1
 
 @pytest.fixture
 def said(addon):
-    """Return the sentence for an error. faces, flipped, overlapping: numbers of the mesh's faces."""
+    """Return a function that returns the sentence for an error. faces, flipped, overlapping: numbers of faces."""
 
     def sentence(code, arguments, faces=0, flipped=0, overlapping=0, **elements):
         error = addon.core.library().FlattenError(code, "The library's sentence.", **elements, arguments=arguments)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Quads are split by their corners alone."""
+"""Only the corners of a quad decide how it is split."""
 
 import numpy as np
 import pytest

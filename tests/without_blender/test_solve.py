@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Parts of the add-on that work without Blender: names of pieces, steps of work, and rows of suggestions."""
+"""Names of pieces, steps of work and rows of suggestions are made without Blender."""
 
 import inspect
 import math
@@ -16,7 +16,7 @@ def test_a_ring_around_the_middle_of_the_model_is_around(addon):
 
 
 def test_many_pieces_of_mirrored_pairs_have_one_name_but_for_the_side(addon):
-    """Two pairs on the front and two at the sides, with a piece in the middle of the front."""
+    """There are two pairs on the front, two pairs at the sides, and a piece in the middle of the front."""
     normals = np.array([[0, -1, 0]] * 5 + [[1, 0, 0], [-1, 0, 0]] * 2, dtype=float)
     places = [(0.2, -0.1, 0.3), (-0.2, -0.1, -0.3), (0.2, -0.1, -0.3), (-0.2, -0.1, 0.3), (0, -0.1, 0)]
     places += [(0.4, 0, -0.2), (-0.4, 0, 0.2), (0.4, 0, 0.2), (-0.4, 0, -0.2)]
@@ -76,7 +76,7 @@ def test_the_chosen_set_has_the_fewest_pieces_for_the_fabric(addon):
     assert rows[2:4] == [(8, 0.097), (8, 0.03)]
     worse = replace(sets[0], num_pieces=12, strain=0.3, is_narrow=True)
     assert worse not in suggest.from_few_pieces([*sets, worse], [0.5, 1.0])
-    # nobody sews the set of 30% if the softer direction stretches 20% and another set needs no more
+    # the set of 30% is left out, because the softer direction stretches only 20%, and another set needs less
     assert [each.num_pieces for each in suggest.from_few_pieces(sets, [0.098, 0.2])] == [5, 8, 9]
     assert [each.num_pieces for each in suggest.from_few_pieces(sets, [0.01, 0.02])] == [3, 5, 9]
     sets = suggest.from_few_pieces(sets, [0.5, 1.0])
@@ -94,7 +94,7 @@ def test_the_chosen_set_has_the_fewest_pieces_for_the_fabric(addon):
 
 @pytest.fixture
 def measured(addon):
-    """Return a function that makes a set whose stretches by minky are known."""
+    """Return a function that makes a set with known stretches of minky."""
 
     def make(pieces, across, along):
         ways = addon.core.report.model.Ways(across=0.2, along=0.05)
@@ -138,7 +138,7 @@ def test_seams_are_cleared_up_to_the_softer_direction_of_the_fabric_if_the_other
 
 @pytest.fixture
 def measuring(addon, measured, monkeypatch):
-    """Return a function that starts to measure sets of 3 and 5 pieces, with these results."""
+    """Return a function that starts to measure sets of 3 and 5 pieces with given results, and these sets."""
     sets = addon.solve.seam_sets
     found = [replace(measured(pieces, 0.1, 0.1), threads=None) for pieces in (3, 5)]
 
@@ -172,7 +172,7 @@ def test_a_canceled_comparison_keeps_what_it_has_measured(addon, measured, measu
     begin, found = measuring
     good = measured(3, 0.15, 0.03)
     run = begin(good, found[1])
-    shares = [next(run) for _ in range(3)]  # of the search and of both sets
+    shares = [next(run) for _ in range(3)]  # shares of the search and of both sets
     assert shares == sorted(shares)
     with pytest.raises(StopIteration) as end:
         run.throw(addon.solve.steps.CanceledError())
@@ -229,7 +229,7 @@ def test_steps_are_closed_if_the_listener_raises(addon, driver):
     def fail(_reported):
         raise ZeroDivisionError
 
-    steps, work = addon.solve.steps, working()  # this reference keeps it alive
+    steps, work = addon.solve.steps, working()  # this reference keeps the work alive
     drive = {
         "in_one_go": lambda: steps.in_one_go(work, fail),
         "in_slices": lambda: steps.in_one_go(steps.in_slices(work), fail),

@@ -18,7 +18,7 @@ def vertices_of(chains, edges, positions):
 
 
 def star(*degrees):
-    """Return edges from vertex 0 to one vertex in each direction."""
+    """Return the positions of vertex 0 and of one vertex in each direction (in degrees) from it."""
     return [(0, 0, 0), *((math.cos(math.radians(d)), math.sin(math.radians(d)), 0) for d in degrees)]
 
 
@@ -75,7 +75,7 @@ def test_marks_of_one_id_with_two_tolerances_or_two_eases_are_two_wires(chains):
         assert [(wire.tolerance, wire.ease) for wire in wires][1] == (kinds[0][1] and 0.03, kinds[1][1] and 0.03)
 
 
-def test_one_id_in_two_places_is_two_wires_and_unmarked_edges_are_none(chains):
+def test_one_id_in_two_places_is_two_wires_and_unmarked_edges_are_not_wires(chains):
     edges = np.array([(0, 1), (1, 2), (2, 3)])
     marks = chains.EdgeMarks(np.array([9, 0, 9]), np.full(3, np.inf, np.float32), np.zeros(3, np.float32))
     wires = chains.chains_of_marks(edges, marks, np.eye(4, 3))
