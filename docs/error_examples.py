@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Values for every error sentence of the add-on. The page on errors shows the sentences; a test finds missing ones."""
+"""Lists example values for every error sentence of the add-on.
+
+The page on errors shows the sentences. A test checks that no sentence is missing.
+"""
 
 import math
 from types import ModuleType
@@ -7,8 +10,8 @@ from typing import Any
 
 WIRES = ["Hip", "Bust"]
 Example = tuple[str, dict[str, Any], dict[str, int], dict[str, Any]]
-# The code, its arguments, faces that only the add-on knows, and the elements of the error.
 PROPOSED = {"proposed_seams": [(0, 1)]}
+# each: the code, its arguments, numbers of faces that only the add-on knows, and the elements of the error
 EXAMPLES: list[Example] = [
     ("empty_mesh", {}, {}, {}),
     ("non_finite_coordinates", {}, {}, {"vertices": [1, 2]}),
@@ -53,7 +56,7 @@ EXAMPLES: list[Example] = [
 
 
 def example_sentence(library: ModuleType, sentences: ModuleType, example: Example) -> str:
-    """Return the add-on's sentence for an example; sentences: solve.error_sentences of the add-on."""
+    """Return the add-on's sentence for an example. sentences: the add-on's module solve.error_sentences."""
     code, arguments, facts, elements = example
     error = library.FlattenError(code, "", **elements, arguments=arguments)
     counts = [facts.get(name, 0) for name in ("faces", "flipped", "overlapping")]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writes the pages on settings, buttons and errors from the add-on itself, so that they always agree with it.
+"""Writes the pages on settings, errors and fabrics from the add-on itself, so that they always agree with it.
 
 blender --background --addons wirewarp_addon --python docs/write_blender_pages.py -- FOLDER
 """
@@ -17,9 +17,9 @@ import bpy
 sys.path.insert(0, str(Path(__file__).parent))
 from error_examples import EXAMPLES, example_sentence  # noqa: E402 (the folder must be on the path first)
 
-ADDON = type(bpy.context.scene.wirewarp).__module__.rpartition(".")[0]  # for both kinds of add-on
+ADDON = type(bpy.context.scene.wirewarp).__module__.rpartition(".")[0]  # as extension or as legacy add-on
 PARTS = {"FRONT": "Flatten", "MAIN": "Flatten > Settings", "ADVANCED": "Flatten > Settings > Advanced"}
-PANELS = {  # class of a group of other settings: where Blender shows it
+PANELS = {  # by class of a group of other settings: the place at which Blender shows them
     "PatternSettings": "Export Pattern",
     "TargetSettings": "Suggest Darts and Suggest Seams",
     "EaseAmount": "Mark > Ease",
@@ -76,13 +76,13 @@ def settings_of_scene() -> Iterator[tuple[str, list[bpy.types.Property]]]:
     for part, panel in PARTS.items():
         yield panel, [properties[each.name] for each in table if each.part(settings) == part]
     kinds = [kind for kind in type(settings).__mro__ if vars(kind).get("__annotations__")]
-    for kind in [*kinds[1:], kinds[0]]:  # those of the class itself come last
+    for kind in [*kinds[1:], kinds[0]]:  # settings of the class itself come last
         if kind.__name__ != "FlattenSettings":
             yield PANELS[kind.__name__], [properties[name] for name in vars(kind)["__annotations__"]]
 
 
 def button_texts() -> dict[str, list[str]]:
-    """Return the texts of the buttons of each operator that differ from its own name."""
+    """Return, for each operator, the texts of its buttons that differ from its label."""
     texts: dict[str, list[str]] = {}
     for file in sorted(Path(sys.modules[ADDON].__file__).parent.rglob("*.py")):
         for name, text in re.findall(r'operator\(\s*"([\w.]+)", text="([^"]+)"', file.read_text(encoding="utf-8")):
@@ -105,7 +105,7 @@ def settings_page() -> list[str]:
     lines = [
         "# Settings and buttons",
         "",
-        "This page is written from the add-on. The numbers are the default and, in brackets, the allowed range.",
+        "This page is written from the add-on. Numbers are defaults, with the allowed range in brackets.",
     ]
     for panel, settings in settings_of_scene():
         rows = ([f"**{each.name}**", value_text(each), about(each), f"`{each.identifier}`"] for each in settings)
@@ -152,13 +152,13 @@ def errors_page() -> list[str]:
         "",
         "## In Blender",
         "",
-        "The report puts the name of the piece before the sentence. The arrow beside it selects the place.",
+        "The report shows the name of the piece before the sentence. The arrow beside the sentence selects the place.",
         "",
         *table(["Message", "Code"], rows),
         "",
         "## In Python and on the command line",
         "",
-        "`FlattenError.code` is one of these codes, and `FlattenError.arguments` holds the values in the last column.",
+        "`FlattenError.code` is one of these codes, and `FlattenError.arguments` has the values in the last column.",
         "",
         *table(["Code", "Meaning", "What to do", "Arguments"], codes),
         "",
@@ -184,8 +184,8 @@ def fabrics_page() -> list[str]:
     return [
         "# Fabrics",
         "",
-        "The presets and the maximum stretch that the verdict assumes for each. Bolts differ: [measure",
-        "yours](../how-to/fabric.md#measure-the-stretch-of-your-fabric) if the verdict is close.",
+        "The table has the presets, with the maximum stretch that the verdict assumes. Bolts differ: if the verdict is",
+        "close, [measure your fabric](../how-to/fabric.md#measure-the-stretch-of-your-fabric).",
         "",
         *table(["Fabric", "Across", "Along the grain", "Examples", "Source of the figures", "In scripts"], rows),
         "",

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Writes the reference of the Python package as HTML into a folder, with pdoc.
 
-wirewarp gets the types of the stub; wirewarp.pattern and wirewarp.report are Python and have their own types.
+The types of wirewarp come from the stub, because pdoc would otherwise show pybind11's signatures and getters. The
+modules wirewarp.pattern and wirewarp.report are Python and have their own types.
 
-Usage: python write_reference.py FOLDER. Without the stub, pdoc would show pybind11's signatures and getters.
+Usage: python write_reference.py FOLDER
 """
 
 import inspect

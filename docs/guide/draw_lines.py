@@ -30,8 +30,9 @@ COLORS = {
     "inside of the sleeve": linear("#00695c"),
 }
 LABEL = 0.19  # inches
-# The views: title, box, rotation to the left and tilt toward the viewer in degrees, and labels: line, share of its
-# length to which the leader points, and place of the text from there in inches, on the same side of the model.
+# Each view: title, box, rotation to the left and tilt toward the viewer in degrees, and labels. Each label: name of the
+# line, share of the length of the line at which the leader ends, and offset of the text from this point in inches. The
+# text is to the right for a line on the right half of the model.
 VIEWS = (
     (
         "From the front and above",
@@ -49,7 +50,7 @@ VIEWS = (
 
 
 def kind_of(line: np.ndarray) -> str:
-    """Return which line of COLORS it is. line (n, 3): its vertices, in meters from the middle of the hem."""
+    """Return the name in COLORS of a line. line (n, 3): its vertices, in meters from the middle of the hem."""
     if line[:, 2].min() < 0.01:
         return "side line"
     if line[:, 2].min() > 0.54:

@@ -6,8 +6,8 @@ from pathlib import Path
 
 from PIL import Image
 
-COLORS = 96  # keeps the file below 2 MB; the colors of stretch stay smooth
-FRAME, LAST = 60, 2500  # display time of a frame, and of the last one, in milliseconds
+COLORS = 96  # few enough for a file below 2 MB, and enough for smooth colors of stretch
+FRAME, LAST = 60, 2500  # milliseconds for which a frame is shown, and for which the last frame is shown
 
 
 def main() -> None:

@@ -8,12 +8,12 @@ import bpy
 import drive
 from mathutils import Vector
 
-HIP = 0.075  # approximate height of the hip line, in meters
+HIP = 0.075  # meters: approximate height of the hip line above the hem
 OWN_WIRES = {"Bust line", "Waist line", "Center front"}  # the sample's wires that readers of garment.md mark, too
 
 
 def select_edges(wanted: Callable[[Vector, Vector], bool]) -> None:
-    """Select edges with such ends in Edit Mode."""
+    """Select edges in Edit Mode. wanted: returns whether to select the edge with these two ends."""
     _select(lambda edge: wanted(*(vertex.co for vertex in edge.verts)))
 
 
@@ -37,7 +37,7 @@ def _select(wanted: Callable[[bmesh.types.BMEdge], bool]) -> None:
 
 
 def mark_hip_line() -> None:
-    """Mark and name the line around the hip as readers of the tutorials do; stay in Edit Mode."""
+    """Mark the line around the hip and name it, as readers of the tutorials do. Blender stays in Edit Mode."""
     hip = near_level(HIP)
     select_edges(lambda a, b: max(abs(a.z - hip), abs(b.z - hip)) < 0.001)
     with drive.in_view():
@@ -58,7 +58,7 @@ def near_level(height: float) -> float:
 
 
 def mark_garment() -> None:
-    """Mark the wires that readers of garment.md mark, and no others. The seams of the sample are theirs, too."""
+    """Mark the wires that readers of garment.md mark, and no others. The readers mark the same seams as the sample."""
     clear_wires(OWN_WIRES)
     mark_hip_line()
     leave_edit_mode()
@@ -79,7 +79,7 @@ def clear_wires(kept: Collection[str] = ()) -> None:
 
 
 def ease_sleeves() -> None:
-    """Make the sleeves 4% longer than the armholes, in a flattened model."""
+    """Make the sleeves' sides of the armhole seams 4% longer, in a flattened model."""
     mesh = bpy.context.object.data
     piece = [each.value for each in mesh.attributes["wirewarp_piece"].data]
     sleeves = sorted(set(piece), key=piece.count)[:2]  # the pieces with the fewest faces

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Crops pictures and reduces their files: shrink_pictures.py FROM TO. Needs Pillow.
+"""Crops pictures and reduces the size of their files: shrink_pictures.py FROM TO. Needs Pillow.
 
-Beside FROM/NAME.png, NAME.json names the part to keep: left, top, right, bottom; without it the picture is not cropped.
+The file FROM/NAME.json has the part of FROM/NAME.png to keep: left, top, right, bottom, in pixels. Without this file,
+the picture is not cropped.
 """
 
 import json

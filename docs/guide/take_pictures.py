@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Takes the pictures of the pages, by tours through Blender's window with the sample fitted top or a ring. See
-tools/pictures.py.
+"""Takes the pictures of the pages in tours through Blender's window, with the sample Fitted Top or a ring.
+
+tools/pictures.py runs the tours. Each tour is a function that takes the picture with its own name.
 """
 
 import json
@@ -37,7 +38,8 @@ def open_sample(*opened: str) -> drive.Tour:
 
 
 def open_panels(*opened: str) -> None:
-    """Register all panels of ours again, with only these open, which Blender takes from their class."""
+    """Register all our panels again, with only these open, because Blender reads the state of a new panel from its
+    class."""
     bpy.context.preferences.view.ui_scale = UI_SCALE
     bpy.context.preferences.view.smooth_view = 0  # otherwise, Flatten still moves the view when a picture is taken
     panels = [cls for cls in wirewarp_addon.registration.CLASSES if issubclass(cls, bpy.types.Panel)]
@@ -87,8 +89,9 @@ def look_at_both(bottom: float = 0.0) -> drive.Tour:
 
 
 def fit(bottom: float = 0.0) -> drive.Tour:
-    """Fit all visible objects into the shown part of the view. bottom: share of its height that stays free, for a
-    legend.
+    """Fit all visible objects into the part of the view that the picture shows.
+
+    bottom: share of the view's height that stays free, for a legend.
     """
     yield from drive.ticks(2)
     region, view = drive.region("WINDOW"), drive.view_area().spaces.active.region_3d
@@ -115,7 +118,7 @@ def visible_corners() -> list[Vector]:
     return [
         each.matrix_world @ Vector(corner)
         for each in bpy.context.view_layer.objects
-        if each.visible_get() and not each.hide_get()  # just hidden objects still count as visible
+        if each.visible_get() and not each.hide_get()  # visible_get() is still true for objects that were just hidden
         for corner in each.bound_box
     ]
 
@@ -134,7 +137,7 @@ def flatten() -> drive.Tour:
 
 
 def park_mouse() -> drive.Tour:
-    """Move the mouse to where it highlights no button."""
+    """Move the mouse to a place at which it highlights no button."""
     region = drive.region("WINDOW")
     drive.send("MOUSEMOVE", "NOTHING", (region.x + 40, region.y + 40))
     yield from drive.ticks(10)
@@ -146,12 +149,12 @@ def take_picture(name: str) -> drive.Tour:
     drive.screenshot(name)
     area, height = drive.view_area(), bpy.context.window_manager.windows[0].height
     top = height - area.y - area.height
-    box = (area.x + LEFT, top + 1, area.x + area.width, top + area.height - 1)  # without its border
+    box = (area.x + LEFT, top + 1, area.x + area.width, top + area.height - 1)  # without the border of the area
     (Path(os.environ["WIREWARP_PICTURES"]) / f"{name}.json").write_text(json.dumps(box))
 
 
 def mark() -> drive.Tour:
-    """Show a hip line that was just marked as elastic."""
+    """Show the hip line after it was marked as elastic."""
     yield from open_sample("mark", "wires")
     mark_hip_line()
     yield from drive.ticks(10)
@@ -177,7 +180,7 @@ def report() -> drive.Tour:
 
 
 def suggest() -> drive.Tour:
-    """Show darts for the front, with the first ones chosen."""
+    """Show suggested darts for the front, with the first row chosen."""
     yield from open_sample("flatten", "pieces")
     mark_garment()
     yield from flatten()
@@ -196,14 +199,14 @@ def tube() -> drive.Tour:
     clear_wires()
     clear_sleeve_seam(bpy.context.object.data)
     yield from flatten()
-    hide_others()  # they would block the view from below
+    hide_others()  # the pieces would block the view from below
     look(Euler((2.0, 0.0, -0.4)))
     yield from fit()
     yield from take_picture("tube")
 
 
 def contradiction() -> drive.Tour:
-    """Make all mesh lines of one breast rigid, with the diagonals of its faces."""
+    """Show the error of a net of rigid wires: all edges of one breast, and the diagonals of its faces."""
     yield from open_sample("flatten", "report")
     vertices = bpy.context.object.data.vertices
     peak = min((v.co.copy() for v in vertices if v.co.x > 0), key=lambda place: place.y)
@@ -241,7 +244,7 @@ def show_pieces_from_above() -> drive.Tour:
 
 
 def allowance() -> drive.Tour:
-    """Mark 30 mm at the hem, and on the sleeves' side of the armholes, on the pieces."""
+    """Show allowances of 30 mm at the hem, and on the sleeves' side of the armholes."""
     yield from open_sample("flatten", "export", "mark_sides")
     bpy.context.scene.wirewarp.spacing = 70.0
     mark_garment()
