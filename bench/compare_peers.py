@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Flattens the benchmark sheet by every method at every size, and writes the results as JSON:
+"""Flattens the benchmark sheet by every method in every size, and writes the results as JSON:
 
 PYTHONPATH=results WIREWARP_BPY_PYTHON=PYTHON python bench/compare_peers.py OUTPUT.json [--full]
     [--sizes N ...] [--rounds N]
@@ -19,11 +19,11 @@ from surfaces import bumpy_sheet
 
 SIZES, FULL_SIZES = [1_000, 10_000, 100_000], [1_000, 10_000, 100_000, 1_000_000]
 SEAM_SIZE = 10_000
-JITTER = 0.3  # in edges; about as uneven as scanned and sculpted models
+JITTER = 0.3  # of an edge; sheets are then about as uneven as scanned and sculpted models
 JITTERED_SIZES = [10_000, 100_000]
 NET_SIZE, NETS = 40_000, [8, 32, 128]  # triangles; numbers of wires (128 wires are 2.2 edges apart)
 LIMIT, FULL_LIMIT = 120.0, 900.0  # seconds of wall time for one method on one surface
-LARGEST = {  # maximum number of triangles for methods that would take longer than all others together
+LARGEST = {  # maximum number of triangles for methods that would otherwise take longer than all other methods together
     flatteners.ARAP_CONVERGED: 100_000,
     flatteners.SLIM: 100_000,
     flatteners.SLIM_CONVERGED: 10_000,
@@ -59,7 +59,7 @@ def compare_hard(rounds: int | None) -> list[Comparison]:
 
 
 def load(path: Path) -> dict[str, list[Comparison]]:
-    """Return the output of main(): "sheets" by size, "hard" ones, and "seams", the sheet in two pieces."""
+    """Return the output of main(): "sheets" by size, "hard" sheets, and "seams", the sheet in two pieces."""
     found = json.loads(path.read_text())
     return {key: [from_dict(comparison) for comparison in comparisons] for key, comparisons in found.items()}
 
@@ -72,9 +72,9 @@ def from_dict(comparison: dict) -> Comparison:
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("output", type=Path)
-    parser.add_argument("--full", action="store_true", help="up to 1,000,000 triangles; slow methods up to more")
-    parser.add_argument("--sizes", type=int, nargs="+", help="numbers of triangles, others than the usual ones")
-    parser.add_argument("--rounds", type=int, help="another number than the usual ones")
+    parser.add_argument("--full", action="store_true", help="up to 1,000,000 triangles; larger sheets for slow methods")
+    parser.add_argument("--sizes", type=int, nargs="+", help="numbers of triangles, instead of the usual ones")
+    parser.add_argument("--rounds", type=int, help="number of rounds, instead of the usual ones")
     arguments = parser.parse_args()
 
     os.sched_setaffinity(0, {max(os.sched_getaffinity(0))})

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs all methods on one surface in turn, each turn in its own process, and compares their answers."""
+"""Runs all methods on a surface in turn, each turn in its own process, and compares the results."""
 
 import statistics
 from dataclasses import dataclass, replace
@@ -9,12 +9,12 @@ from flatteners import METHODS, Answer, Method
 from run_apart import NoAnswerError, run_apart
 from surfaces import Surface
 
-ONCE_IS_ENOUGH = 20.0  # seconds
+ONCE_IS_ENOUGH = 20.0  # seconds of a run; slower methods run once
 
 
 @dataclass(frozen=True)
 class Outcome:
-    """Results of one method. Errors are relative to the lengths that the method chose, or to those on the surface."""
+    """Results of one method. Errors are relative to its target lengths; without targets, to lengths on the surface."""
 
     seconds: float  # on one core
     megabytes: float
@@ -22,7 +22,7 @@ class Outcome:
     outline_error: float  # error of the worst section of outline
     wire_error: float  # error of the worst wire
     edge_error: float  # error of the worst edge of outline and wires
-    mismatch: float  # between the sides of the worst seam, in the surface's units; 0 without seams
+    mismatch: float  # difference in length between the sides of the worst seam, in the surface's units; 0 without seams
     flipped: int
     iterations: int | None  # iterations of libigl
     counts: dict[str, float | str]  # counts in the first piece's report
@@ -69,7 +69,10 @@ def length_error(part: wirewarp.WireReport) -> float:
 
 
 def compare(surface: Surface, names: list[str], rounds: int, limit: float) -> Comparison:
-    """Return medians of the costs. A method gets `limit` seconds of wall time, and only one round if it is slow."""
+    """Return the results of all methods, with medians of the costs over the rounds. A slow method has only one round.
+
+    limit: seconds of wall time for a method in a round.
+    """
     found: dict[str, list[Outcome]] = {}
     without: dict[str, str] = {}
     for turn in range(rounds):

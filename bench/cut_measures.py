@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Measures the cost of cuts and the distortion with them from the shape alone, in the same way for all methods."""
+"""Measures cuts and distortion of a flat shape, in the same way for all methods."""
 
 from collections import defaultdict
 from dataclasses import dataclass
@@ -15,9 +15,9 @@ class CutFigures:
     energy: float  # symmetric Dirichlet energy: mean over the area of |J|^2 + |1/J|^2; 4 without distortion
     strain: float  # DartProposal.strain of the whole surface
     length: float  # total of the cuts on the surface, each edge counted once, over the square root of the area
-    mismatch: float  # flat length difference of the two sides of a cut, mean over the cuts' length: 0.01 is 10 mm per m
+    mismatch: float  # difference between the flat lengths of a cut's sides, over the cuts' length; 0.01 is 10 mm per m
     charts: int
-    flipped: int  # flipped triangles
+    flipped: int  # number of flipped triangles
 
 
 def read_corner_uv(path: Path) -> np.ndarray:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Draws the sets of seams that are proposed for the toys of toys.py or for closed models, and prints a table row each:
+"""Draws the sets of seams that are proposed for the toys of toys.py or for other closed models, and prints their table:
 
 PYTHONPATH=results:blend_samples python bench/cut_pictures.py FOLDER [NAME or MESH.obj...]
 

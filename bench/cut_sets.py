@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Measures the sets of seams that are proposed for closed models, and prints a table row for each:
+"""Measures the sets of seams that are proposed for closed models, and prints a table with a row for each model:
 
 python bench/cut_sets.py MESH.obj...
 
-For each model, the row is the set with the fewest pieces within the stretch of plush and knits, or else the one with
-the least stretch. *With room* counts pieces with room for their allowances, and *bends* vertices inside a seam where
-it turns sharply.
+A row has the set with the fewest pieces that need no more stretch than plush has. If there is no such set, the row has
+the set with the least stretch. *With room* is the number of pieces with room for their allowances. *Bends* is the
+number of vertices inside a seam at which the seam turns sharply.
 """
 
 import sys
@@ -19,16 +19,16 @@ from mesh_files import Mesh, read_obj
 from tables import table
 from wirewarp.pattern import has_room, piece_width
 
-SOFT = 0.2  # maximum stretch of plush and knits
+SOFT = 0.2  # maximum stretch of plush and stable knits
 HEIGHT = 300  # mm of the finished toy, along its largest side
-ALLOWANCE = 6  # mm: the usual one of plush, and a millimeter for the turn of the fabric
+ALLOWANCE = 6  # mm: the usual allowance of plush, 5 mm, and 1 mm because the fabric is turned
 BEND = 30  # degrees
-SAME_PLACE = 1e-4  # share of the largest side: mirrored vertices are at most this far apart
+SAME_PLACE = 1e-4  # of the largest side: maximum distance between a vertex and the mirror image of another
 HEAD = ["mesh", "triangles", "pieces", "with room", "strain", "length", "narrowest, mm", "bends", "symmetric", "s"]
 
 
 def mirror_images(vertices: np.ndarray) -> list[int] | None:
-    """Return the mirror image of each vertex, across the middle of one axis; None if the model has none."""
+    """Return the mirror image of each vertex across the middle of an axis, or None if the model is not symmetric."""
     size, low = float(np.ptp(vertices, axis=0).max()), vertices.min(axis=0)
     near = np.array(np.meshgrid(*[[0, 1, -1]] * 3)).reshape(3, -1).T
     places = {tuple(place): v for v, place in enumerate(np.rint((vertices - low) / size / SAME_PLACE).astype(int))}
@@ -78,7 +78,7 @@ class Cut:
     proposal: wirewarp.DartProposal
     seconds: float  # of processor time for the search
     mesh: Mesh  # with new vertices where smooth seams cross triangles
-    seams: np.ndarray  # (k, 2) edges of that mesh
+    seams: np.ndarray  # (k, 2) edges of `mesh`
 
 
 def best_cut(mesh: Mesh, smooth: bool = False) -> Cut:

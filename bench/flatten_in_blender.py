@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Compares Flatten in Blender with Blender's own angle-based unwrap, in turn in one process:
+"""Compares Flatten in Blender with Blender's own angle-based unwrap. Both run in turn in one process:
 
 blender --background --factory-startup --python-exit-code 1 --addons wirewarp_addon \\
     --python bench/flatten_in_blender.py -- OUTPUT.json [TRIANGLES ...]
@@ -21,7 +21,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent))
 
 from surfaces import bumpy_sheet  # noqa: E402 (the folder must be on the path first)
 
-# Names in Debian 12's Blender and in Debian 13's, which has extensions.
+# The add-on has the first name in Debian 12's Blender, and the second in Debian 13's, which has extensions.
 addon = sys.modules.get("wirewarp_addon") or sys.modules["bl_ext.user_default.wirewarp"]
 choices_of = addon.state.settings.choices_of
 solve_models, read_models = addon.flatten.models.solve_models, addon.flatten.read.read_models
@@ -32,7 +32,7 @@ TURNS = 3
 
 
 def add_sheet(triangles: int) -> bpy.types.Object:
-    """Add the sheet with two rigid wires across its middle, active and selected."""
+    """Add the sheet with two rigid wires across its middle. It is active and selected."""
     surface = bumpy_sheet(triangles)
     mesh = bpy.data.meshes.new("Sheet")
     mesh.from_pydata(surface.vertices.tolist(), [], surface.faces.tolist())
@@ -57,7 +57,7 @@ def seconds_of(work: Callable[[], object]) -> float:
 
 
 def new_sheet(triangles: int) -> bpy.types.Object:
-    """Add the sheet in a new file, so that nothing is reused from an earlier run."""
+    """Add the sheet in a new file, so that no data of an earlier run is used again."""
     bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
     return add_sheet(triangles)
 
@@ -86,7 +86,7 @@ def take_turn(triangles: int) -> dict[str, float]:
 
 
 def compare(triangles: int) -> dict:
-    """Return medians."""
+    """Return the medians of all turns, in seconds."""
     turns = [take_turn(triangles) for _ in range(TURNS)]
     return {name: statistics.median(turn[name] for turn in turns) for name in turns[0]}
 

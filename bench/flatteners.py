@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The methods that the page compares. Each takes a surface and returns a flattening and its cost."""
+"""Defines the methods that docs/benchmarks.md compares. Each returns a flattening of a surface, and its cost."""
 
 import os
 import subprocess
@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 
-os.environ["IGL_NUM_THREADS"] = os.environ["OMP_NUM_THREADS"] = "1"  # read when the modules are loaded
+os.environ["IGL_NUM_THREADS"] = os.environ["OMP_NUM_THREADS"] = "1"  # set before the imports, which read them
 
 import libigl_maps
 import numpy as np
@@ -26,7 +26,7 @@ TOLERANCE = 0.03
 class Answer:
     flattening: wirewarp.FlattenResult
     seconds: float  # on one core
-    megabytes: float  # peak, without the surface
+    megabytes: float  # peak memory, without the memory of the surface
     iterations: int | None = None  # iterations of libigl
 
 
@@ -34,7 +34,7 @@ Method = Callable[[Surface], Answer]
 
 
 def flatten_by_wirewarp(method: str, wires: str, tolerance: float, surface: Surface) -> Answer:
-    """Flatten by WireWarp. wires: the name of the surface's list."""
+    """Flatten by WireWarp. wires: name of the field of Surface with the wires."""
     options = wirewarp.Options(method=method)
     chains = [wirewarp.Wire(chain, tolerance) for chain in getattr(surface, wires)]
     return Answer(
@@ -47,7 +47,7 @@ def flatten_by_wirewarp(method: str, wires: str, tolerance: float, surface: Surf
 
 
 def judge(surface: Surface, corner_uv: np.ndarray) -> wirewarp.FlattenResult:
-    """Measure any layout (m, 3, 2) like those of WireWarp; the many wires should keep their lengths."""
+    """Return the measures of a layout (m, 3, 2). Length errors are those of the outline and of many_wires."""
     wires = [wirewarp.Wire(chain) for chain in surface.many_wires]
     return wirewarp.measure(surface.vertices, surface.faces, corner_uv, seams=surface.seams, wires=wires)
 
@@ -68,7 +68,7 @@ def flatten_by_libigl(piece_map: Callable[..., libigl_maps.Map], most_iterations
 
 
 def unwrap_in_blender(method: str, surface: Surface) -> Answer:
-    """Unwrap in another process, and scale every piece to its area on the model."""
+    """Unwrap in another process. Every piece is scaled to its area on the surface."""
     with tempfile.TemporaryDirectory() as folder:
         model, unwrap = Path(folder) / "model.npz", Path(folder) / "unwrap.npz"
         np.savez(model, vertices=surface.vertices, faces=surface.faces, seams=surface.seams)

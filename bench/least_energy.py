@@ -1,14 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Moves the vertices inside of a flat shape for the least symmetric Dirichlet energy, the one of OptCuts, by L-BFGS.
-The outlines do not move, so that their lengths stay exact.
+"""Minimizes the symmetric Dirichlet energy of a flat shape, which OptCuts minimizes, too. The method is L-BFGS.
+
+Only inner vertices move, so that the lengths of the outlines stay exact.
 """
 
 from collections import deque
 
 import numpy as np
 
-STEPS = 20  # number of steps that are remembered, and over which the energy has to decrease
-ENOUGH = 1e-6  # decrease of the energy over these steps at which the search ends
+STEPS = 20  # number of steps that L-BFGS remembers; also number of steps over which the decrease is measured
+ENOUGH = 1e-6  # the search ends if the energy decreases by less than this over STEPS steps
 SUFFICIENT = 1e-4  # share of the predicted decrease that a step must reach (Armijo)
 SHORTEST = 1e-12  # share of a step below which the search ends
 
@@ -16,7 +17,7 @@ Slope = tuple[float, np.ndarray]  # energy and its gradient
 
 
 def least_energy(vertices: np.ndarray, faces: np.ndarray, corner_uv: np.ndarray) -> np.ndarray:
-    """Return corner_uv (m, 3, 2) of the shape with the least energy near this one."""
+    """Return the corners (m, 3, 2) of the shape to which the search leads from corner_uv (m, 3, 2)."""
     named = np.concatenate([faces.reshape(-1, 1), corner_uv.reshape(-1, 2)], axis=1)
     places, index = np.unique(named, axis=0, return_inverse=True)
     index = index.reshape(-1, 3)
@@ -37,14 +38,14 @@ class Triangles:
         height = np.linalg.norm(np.cross(first, second), axis=1) / length
         self.index, self.fixed = index, fixed
         self.shares = length * height / (length * height).sum()
-        # inverse of the matrix of two edges, in the plane of each triangle
+        # inverse of the matrix whose columns are two edges, in the plane of each triangle
         self.inverse = np.zeros((len(points), 2, 2))
         self.inverse[:, 0, 0] = 1 / length
         self.inverse[:, 0, 1] = -(first * second).sum(axis=1) / (length**2 * height)
         self.inverse[:, 1, 1] = 1 / height
 
     def energy(self, uv: np.ndarray) -> Slope:
-        """Return the energy, infinite if a triangle is flipped, and its gradient."""
+        """Return the energy and its gradient (n, 2). If a triangle is flipped, the energy is infinite."""
         corners = uv[self.index]
         jacobian = np.stack([corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]], axis=2) @ self.inverse
         area = np.linalg.det(jacobian)

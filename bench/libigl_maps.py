@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Maps one piece to the plane with libigl, from the harmonic map to a disk. These maps do not keep lengths.
+"""Maps a piece to the plane with libigl, starting from the harmonic map to a disk. These maps do not keep lengths.
 
-All functions take vertices (n, 3) and faces (m, 3), and return positions (n, 2) and the number of iterations.
+The functions arap() and slim() take vertices (n, 3) and faces (m, 3). They return positions (n, 2) and the number of
+iterations.
 """
 
 import igl
@@ -9,13 +10,13 @@ import numpy as np
 
 ITERATIONS = 10
 MOST_ITERATIONS = 1000
-STILL = 1e-4  # over the width of the piece; the map has converged if ten iterations move no vertex farther
+STILL = 1e-4  # share of the piece's width; the map has converged if ten iterations move no vertex farther
 
 Map = tuple[np.ndarray, int]
 
 
 def harmonic_start(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the harmonic map (n, 2) to a disk of the piece's area, and the vertices of the longest outline."""
+    """Return the harmonic map (n, 2) to a disk with the piece's area, and the vertices of the longest outline."""
     boundary = igl.boundary_loop(faces)
     radius = np.sqrt(igl.doublearea(vertices, faces).sum() / 2 / np.pi)
     circle = radius * igl.map_vertices_to_circle(vertices, boundary)
@@ -23,7 +24,7 @@ def harmonic_start(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray,
 
 
 def has_converged(before: np.ndarray, after: np.ndarray) -> bool:
-    """Return whether the map has converged up to a translation, because SLIM fixes no vertex."""
+    """Return whether the map has converged. Translations do not count, because SLIM fixes no vertex."""
     move = after - before
     return np.abs(move - move.mean(axis=0)).max() <= STILL * np.ptp(after, axis=0).max()
 
@@ -43,7 +44,7 @@ def arap(vertices: np.ndarray, faces: np.ndarray, most_iterations: int) -> Map:
 
 
 def slim(vertices: np.ndarray, faces: np.ndarray, most_iterations: int) -> Map:
-    """Return the map of least symmetric Dirichlet energy, which prevents flips."""
+    """Return the map with the least symmetric Dirichlet energy, which prevents flips."""
     start, _ = harmonic_start(vertices, faces)
     nothing_fixed = np.zeros(0, dtype=np.int32), np.zeros((0, 2))
     energy = igl.MappingEnergyType.SYMMETRIC_DIRICHLET

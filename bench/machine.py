@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Describes the machine of the figures."""
+"""Describes the machine on which the figures of a page were measured."""
 
 import os
 import platform

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Reads mesh files unchanged: nothing is welded, removed or flipped. Polygons are divided from their first corner."""
+"""Reads mesh files without merging vertices, and without removing or flipping faces. Polygons are divided into
+triangles at their first corner.
+"""
 
 from pathlib import Path
 
@@ -26,7 +28,7 @@ def read_obj(path: Path) -> Mesh:
 
 
 def read_ply(path: Path) -> Mesh:
-    """Read a binary file of triangles whose vertices only have positions."""
+    """Return the mesh of a binary file of triangles. Its vertices must have positions only."""
     header, _, data = path.read_bytes().partition(b"end_header\n")
     lines = header.decode().splitlines()
     count = {line.split()[1]: int(line.split()[2]) for line in lines if line.startswith("element")}

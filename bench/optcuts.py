@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs OptCuts, built from its public sources, and keeps its output: NAME.obj, the surface with its flat shape as
-texture coordinates, NAME.json with the cost of the run or why it has no result, and NAME.log with its messages.
+"""Runs OptCuts, built from its public sources, and keeps its output in three files.
+
+NAME.obj is the surface with its flat shape as texture coordinates. NAME.json has the cost of the run, and the reason if
+there is no result. NAME.log has the messages.
 """
 
 import json
@@ -22,21 +24,23 @@ HEADLESS = "100"
 @dataclass(frozen=True)
 class PeerRun:
     seconds: float  # processor time
-    without: str  # why there is no result, or empty
+    without: str  # reason why there is no result, or empty
 
 
 def command(program: Path | str, mesh: Path | str, bound: float) -> list[str]:
-    """Return the call, as in its README: mode, mesh, first weight, name, method, bound, bijective, start."""
+    """Return the command. Its words, as in OptCuts' README: mode, mesh, first weight, name, method, bound, bijective,
+    start.
+    """
     return [str(program), HEADLESS, str(mesh), "0.999", "1", "0", str(bound), "1", "0"]
 
 
 def by_size(meshes: Path) -> list[Path]:
-    """Return the meshes, those with fewer triangles first."""
+    """Return the meshes, sorted by number of triangles."""
     return sorted(meshes.glob("*.obj"), key=lambda path: (len(read_obj(path)[1]), path.name))
 
 
 def limit_processor_time() -> None:
-    """Limit the time of this process, and use one core."""
+    """Limit the processor time of this process to LIMIT, and make it use one core."""
     os.sched_setaffinity(0, {max(os.sched_getaffinity(0))})
     resource.setrlimit(resource.RLIMIT_CPU, (LIMIT, LIMIT + 5))
 
@@ -49,7 +53,7 @@ def kept_run(program: Path, mesh: Path, folder: Path, bound: float) -> PeerRun:
 
 
 def run(program: Path, mesh: Path, folder: Path, bound: float) -> PeerRun:
-    with tempfile.TemporaryDirectory() as work:  # it writes to a folder below this one
+    with tempfile.TemporaryDirectory() as work:  # OptCuts writes to a folder inside its working directory
         before = resource.getrusage(resource.RUSAGE_CHILDREN)
         with (folder / f"{mesh.stem}.log").open("w") as log:
             call = command(program.resolve(), mesh.resolve(), bound)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Measures the cost of work in this process: seconds of one core and peak memory. Linux only."""
+"""Measures the cost of work in this process: CPU seconds and peak memory. Works on Linux only."""
 
 import time
 from collections.abc import Callable
@@ -10,16 +10,16 @@ Answer = TypeVar("Answer")
 
 
 def resident_megabytes(line: str) -> float:
-    """Return VmRSS, or VmHWM, the maximum since it was reset."""
+    """Return the present memory of this process (line: VmRSS), or the maximum since it was reset (VmHWM)."""
     status = Path("/proc/self/status").read_text().splitlines()
     return int(next(text for text in status if text.startswith(line)).split()[1]) / 1024
 
 
 def cost_of(work: Callable[[], Answer]) -> tuple[Answer, float, float]:
-    """Return the answer, CPU seconds of all threads including the system's, and peak megabytes above the earlier
-    memory.
+    """Return the result of the work, its CPU seconds, and its peak memory in megabytes.
 
-    It uses CPU seconds because other work on the machine lengthens wall time.
+    The seconds are those of all threads, with the system's time, because other programs lengthen wall time. The memory
+    of the process before the work does not count.
     """
     Path("/proc/self/clear_refs").write_text("5")  # resets the peak (VmHWM) to the present memory (VmRSS)
     before = resident_megabytes("VmRSS")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tables of all methods side by side."""
+"""Makes the tables of docs/benchmarks.md that compare the methods."""
 
 from collections.abc import Sequence
 
@@ -62,7 +62,7 @@ def seam_table(comparison: Comparison) -> list[str]:
 
 
 def elastic_table(comparisons: Sequence[Comparison]) -> list[str]:
-    """Show the work of the outer problem of WireWarping++."""
+    """Return the table with the work of WireWarping++ on its outer problem."""
     names = ("gradient_evaluations", "outer_iterations", "inner_solves", "factorizations")
     rows = [
         (c.surface, *(str(c.outcomes[WARPED_ELASTIC].counts[name]) for name in names))
@@ -74,7 +74,7 @@ def elastic_table(comparisons: Sequence[Comparison]) -> list[str]:
 
 
 def refined_table(comparisons: Sequence[Comparison]) -> list[str]:
-    """Show the work of the refined method."""
+    """Return the table with the work of the refined method."""
     rows = []
     for comparison in comparisons:
         for name, outcome in comparison.outcomes.items():
@@ -86,7 +86,7 @@ def refined_table(comparisons: Sequence[Comparison]) -> list[str]:
 
 
 def growth(comparisons: Sequence[Comparison], name: str) -> tuple[list[int], list[float], float | None]:
-    """Return sizes, seconds and their exponent for 10,000 or more triangles, because fixed costs dominate below."""
+    """Return sizes, seconds and the exponent of growth from 10,000 triangles on. Fixed costs dominate smaller sizes."""
     points = [(c.triangles, c.outcomes[name].seconds) for c in comparisons if name in c.outcomes]
     large = [point for point in points if point[0] > 5_000]
     sizes, seconds = [size for size, _ in points], [time for _, time in points]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Draws the two pictures of the page: time against size, and distortion against length errors."""
+"""Draws the two pictures of docs/benchmarks.md: time against size, and distortion against length errors."""
 
 import math
 from collections.abc import Iterator, Sequence
@@ -14,9 +14,9 @@ from palette import FAINT_INK, INK
 from peer_tables import growth
 from save_picture import save
 
-LEAST_ERROR = 1e-16  # relative; smaller errors are drawn here
+LEAST_ERROR = 1e-16  # relative; smaller errors are drawn as this error
 MARKER_SIZE = 6  # points
-SAME_ENERGY = 0.05  # relative; markers of this size would cover each other
+SAME_ENERGY = 0.05  # relative; with a smaller difference of energy, markers would cover each other
 COLORS = {"wirewarp": "#0072b2", "refined": "#d55e00", "libigl": "#009e73", "Blender": "#8a6fb0"}
 MARKERS = {
     flatteners.WARPING: "o",
@@ -35,7 +35,7 @@ MARKERS = {
 
 
 def style(name: str) -> dict:
-    """Return one color for the methods of one program, with different markers."""
+    """Return the style of a method. Methods of the same program have the same color and different markers."""
     color = next(color for start, color in COLORS.items() if name.startswith(start))
     return {
         "color": color,
@@ -57,13 +57,13 @@ def plot_times(comparisons: Sequence[Comparison], path: Path) -> None:
 
 
 def plot_lengths(comparison: Comparison, path: Path) -> None:
-    """One point for each method."""
+    """Draw a point for each method."""
     with picture(path, 4.2, "Method") as axes:
         energies: list[float] = []
         for name in MARKERS:
             if outcome := comparison.outcomes.get(name):
                 error = max(outcome.edge_error, LEAST_ERROR)
-                # Markers of methods with the same energy are drawn around each other.
+                # If energies are the same, later markers are larger, so that all can be seen.
                 around = sum(math.isclose(outcome.energy, energy, rel_tol=SAME_ENERGY) for energy in energies)
                 energies.append(outcome.energy)
                 look = style(name) | {"markersize": MARKER_SIZE * (1 + around / 2)}

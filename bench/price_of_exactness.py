@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Measures how much of OptCuts' shorter cuts comes from sides of cuts that are not equally long, and prints two tables:
+"""Measures how much shorter OptCuts' cuts are because their sides need not be equally long, and prints two tables:
 
 PYTHONPATH=results python bench/price_of_exactness.py [--most-triangles N] [--most-triangles-for-bounds N]
 
-OptCuts' own cuts are flattened with exact lengths, and with elastic seams. The price of exactness is the length that
-cuts of OptCuts for smaller bounds have if they keep the energy below the bound with exact lengths. The second table
-has the length of cuts for smaller bounds. Environment: as for compare_cuts.py, whose results are used and extended.
+Surfaces are flattened along OptCuts' cuts with exact lengths, and with elastic seams. OptCuts' cuts for smaller bounds
+are longer. The price of exactness is the length of the shortest of them that keep the energy below the bound with exact
+lengths. The second table has the length of cuts for smaller bounds. Environment: as for compare_cuts.py, whose results
+are used and extended.
 """
 
 import argparse
@@ -23,9 +24,9 @@ from mesh_files import read_obj
 from optcuts import BOUND, by_size
 from tables import table
 
-TOLERANCE = 0.03  # of each edge of an elastic seam, which is a wire of its own: the most freedom that ±3% can mean
-TIGHTER = (BOUND, 4.08, 4.065, 4.05, 4.035, 4.02)  # tried until pieces with exact lengths meet BOUND
-BOUNDS = (BOUND, 4.05, 4.02)
+TOLERANCE = 0.03  # of elastic seams; each edge is a wire of its own, which gives the seam the most freedom
+TIGHTER = (BOUND, 4.08, 4.065, 4.05, 4.035, 4.02)  # bounds for OptCuts, until pieces with exact lengths keep BOUND
+BOUNDS = (BOUND, 4.05, 4.02)  # bounds of the second table
 
 
 @dataclass(frozen=True)
@@ -33,12 +34,12 @@ class Flat:
     """A flattening along cuts of OptCuts, with exact lengths or with elastic seams."""
 
     energy: float
-    least: float  # energy after the vertices inside have moved for it; the outlines are the same
+    least: float  # energy after least_energy(), which moves the inner vertices and keeps the outlines
     overlaps: bool  # a piece overlaps itself
 
 
 def flatten(shape: Path) -> list[Flat | None]:
-    """Flatten with exact lengths, then with elastic seams. Return both results; None instead of one without a shape."""
+    """Return the results with exact lengths and with elastic seams. A result without a flat shape is None."""
     vertices, faces = read_obj(shape)
     cuts, _, _ = cuts_of(faces, read_corner_uv(shape))
     found: list[Flat | None] = []
@@ -62,7 +63,7 @@ def kept_flat(shape: Path) -> list[Flat | None]:
 
 
 class Runs:
-    """All results for the surfaces, computed when they are needed for the first time."""
+    """All results for the surfaces. Each is computed when it is first needed."""
 
     def __init__(self, results: Path, program: Path) -> None:
         self.results, self.program = results, program
@@ -80,8 +81,10 @@ class Runs:
         return kept_flat(folder_of(self.results, bound) / mesh.name)
 
     def lengths_within(self, mesh: Path) -> list[float | None]:
-        """Return the length of OptCuts' shortest cuts that keep Flat.least below BOUND without overlaps: with exact
-        lengths, and with elastic seams, which may keep exact lengths.
+        """Return the lengths of OptCuts' shortest cuts with exact lengths and with elastic seams.
+
+        The cuts must keep Flat.least below BOUND without overlaps. Cuts that do so with exact lengths count for elastic
+        seams, too.
         """
         found: list[float | None] = [None, None]
         for bound in TIGHTER:
@@ -139,8 +142,8 @@ def lengths_for_bounds(meshes: list[Path], runs: Runs) -> list[str]:
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--most-triangles", type=int, help="only surfaces of so many")
-    parser.add_argument("--most-triangles-for-bounds", type=int, help="the same for the second table")
+    parser.add_argument("--most-triangles", type=int, help="only surfaces of at most N triangles")
+    parser.add_argument("--most-triangles-for-bounds", type=int, help="the same limit for the second table")
     arguments = parser.parse_args()
     results, program = Path(os.environ["OPTCUTS_RESULTS"]), Path(os.environ["OPTCUTS_PROGRAM"])
     sizes = {mesh: len(read_obj(mesh)[1]) for mesh in by_size(Path(os.environ["OPTCUTS_MESHES"]))}

@@ -3,9 +3,9 @@
 
 Usage: PYTHONPATH=blend_samples python bench/propose_darts.py [SAMPLE...]
 
-Every dart: the shortest edge path from each of 14 points of the outline to each of 22 points inside, evenly spread,
-with a full flattening for each. Regret: the share of the best decrease of energy that the best proposal does not
-achieve.
+The selection has the shortest edge path from each of 14 points of the outline to each of 22 points inside. The points
+are evenly spread, and each dart is evaluated by a full flattening. Regret is the share of the best decrease of energy
+that the best proposal does not achieve.
 """
 
 import heapq
@@ -17,12 +17,13 @@ import wirewarp
 from shapes import Shape, all_shapes
 
 OUTLINE_POINTS, INNER_POINTS = 14, 22
-LONGEST = 2.0  # seconds; a dart without a flat shape by then does not count
+LONGEST = 2.0  # seconds for the flattening with a dart; a dart that needs more time does not count
 
 
 def ways_from(start: int, vertices: np.ndarray, neighbors: dict[int, set[int]], inside: set[int]) -> dict[int, int]:
-    """Return for each vertex the previous one on the shortest path from the start through inner vertices; -1 for the
-    start.
+    """Return, for each vertex, the previous vertex on the shortest path from the start through inner vertices.
+
+    The start has the previous vertex -1.
     """
     distance, before = {start: 0.0}, {start: -1}
     queue = [(0.0, start)]
@@ -39,7 +40,7 @@ def ways_from(start: int, vertices: np.ndarray, neighbors: dict[int, set[int]], 
 
 
 def spread(vertices: np.ndarray, choice: list[int], count: int) -> list[int]:
-    """Return this many of the vertices, each as far as possible from the earlier ones."""
+    """Return `count` of the vertices in `choice`, each as far as possible from the earlier ones."""
     taken = [choice[0]]
     far = np.linalg.norm(vertices[choice] - vertices[taken[0]], axis=1)
     while len(taken) < min(count, len(choice)):
@@ -49,7 +50,7 @@ def spread(vertices: np.ndarray, choice: list[int], count: int) -> list[int]:
 
 
 def every_dart(shape: Shape, piece: wirewarp.Piece) -> list[np.ndarray]:
-    """Return the edges (k,2) of each dart."""
+    """Return the edges (k, 2) of each dart of the selection."""
     faces = piece.source_vertex[piece.faces]
     neighbors: dict[int, set[int]] = {int(v): set() for v in faces.ravel()}
     for face in faces:

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Flattens panels of real garments by every method, and every mesh file unchanged. The results are not published:
+"""Flattens panels of real garments by every method, and each mesh file of a folder by WireWarp:
 
 PYTHONPATH=results WIREWARP_BPY_PYTHON=PYTHON python bench/real_meshes.py FOLDER OUTPUT.md COUNTS.json [--panels N]
 
-PYTHON is a Python with the module bpy. FOLDER is searched recursively; its folder _panels has panels, with wires in
-NAME.wires.json beside NAME.obj. COUNTS only contains the number of files with each outcome.
+PYTHON is a Python with the module bpy. FOLDER and its subfolders contain the mesh files. FOLDER/_panels contains the
+panels, with wires in NAME.wires.json beside NAME.obj. OUTPUT is not published. COUNTS, from which docs/benchmarks.md is
+written, only contains the number of files with each outcome.
 """
 
 import argparse
@@ -26,7 +27,7 @@ from surfaces import Surface
 from tables import table
 from which_commit import commit
 
-LIMIT = 60.0  # seconds
+LIMIT = 60.0  # seconds for a mesh, or for a method on a panel
 MESH_SUFFIXES = (*READERS, ".dae", ".dxf")
 
 
@@ -40,13 +41,13 @@ def read_panel(path: Path) -> Surface:
 
 
 def compare_panel(path: Path) -> Comparison:
-    """Compare the methods on a panel, whose one list of wires is used for few and for many wires."""
+    """Compare the methods on a panel. All its wires are used, also by methods that use few wires of the sheet."""
     names = [name for name in flatteners.METHODS if name != flatteners.REFINED]
     return compare(read_panel(path), names, 1, LIMIT)
 
 
 def flattening_outcome(path: Path) -> tuple[str, str]:
-    """Return a short outcome for counting, and the error of the first piece without a flat shape."""
+    """Return a short outcome for counting, and a sentence with the number of pieces or the first error."""
     vertices, faces = read_mesh(path)
     try:
         pieces = wirewarp.flatten(vertices, faces).pieces
@@ -60,7 +61,7 @@ def flattening_outcome(path: Path) -> tuple[str, str]:
 
 
 def outcome_of(path: Path) -> tuple[str, str, str]:
-    """Return the outcome of flattening_outcome(), the wall seconds, and the error."""
+    """Return the outcome of flattening_outcome(), the wall time in seconds, and the sentence."""
     if path.suffix.lower() not in READERS:
         return "in a format that the benchmark does not read", "", ""
     begin = time.monotonic()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs work in another process, which may crash or be stopped at its time limit."""
+"""Runs work in another process, which may crash, and which is stopped at a time limit."""
 
 import contextlib
 import multiprocessing
@@ -10,11 +10,11 @@ from multiprocessing.connection import Connection
 from typing import TypeVar
 
 Answer = TypeVar("Answer")
-PROCESSES = multiprocessing.get_context("fork")  # forked processes have all modules and data loaded so far
+PROCESSES = multiprocessing.get_context("fork")  # a forked process has the modules and data of this process
 
 
 class NoAnswerError(Exception):
-    """The work raised an error, ended its process or took too long; the message names the reason in a clause."""
+    """The work raised an error, ended its process or took too long. The message is the reason."""
 
 
 def run_apart(work: Callable[[], Answer], limit: float) -> Answer:
@@ -41,12 +41,12 @@ def send_answer(work: Callable[[], Answer], sender: Connection) -> None:
     os.setsid()  # so that stop() also reaches processes that the work starts
     try:
         sender.send((False, work()))
-    except Exception as error:  # any error becomes an entry of the table
+    except Exception as error:  # every error becomes an entry of the table
         sender.send((True, str(error) or type(error).__name__))
 
 
 def stop(process: multiprocessing.Process) -> None:
-    with contextlib.suppress(ProcessLookupError):  # it has ended, or has not called setsid() yet
+    with contextlib.suppress(ProcessLookupError):  # raised if the process has ended, or has not called setsid() yet
         os.killpg(process.pid, signal.SIGKILL)
     process.kill()
     process.join()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The surfaces that every method flattens."""
+"""Makes the sheets that every method flattens."""
 
 from dataclasses import dataclass
 
@@ -14,21 +14,21 @@ class Surface:
     seams: np.ndarray  # (k, 2) vertex pairs
     pieces: list[np.ndarray]  # faces of each piece between seams
     few_wires: list[np.ndarray]  # chains of vertices
-    many_wires: list[np.ndarray]  # all methods are judged by these
+    many_wires: list[np.ndarray]  # chains of vertices; length errors of all methods are measured on these
 
 
 def wires_across(lines: np.ndarray, number: int) -> list[np.ndarray]:
-    """Return straight wires, half in each direction, as in native/bench/bumpy_sheet.h. lines: vertices (n, n)."""
+    """Return straight wires as in native/bench/bumpy_sheet.h, half in each direction. lines (n, n): vertices."""
     n = len(lines) - 1
     at = [k * n // (number // 2 + 1) for k in range(1, number // 2 + 1)]
     return [chain for k in at for chain in (lines[k, :], lines[:, k])]
 
 
 def bumpy_sheet(triangles: int, in_two_pieces: bool = False, jitter: float = 0.0, wires: int = 8) -> Surface:
-    """Return the sheet of native/bench/bumpy_sheet.h, 2 units wide; with a seam across it, it is 500 mm wide, in
-    meters.
+    """Return the sheet of native/bench/bumpy_sheet.h, 2 units wide. A sheet in two pieces is 0.5 m wide.
 
-    jitter: largest shift of inner vertices on the surface in each direction, in edges of the grid.
+    jitter: largest shift of inner vertices on the surface in each direction, as a share of an edge of the grid; wires:
+    number of wires, an even number.
     """
     n = round((triangles / 2) ** 0.5)
     side = np.linspace(-1.0, 1.0, n + 1)

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Makes tables from the JSON output of wirewarp_bench (the core alone) and flatten_in_blender.py."""
+"""Makes Markdown tables from the JSON output of wirewarp_bench (the core alone) and of flatten_in_blender.py."""
 
 import math
 from collections.abc import Sequence
 from itertools import groupby
 
-STAGES = {  # keys of FlattenResult.seconds and their titles, by the benchmark of a method
+STAGES = {  # for the benchmark of each method: keys of FlattenResult.seconds and their titles
     "refine_sheet": {"charts": "charts", "shape": "shape", "packing": "packing", "measure": "measure", "total": "all"},
     "warp_sheet": {
         "charts": "charts",
@@ -33,7 +33,7 @@ def exponent(sizes: Sequence[float], seconds: Sequence[float]) -> float:
 
 
 def arguments_of(benchmark: dict) -> dict[str, int]:
-    """Return the arguments in a name such as flatten_sheet/triangles:10000/wires:2."""
+    """Return the arguments in the name of a benchmark, such as refine_sheet/triangles:10000/wires:2."""
     pairs = (part.split(":") for part in benchmark["name"].split("/")[1:])
     return {name: int(value) for name, value in pairs}
 
@@ -43,12 +43,12 @@ def select(benchmarks: list[dict], name: str) -> list[dict]:
 
 
 def by_wires(runs: list[dict]) -> list[list[dict]]:
-    """Return the runs of one method, grouped by wires."""
+    """Return the runs of one method, grouped by number and tolerance of the wires."""
     return [list(group) for _, group in groupby(runs, key=lambda run: (run["wires"], run["percent"]))]
 
 
 def stage_exponents(runs: list[dict], stage: str) -> list[float]:
-    """Return one exponent for each kind of wires."""
+    """Return the exponent of growth of a stage for each group of by_wires()."""
     return [exponent([r["triangles"] for r in same], [r[f"{stage}_ms"] for r in same]) for same in by_wires(runs)]
 
 
@@ -68,7 +68,7 @@ def stage_table(benchmarks: list[dict], name: str) -> list[str]:
 
 
 def part_table(benchmarks: list[dict]) -> list[str]:
-    """Return the parts of the stages that were measured alone."""
+    """Return the table of parts of stages that were measured alone, in milliseconds."""
     names = {
         "placement_factor": "interior placement, factoring",
         "placement_solve": "interior placement, solving",

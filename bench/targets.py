@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Compares the targets of the project with the measurements."""
+"""Compares the performance targets of the project with the measurements."""
 
 from collections.abc import Callable, Sequence
 
@@ -16,7 +16,7 @@ def nearest(comparisons: Sequence[Comparison], triangles: int) -> Comparison | N
 
 
 def ratio(comparisons: Sequence[Comparison], ours: str, theirs: str, triangles: int) -> float | None:
-    """Return the ratio of seconds; None if one of them did not run."""
+    """Return the seconds of `ours` divided by those of `theirs`, or None if one of the methods did not run."""
     found = nearest(comparisons, triangles)
     return over(found, found, ours, theirs) if found else None
 
@@ -47,7 +47,7 @@ def ratios(comparisons: Sequence[Comparison]) -> list[tuple[str, ...]]:
 
 
 def of_hard_sheets(hard: Sequence[Comparison]) -> list[tuple[str, ...]]:
-    """Return rows for jittered sheets, compared with ARAP, and for the most wires, compared with eight wires."""
+    """Return rows for jittered sheets, compared with ARAP, and for 128 wires, compared with eight wires."""
     ours, theirs = flatteners.REFINED_ELASTIC, flatteners.ARAP
     jittered = [c for c in hard if c.surface.endswith("jittered")]
     rows = [
@@ -60,7 +60,7 @@ def of_hard_sheets(hard: Sequence[Comparison]) -> list[tuple[str, ...]]:
 
 
 def over(first: Comparison, second: Comparison, ours: str, theirs: str) -> float | None:
-    """Return the ratio of the seconds; None if one of the two did not run."""
+    """Return the seconds of `ours` in `first` divided by those of `theirs` in `second`; None if one did not run."""
     seconds = (first.seconds(ours), second.seconds(theirs))
     return None if None in seconds else seconds[0] / seconds[1]
 

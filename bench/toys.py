@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Closed models of soft toys, as surfaces of fields that are negative inside. Their largest side is 300 mm. They are in
-millimeters, except for the sample bear, which is in meters. All are mirrored across the plane x = 0.
+"""Makes closed models of soft toys, as surfaces of fields that are negative inside.
+
+The largest side of a model is 300 mm. Coordinates are in millimeters, except for the sample bear, whose coordinates are
+in meters. All models are symmetric across the plane x = 0.
 """
 
 from collections.abc import Callable
@@ -12,16 +14,16 @@ from shapes import toy
 
 Field = Callable[[np.ndarray], np.ndarray]  # approximate distance of points (..., 3) to the surface
 
-COARSE, FINE = 19, 27  # number of cells along each side; odd, so that vertices are on the mirror plane
+COARSE, FINE = 19, 27  # number of cells along each side; odd numbers, so that vertices are on the mirror plane
 SMOOTH = ("ball", "egg", "cube", "heart")  # models for which the coarse cells are enough
-HALF = 170.0  # mm, half of the side of the cube that the cells fill
+HALF = 170.0  # mm: half of the side of the cube that the cells fill
 ROUNDS = 10  # number of rounds of smoothing
-SAME = 1e-6  # share of a cell; lengths of diagonals that differ by less are equal
-SLOPE_STEP = 1e-4  # share of a cell; step of the difference quotients
+SAME = 1e-6  # share of a cell; diagonals whose lengths differ by less count as equally long
+SLOPE_STEP = 1e-4  # share of a cell: step of the difference quotients
 
 
 def ellipsoid(x: float, y: float, z: float, *radii: float) -> Field:
-    """Return an ellipsoid around a place, with one radius or one along each axis."""
+    """Return an ellipsoid around the point (x, y, z). radii: one radius, or one for each axis."""
     size = np.array(radii if len(radii) == 3 else radii * 3)
 
     def distance(points: np.ndarray) -> np.ndarray:
@@ -34,7 +36,7 @@ def ellipsoid(x: float, y: float, z: float, *radii: float) -> Field:
 
 
 def limb(begin: tuple[float, ...], end: tuple[float, ...], radius: float, end_radius: float | None = None) -> Field:
-    """Return a round stick between two places, with round ends."""
+    """Return a round stick between two points, with round ends."""
     a, b = np.array(begin), np.array(end)
 
     def distance(points: np.ndarray) -> np.ndarray:
@@ -46,7 +48,7 @@ def limb(begin: tuple[float, ...], end: tuple[float, ...], radius: float, end_ra
 
 
 def pair(field: Field) -> Field:
-    """Return the field and its mirror image."""
+    """Return the field together with its mirror image."""
     return lambda points: field(np.abs(points[..., :1]) * [1, 0, 0] + points * [0, 1, 1])
 
 
@@ -135,7 +137,7 @@ def toys() -> dict[str, Mesh]:
 
 
 def closed_mesh(field: Field, cells: int) -> Mesh:
-    """Return the surface as one vertex for each cell that it passes through (surface nets), made even."""
+    """Return the surface of a field by surface nets: a vertex for each cell that it passes through, then evened out."""
     at = np.linspace(-HALF, HALF, cells + 1)
     size = at[1] - at[0]
     values = field(np.stack(np.meshgrid(at, at, at, indexing="ij"), axis=-1))
@@ -167,7 +169,7 @@ def closed_mesh(field: Field, cells: int) -> Mesh:
 
 
 def crossing(values: np.ndarray, cell: tuple[int, ...]) -> np.ndarray:
-    """Return the mean of the places, in cells, where the surface crosses the cell's edges."""
+    """Return the mean of the points at which the surface crosses the cell's edges, in units of a cell."""
     crossings = []
     for axis, others in product(range(3), product((0, 1), repeat=2)):
         begin = np.array(cell)
@@ -181,7 +183,10 @@ def crossing(values: np.ndarray, cell: tuple[int, ...]) -> np.ndarray:
 
 
 def even(points: np.ndarray, quads: np.ndarray, images: np.ndarray, field: Field, size: float) -> np.ndarray:
-    """Move every vertex to the mean of its neighbors, then back to the surface. images: mirror image of each vertex."""
+    """Return the points after they are moved to the mean of their neighbors and back to the surface, ROUNDS times.
+
+    images: index of the mirror image of each vertex.
+    """
     edges = np.unique(np.sort(np.concatenate([quads[:, [i, i - 1]] for i in range(4)]), axis=1), axis=0)
     count = np.bincount(edges.ravel(), minlength=len(points))
     for _ in range(ROUNDS):
@@ -194,7 +199,7 @@ def even(points: np.ndarray, quads: np.ndarray, images: np.ndarray, field: Field
 
 
 def onto(points: np.ndarray, field: Field, size: float) -> np.ndarray:
-    """Move points to the surface by Newton's method."""
+    """Return the points after they are moved to the surface by Newton's method."""
     for _ in range(3):
         steps = SLOPE_STEP * size * np.eye(3)
         slope = np.stack([(field(points + s) - field(points - s)) / (2 * SLOPE_STEP * size) for s in steps], axis=-1)
@@ -203,7 +208,7 @@ def onto(points: np.ndarray, field: Field, size: float) -> np.ndarray:
 
 
 def in_triangles(points: np.ndarray, quads: np.ndarray, size: float) -> np.ndarray:
-    """Divide quads along their shorter diagonals; of equal ones along the same one in the mirror image."""
+    """Return triangles: quads divided along their shorter diagonals, so that mirror images are divided alike."""
 
     def order(a: int, b: int) -> tuple:
         ends = np.round(points[[a, b]] * [np.sign(points[a, 0] + points[b, 0]) or 1, 1, 1] / size / SAME)

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Unwraps one surface by one of Blender's own methods, in a Python with the module bpy:
+"""Unwraps a surface by one of Blender's methods. Run it in a Python with the module bpy:
 
 PYTHONPATH=results python bench/unwrap_in_blender.py INPUT.npz METHOD OUTPUT.npz
 
-INPUT has vertices, faces (triangles) and seams; OUTPUT has corner_uv (m, 3, 2), seconds and megabytes of
+INPUT has vertices, faces (triangles) and seams. OUTPUT has corner_uv (m, 3, 2), and the seconds and megabytes of
 bpy.ops.uv.unwrap.
 """
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writes a page and its pictures from measurements; docs/benchmarks.md is the page of the longest run:
+"""Writes a page and its pictures from measurements. docs/benchmarks.md is the page of the longest run:
 
 PYTHONPATH=results python bench/write_page.py NATIVE_JSON BLENDER_JSON PEERS_JSON RATIOS_MD PAGE [--real-meshes JSON]
 """
@@ -19,7 +19,7 @@ from plots import plot_lengths, plot_times
 from targets import nearest, target_table
 from which_commit import commit
 
-NO_REAL_MESHES = "They were not available in this run (`WIREWARP_MESHES` names their folder)."
+NO_REAL_MESHES = "No real meshes were available in this run. `WIREWARP_MESHES` names the folder for them."
 
 
 def peers_section(sheets: list[Comparison]) -> list[str]:
@@ -27,35 +27,37 @@ def peers_section(sheets: list[Comparison]) -> list[str]:
         "## Against other flatteners",
         "",
         "All methods run on the same surface in turn, on one core, each turn in its own process. The table has CPU "
-        "seconds (medians; also as multiples of libigl's ARAP) and the peak memory that a method adds to a process "
-        "with the surface. **WireWarp**: the outline and two or eight wires rigid, or eight wires elastic by ±3%. "
-        f"**libigl** as a Python package: harmonic start, then {ITERATIONS} iterations of ARAP or of SLIM (symmetric "
-        f"Dirichlet energy); it counts as converged if ten iterations move no vertex by more than {STILL:g} of the "
-        "width, or "
-        f"after {MOST_ITERATIONS:,}. **Blender** 4.5 as a Python module: its own three unwraps, scaled to the area of "
-        "the surface.",
+        "seconds (medians, also as multiples of libigl's ARAP) and the peak memory that a method adds to a process "
+        "with the surface.",
         "",
-        "`wirewarp.measure` measures all of them. Energy: ARAP energy over area. Worst outline, wire and edge of both: "
-        "relative errors from the target lengths. libigl and Blender have no targets, so their lengths are compared "
-        "with those of the outline and eight wires on the surface.",
+        "- **WireWarp** keeps the outline, and has two or eight rigid wires, or eight wires elastic by ±3%.",
+        f"- **libigl** as a Python package starts from the harmonic map, and runs {ITERATIONS} iterations of ARAP or "
+        "of SLIM (symmetric Dirichlet energy). A *converged* run ends if ten iterations move no vertex by more than "
+        f"{STILL:g} of the width, or after {MOST_ITERATIONS:,} iterations.",
+        "- **Blender** 4.5 as a Python module runs its own three unwraps, scaled to the area of the surface.",
+        "",
+        "`wirewarp.measure` measures all results. *Energy* is the ARAP energy over the area. *Worst outline*, *wire* "
+        "and *edge* are the largest relative errors from the target lengths, of sections of outline, of wires, and of "
+        "the edges of both. libigl and Blender have no targets, so their lengths are compared with the lengths of the "
+        "outline and of eight wires on the surface.",
         "",
         *peer_tables.peer_table(sheets),
         "",
-        f"Without `--full`, {', '.join(f'{name} (to {size:,})' for name, size in LARGEST.items())} do not run on the "
-        "larger sheets.",
+        "Without `--full`, these methods run only on sheets up to the number of triangles in brackets: "
+        f"{', '.join(f'{name} ({size:,})' for name, size in LARGEST.items())}.",
         "",
         "![Seconds against triangles for every method](benchmarks/times.png)",
         "",
-        "The exponents are for 10,000 or more triangles. The picture below shows the cost of exact lengths at 10,000 "
-        "triangles: methods that keep lengths are on the left, the others on the right.",
+        "The exponents of growth are for 10,000 or more triangles. The next picture shows the cost of exact lengths at "
+        "10,000 triangles. Methods that keep lengths are on the left, and the others are on the right.",
         "",
         "![Distortion against the worst length error for every method](benchmarks/lengths.png)",
         "",
-        "The runs of the refined method:",
+        "This is the work of the refined method:",
         "",
         *peer_tables.refined_table(sheets),
         "",
-        "The runs of WireWarping++ with elastic wires:",
+        "This is the work of WireWarping++ with elastic wires:",
         "",
         *peer_tables.elastic_table(sheets),
         "",
@@ -66,9 +68,9 @@ def hard_section(hard: list[Comparison]) -> list[str]:
     return [
         "## Jittered sheets and many wires",
         "",
-        "The refined method with wires elastic by ±3%, eight if no other number is given. *Jittered* means that each "
-        f"inner vertex is moved on the surface by up to {JITTER:g} of an edge in each direction, even on wires. The "
-        "table has CPU seconds, also as multiples of libigl's ARAP on the same mesh.",
+        "The table is for the refined method with wires elastic by ±3%, eight if no other number is given. *Jittered* "
+        f"means that each inner vertex was moved on the surface by up to {JITTER:g} of an edge in each direction, even "
+        "on wires. The table has CPU seconds, also as multiples of libigl's ARAP on the same mesh.",
         "",
         *peer_tables.hard_table(hard),
         "",
@@ -79,9 +81,9 @@ def ratios_section(ratios: str) -> list[str]:
     return [
         "## Runs that cost more",
         "",
-        "Runs of the core with many wires, a fabric, elastic seams or a cache, compared with plain runs on the same "
-        "sheet in the same process. The table has medians of processor seconds, and their ratio. The last row is the "
-        "time until a net without a solution is refused. Written by `wirewarp_cost_ratios`.",
+        "The program `wirewarp_cost_ratios` compares runs of the core with many wires, a fabric, elastic seams or a "
+        "cache with plain runs on the same sheet in the same process. The table has medians of CPU seconds, and their "
+        "ratio. The last row is the time until a net of rigid wires without a solution is refused.",
         "",
         *ratios.splitlines(),
         "",
@@ -105,10 +107,10 @@ def blender_section(in_blender: dict) -> list[str]:
     return [
         "## In Blender",
         "",
-        f"Flatten from end to end in Blender {in_blender['blender']}, compared with Blender's angle-based unwrap "
-        "of the same sheet, in turn in one process on one core. The sheet has two rigid wires, and the table has "
-        "median seconds. Flatten reads the model, solves it, makes the report, and writes the UV map, the flat pieces "
-        "and the maps.",
+        f"The table compares a whole run of Flatten in Blender {in_blender['blender']} with Blender's angle-based "
+        "unwrap of the same sheet, in turn in one process on one core. The sheet has two rigid wires, and the table "
+        "has median seconds. Flatten reads the model, solves it, makes the report, and writes the UV map, the flat "
+        "pieces and the maps.",
         "",
         *tables.blender_table(in_blender["runs"]),
         "",
@@ -120,21 +122,19 @@ def stages_section(benchmarks: list[dict]) -> list[str]:
     return [
         "## Stage by stage",
         "",
-        "The tables have milliseconds of the compiled core; factorizations use two cores. Exponents k: milliseconds "
-        "grow as "
-        f"triangles to the power of k, fitted from {min(sizes):,} to {max(sizes):,}. Memory is the peak resident "
-        "memory of the process, including the mesh. First the refined method, whose `shape` includes everything "
-        "after the free ARAP "
-        "start:",
+        "The tables have milliseconds of the compiled core. Factorizations use two cores. The time grows as the number "
+        f"of triangles to the power of the exponent, fitted from {min(sizes):,} to {max(sizes):,} triangles. Memory is "
+        "the peak resident memory of the process, including the mesh. The first table is for the refined method, whose "
+        "stage `shape` includes everything after the free ARAP start:",
         "",
         *tables.stage_table(benchmarks, "refine_sheet"),
         "",
-        "Then WireWarping++. Its stage `lengths` solves Eq. (1). With elastic wires, it also includes the free ARAP "
-        "start and all evaluations of the shape error E(ψ(h)) with their gradients:",
+        "The next table is for WireWarping++, whose stage `lengths` solves Eq. (1). With elastic wires, this stage "
+        "also includes the free ARAP start and all evaluations of the shape error E(ψ(h)) with their gradients:",
         "",
         *tables.stage_table(benchmarks, "warp_sheet"),
         "",
-        "Parts of these, measured alone, in milliseconds by the number of triangles:",
+        "Some parts of these stages were measured alone, in milliseconds by the number of triangles:",
         "",
         *tables.part_table(benchmarks),
         "",
@@ -145,10 +145,10 @@ def gradient_section(benchmarks: list[dict]) -> list[str]:
     return [
         "## The gradient",
         "",
-        "One evaluation of E(ψ(h)) and its gradient with respect to all h. The gradient takes one factorization of "
-        "Eq. (1) and one transposed solve of the interior placement, however many wires there are. The sheet is "
-        "shallow here (`native/bench/bench_gradient.cpp`), so that an evaluation needs as few factorizations as "
-        "possible. This is the least favorable ratio.",
+        "The table has the times of one evaluation of E(ψ(h)), and of its gradient with respect to all h. For any "
+        "number of wires, the gradient needs one factorization of Eq. (1) and one transposed solve of the interior "
+        "placement. The sheet is shallow (`native/bench/bench_gradient.cpp`), so that an evaluation needs as few "
+        "factorizations as possible. For other sheets, the ratio is therefore smaller.",
         "",
         *tables.gradient_table(benchmarks),
         "",
@@ -164,7 +164,7 @@ def real_section(counts: dict | None) -> list[str]:
         *head,
         f"The same comparison on {counts['panels']} panels of garments and covers, and on {counts['files']} unchanged "
         "mesh files found on the web, each in its own process for at most a minute: "
-        f"{answers}. The meshes are not ours to publish, nor tables made from them: `./dev bench` writes them to "
+        f"{answers}. We may not publish the meshes and the tables made from them. `./dev bench` writes the tables to "
         "`build/bench/real_meshes.md`.",
         "",
     ]
@@ -177,16 +177,16 @@ def document(
     lines = [
         "# Benchmarks",
         "",
-        "Written by `./dev bench --full`; `./dev bench` leaves out the largest sizes and writes to `build/bench/`. The "
-        "surface is a smoothly bent square sheet of even quads (`native/bench/bumpy_sheet.h`), with straight wires "
-        "across it, half of them in each direction.",
+        "`./dev bench --full` writes this page. `./dev bench` leaves out the largest sizes and writes to "
+        "`build/bench/`. The surface is a smoothly bent square sheet of even quads (`native/bench/bumpy_sheet.h`), "
+        "with straight wires across it, half of them in each direction.",
         "",
         f"Machine: {machine()}. Commit: {commit()}.",
         "",
         "## Performance targets",
         "",
-        "Ratios are of CPU seconds on one core; seconds and exponents of the core itself are wall time, on two "
-        "cores if available.",
+        "Times relative to other methods are ratios of CPU seconds on one core. Seconds and exponents of the core "
+        "itself are wall time, on two cores if available.",
         "",
         *target_table(sheets, peers["hard"], benchmarks),
         "",
@@ -204,12 +204,12 @@ def document(
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("native_json", type=Path, help="what wirewarp_bench --benchmark_out=FILE wrote")
-    parser.add_argument("blender_json", type=Path, help="what flatten_in_blender.py wrote")
-    parser.add_argument("peers_json", type=Path, help="what compare_peers.py wrote")
-    parser.add_argument("ratios_md", type=Path, help="what wirewarp_cost_ratios printed")
-    parser.add_argument("page", type=Path, help="to write; its pictures go into the folder beside it of its name")
-    parser.add_argument("--real-meshes", type=Path, help="what real_meshes.py wrote")
+    parser.add_argument("native_json", type=Path, help="output of wirewarp_bench --benchmark_out=FILE")
+    parser.add_argument("blender_json", type=Path, help="output of flatten_in_blender.py")
+    parser.add_argument("peers_json", type=Path, help="output of compare_peers.py")
+    parser.add_argument("ratios_md", type=Path, help="output of wirewarp_cost_ratios")
+    parser.add_argument("page", type=Path, help="page to write; its pictures are written to the folder with its name")
+    parser.add_argument("--real-meshes", type=Path, help="output of real_meshes.py")
     arguments = parser.parse_args()
 
     benchmarks = json.loads(arguments.native_json.read_text())["benchmarks"]

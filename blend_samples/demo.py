@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Flattens every sample with the add-on and shows the results:
+"""Flattens every sample with the add-on, and shows the results:
 
 blender --background --factory-startup --python-exit-code 1 --addons wirewarp_addon \\
     --python blend_samples/demo.py -- OUTPUT_FOLDER [SAMPLE ...]
 
-Prints all lengths, and writes for each sample a .blend file with the flat pieces, a JSON report and a picture.
+It prints all lengths. For each sample, it writes a .blend file with the flat pieces, a JSON report and a picture.
 """
 
 from __future__ import annotations
@@ -29,13 +29,13 @@ from tables import object_tables  # noqa: E402
 
 
 def settings_of_the_file() -> dict[str, str | float]:
-    """Return the scene's settings, because an operator called by a script does not use them itself."""
+    """Return the settings of the scene, because an operator that a script calls does not use them by itself."""
     names = ("cloth", "worn_across", "worn_along", "fairness")
     return {name: getattr(bpy.context.scene.wirewarp, name) for name in names}
 
 
 def flatten_sample(name: str, output: Path, terminal: TextIO) -> bool:
-    """Write the files of one sample and print its lengths. Return False if a guarantee is broken."""
+    """Write the files of a sample and print its lengths. Return whether all guarantees hold."""
     bpy.ops.wm.open_mainfile(filepath=str(FOLDER / f"{name}.blend"))
     model = bpy.context.view_layer.objects.active
     report_path = output / f"{name}.json"
@@ -60,9 +60,10 @@ def flatten_sample(name: str, output: Path, terminal: TextIO) -> bool:
 
 @contextmanager
 def log_of_blender(path: Path) -> Iterator[TextIO]:
-    """Send all messages of Blender while it loads, saves and draws to a file. Yields the terminal.
+    """Redirect all messages of Blender to a file, and yield the terminal for our own output.
 
-    After an error the terminal is restored, so that Blender can show it; otherwise later messages go to the file.
+    After an error, messages go to the terminal again, so that Blender can show the error. Otherwise later messages go
+    to the file, too.
     """
     terminal = os.fdopen(os.dup(1), "w", buffering=1)
     errors = os.dup(2)

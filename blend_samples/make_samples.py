@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writes the sample .blend files beside this script; needs no add-on:
+"""Writes the sample .blend files beside this script. Needs no add-on:
 
 blender --background --factory-startup --python-exit-code 1 --python blend_samples/make_samples.py -- [SAMPLE ...]
 
-Run it in Blender 3.4, so that every later version opens the files. Two runs write the same geometry and marks.
+Use Blender 3.4, so that every later version opens the files. Every run writes the same geometry and marks.
 """
 
 from __future__ import annotations
@@ -21,14 +21,15 @@ sys.path[:0] = [str(FOLDER), str(FOLDER.parent / "addon" / "wirewarp" / "blender
 from shapes import ALLOWANCE, FAIRNESS, Shape, all_shapes  # noqa: E402 (the folder must be on the path first)
 from views import Projection, fit  # noqa: E402 (the folder must be on the path first)
 
-CLOTHS = (  # in the order of the add-on's setting
+CLOTHS = (  # names of fabrics in the order of the add-on's setting, "" for no fabric
     "", "woven", "denim", "jersey", "swim", "leather", "neoprene", "felt", "fleece", "minky", "vinyl", "foam",
 )  # fmt: skip
-COTANGENTS = (1.7, 2.6)  # cotangents of half the angles of Blender's usual view without the sidebar and the toolbar
+# cotangents of half the width and half the height, as angles, of Blender's usual view without sidebar and toolbar
+COTANGENTS = (1.7, 2.6)
 
 
 def wire_id(name: str) -> int:
-    """Return a 31-bit id like the add-on's random ones, but the same in every run."""
+    """Return a 31-bit id, which is the same in every run. The ids of the add-on are random."""
     return zlib.crc32(name.encode()) & 0x7FFFFFFF
 
 
@@ -37,7 +38,7 @@ def add_mesh(shape: Shape) -> bpy.types.Mesh:
     corners = np.concatenate(shape.faces).astype(np.int32)
     sizes = np.array([len(face) for face in shape.faces], dtype=np.int32)
     following = np.concatenate([np.roll(face, -1) for face in shape.faces])
-    # Edges of wires come first, in the order of the wires: the add-on lists wires by their first edges.
+    # Edges of wires come first, in the order of the wires, because the add-on lists wires in the order of their edges.
     edge_of: dict[frozenset[int], int] = {}
     for chain in [wire.vertices for wire in shape.wires]:
         for pair in zip(chain[:-1], chain[1:], strict=True):
@@ -80,13 +81,13 @@ def add_mesh(shape: Shape) -> bpy.types.Mesh:
         for ease in shape.eases:
             eases[[corner_of[tuple(pair)] for pair in ease.half_edges.tolist()]] = ease.ratio
         mesh.attributes.new("wirewarp_side_ease", "FLOAT", "CORNER").data.foreach_set("value", eases)
-    # The add-on keeps the names of wires in a collection property of this name.
+    # The add-on stores the names of wires in a collection property with this name.
     mesh["wirewarp_names"] = [{"name": wire.name, "wire_id": wire_id(wire.name)} for wire in shape.wires]
     return mesh
 
 
 def settings(shape: Shape) -> dict[str, int | float]:
-    """Return the add-on's scene settings that are not defaults, in the form of its property."""
+    """Return the sample's settings that are not defaults, as the add-on's scene property stores them."""
     found: dict[str, int | float] = {}
     if shape.cloth:
         found["cloth"] = CLOTHS.index(shape.cloth)
@@ -103,7 +104,7 @@ def file_name(shape: Shape) -> str:
 
 
 def show_all(points: np.ndarray) -> None:
-    """Show all points in every 3D view of the file, with the sidebar open."""
+    """Make every 3D view of the file show all points, with the sidebar open."""
     for screen in bpy.data.screens:
         for space in (space for area in screen.areas if area.type == "VIEW_3D" for space in area.spaces):
             if space.type != "VIEW_3D":

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Draws samples with their flat pieces and without names, and for one of them the frames of a moving picture:
+"""Draws samples with their flat pieces and without names, and the frames of a moving picture of the fitted top:
 
 blender --background --factory-startup --addons wirewarp_addon --python blend_samples/moving_picture.py -- FOLDER
 
-FOLDER/frames gets the frames of the fitted top: its lines are marked, Flatten is pressed, the pieces leave the model.
-FOLDER/stills gets the other samples.
+The frames are written to FOLDER/frames. They show how lines are marked, how Flatten is pressed, and how the pieces
+leave the model. Pictures of other samples are written to FOLDER/stills.
 """
 
 from __future__ import annotations
@@ -30,11 +30,11 @@ MOVED, STILLS = "fitted_top", ("toy", "armchair_cover", "carnival_mask", "wetsui
 WIDTH, HEIGHT = 7.2, 4.2  # inches of 100 pixels
 MODEL_BOX, FLAT_BOX = Box(-3.5, -0.9, -1.7, 1.9), Box(-0.7, 3.5, -1.7, 1.9)
 MARKING, PRESSING, MOVING = 26, 12, 30  # frames of marking, of pressing Flatten, and with moving pieces
-DELAY = 0.4  # start of the last piece, as a share of the time of all movement
+DELAY = 0.4  # time at which the last piece begins to move, as a share of the time that a piece moves
 
 
 def way(time: float) -> float:
-    """Return the share of its path that a piece has covered: slow at the start and at the end."""
+    """Return the share of its path that a piece has covered at a time from 0 to 1. It begins and ends slowly."""
     t = min(max(time, 0.0), 1.0)
     return t * t * (3 - 2 * t)
 
@@ -59,7 +59,7 @@ class Sample:
         self.number[self.pieces.triangles] = self.pieces.piece[:, None]
 
     def draw(self, path: Path, time: float) -> None:
-        """Draw a still picture, or a frame. time: from 0, all pieces on the model, to 1, all flat."""
+        """Draw a picture. time: 0 if all pieces are on the model, 1 if all are flat, and between if they move."""
         sheet = self._sheet_with_model(1.0)
         starts = DELAY * self.number / max(self.number.max(), 1)
         gone = np.array([way(each) for each in time * (1 + DELAY) - starts])[:, None]

@@ -5,9 +5,7 @@ from __future__ import annotations
 
 
 def object_tables(report: dict) -> str:
-    """Return every piece's lines and every seam of one object of the report, with their lengths on the model and
-    flat.
-    """
+    """Return tables of an object of the report: lines of all pieces, seams and wires, with model and flat lengths."""
     blocks = [_piece_table(piece) for piece in report["pieces"]]
     if report["seams"]:
         blocks.append(_seam_table(report["seams"]))
@@ -47,7 +45,7 @@ def _seam_table(seams: list[dict]) -> str:
 
 
 def _row(name: str, line: dict) -> list[str]:
-    """Return name, model length, flat length of each side, largest difference."""
+    """Return the name, the length on the model, the flat lengths of all sides, and the largest difference."""
     flat = " | ".join(_millimeters(length, 3) for length in line["length_2d_m"])
     differences = [abs(length) for length in line["difference_m"] if length is not None]
     worst = _millimeters(max(differences, default=None), 4)

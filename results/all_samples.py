@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Shows every sample by every method, with one table for each measure."""
+"""Writes the section with all samples flattened by all methods: a table for each measure."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ TABLES: dict[str, Callable[[Summary], str]] = {
 
 
 def faults(found: dict[str, dict[str, Summary]]) -> str:
-    """Return a table of the samples for which a method gives no pieces that can be cut, or a sentence."""
+    """Return a table of the samples with flipped or overlapping triangles, or a sentence if there are none."""
     rows = [
         [name, *(f"{s.flipped} / {s.overlapping}" for s in row.values())]
         for name, row in found.items()
@@ -57,7 +57,7 @@ def faults(found: dict[str, dict[str, Summary]]) -> str:
     ]
     if not rows:
         return "**Flipped triangles:** none by any method on any sample, and no piece overlaps itself."
-    return f"""**Flipped triangles / overlapping others of their piece;** none on the samples not listed.
+    return f"""**Flipped triangles / overlapping triangles:** none on samples that are not listed.
 
 {table(["", *METHODS], rows)}"""
 
@@ -74,10 +74,9 @@ def section(inputs: Inputs) -> str:
     only_rigid = [name for name, shape in inputs.shapes.items() if all(wire.tolerance == 0 for wire in shape.wires)]
     return f"""## All samples
 
-Blender's unwraps with its default options, each island scaled to its area on the model; ARAP by libigl, from Blender's
-angle-based unwrap; WireWarp with its default options except the method. Wires have the tolerances of the samples,
-±5% on elastic ones;
-{", ".join(only_rigid)} have only rigid wires, so WireWarping and WireWarping++ are the same for them. Errors below
-a nanometer, or relative errors below 10⁻⁸, are shown as 0.
+Blender's unwraps have default options, and each island is scaled to its area on the model. ARAP is computed by libigl,
+from Blender's angle-based unwrap. WireWarp has default options except for the method. Wires have the tolerances of the
+samples, ±5% for elastic wires. These samples have only rigid wires, so WireWarping and WireWarping++ give the same
+pieces: {", ".join(only_rigid)}. Errors below a nanometer, and relative errors below 10⁻⁸, are shown as 0.
 
 {chr(10).join(t + chr(10) for t in [*tables, faults(found)])}"""

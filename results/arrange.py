@@ -8,26 +8,26 @@ from dataclasses import dataclass
 import numpy as np
 import wirewarp
 
-LEVEL = 0.3  # mean slope below which a piece is level
-GAP = 0.04  # between pieces, as a fraction of the square root of the area of all cells
+LEVEL = 0.3  # a piece with a smaller mean slope counts as level
+GAP = 0.04  # gap between pieces, as a fraction of the square root of the area of all cells
 
 
 @dataclass(frozen=True)
 class Arrangement:
-    """The place of each piece, in cells; the same piece of each flattening fits in a cell."""
+    """The place of each piece. A piece has the same cell in all flattenings, in which it fits."""
 
-    # Per flattening, the positions (p, 2) of each piece, with the middle of its box at 0.
+    # by flattening and piece: positions (p, 2), with the middle of the piece's box at 0
     turned: list[list[np.ndarray]]
-    centers: np.ndarray  # (pieces, 2)
-    size: np.ndarray  # (2,) of the whole, from 0
+    centers: np.ndarray  # (pieces, 2) of the cells
+    size: np.ndarray  # (2,) of the box around all cells, which begins at 0
 
     def positions(self, flattening: int) -> list[np.ndarray]:
-        """Return the positions (p, 2) of each piece."""
+        """Return the positions (p, 2) of each piece of a flattening, in its cell."""
         return [uv + center for uv, center in zip(self.turned[flattening], self.centers, strict=True)]
 
 
 def turn_like(uv: np.ndarray, model: np.ndarray) -> np.ndarray:
-    """Rotate uv to match model (least squares), with the middle of its box at 0."""
+    """Return uv (p, 2), rotated to match `model` (p, 2) by least squares, with the middle of its box at 0."""
     z, w = (p[:, 0] + 1j * p[:, 1] - (p[:, 0] + 1j * p[:, 1]).mean() for p in (uv, model))
     direction = (np.conj(z) * w).sum()
     z = z * direction / abs(direction)
@@ -36,7 +36,10 @@ def turn_like(uv: np.ndarray, model: np.ndarray) -> np.ndarray:
 
 
 def turn_upright(uv: np.ndarray, points: np.ndarray) -> np.ndarray:
-    """Rotate uv so that up on the surface, or back on a level piece, is up in the plane. points: (p, 3)."""
+    """Return uv, rotated so that up on the surface is up in the plane; for a level piece, back is up.
+
+    points (p, 3): the vertices on the surface.
+    """
     system = np.column_stack([uv, np.ones(len(uv))])
     rise, back = (np.linalg.lstsq(system, points[:, axis], rcond=None)[0][:2] for axis in (2, 1))
     u, v = rise if np.linalg.norm(rise) > LEVEL else back
@@ -44,9 +47,10 @@ def turn_upright(uv: np.ndarray, points: np.ndarray) -> np.ndarray:
 
 
 def arrange(vertices: np.ndarray, results: list[wirewarp.FlattenResult], aspect: float) -> Arrangement:
-    """Place the pieces of the surface with these vertices (n, 3) on shelves.
+    """Return the arrangement of the pieces of all results on shelves. vertices (n, 3): of the surface.
 
-    Pieces of the last result are upright, and the others are rotated like them. aspect: preferred width over height.
+    Pieces of the last result are upright, and the pieces of the other results are rotated like them. aspect: preferred
+    width over height.
     """
     models = [turn_upright(piece.vertices, vertices[piece.source_vertex]) for piece in results[-1].pieces]
     turned = [[turn_like(p.vertices, m) for p, m in zip(r.pieces, models, strict=True)] for r in results]
@@ -59,7 +63,7 @@ def arrange(vertices: np.ndarray, results: list[wirewarp.FlattenResult], aspect:
 
 
 def _on_shelves(sizes: np.ndarray, width: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return centers of boxes side by side on shelves of this width, the tallest first, and the size of the whole."""
+    """Return the centers of boxes on shelves of this width, the tallest boxes first, and the size of all shelves."""
     order = sorted(range(len(sizes)), key=lambda k: (-round(sizes[k, 1], 3), k))
     corners = np.zeros_like(sizes)
     x = top = bottom = 0.0

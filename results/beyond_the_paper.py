@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Shows the effect of the refined method: the same lengths as WireWarping++, but a different shape."""
+"""Writes the section on the refined method, which keeps the same lengths as WireWarping++ with less distortion."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ DRAWN = {  # rotation and tilt of the model in degrees, preferred width over hei
     "Armchair cover": ((-34, 26), 1.4),
 }
 NOISE = 1e-9  # shapes with less energy count as undistorted
-SEEN = math.radians(0.05)  # smallest difference of angles in the table
+SEEN = math.radians(0.05)  # smallest difference of angles that the table shows
 HEADER = ["", "*E*: WireWarping++", "Refined", "ratio", "angles, rms / largest: WireWarping++", "Refined"]
 HEADER += ["flipped: WireWarping++", "Refined", "factorizations"]
 
@@ -42,7 +42,10 @@ def row(name: str, before: Summary, after: Summary) -> list[str]:
 
 
 def draw(inputs: Inputs, name: str) -> str:
-    """Draw the flattenings. WireWarping++ is left out if all wires are rigid, because it equals WireWarping then."""
+    """Draw the flattenings of a sample. Return the link to the picture.
+
+    If all wires are rigid, WireWarping++ is left out, because its pieces are those of WireWarping.
+    """
     shape, results = inputs.shapes[name], inputs.by_all_methods(name)
     titles = {method: method for method in KEEPING_LENGTHS}
     if all(wire.tolerance == 0 for wire in shape.wires):
@@ -61,8 +64,9 @@ def angle_sentence(found: dict[str, tuple[Summary, Summary]]) -> str:
     peak = max(found, key=lambda name: found[name][1].angle_max - found[name][0].angle_max)
     peak_before, peak_after = found[peak]
     return (
-        f"The price is larger deviations of angles. The rms deviation is larger on {len(larger)} of the "
-        f"{len(found)} samples, most on {most}, {degrees(after.angle_rms)} instead of {degrees(before.angle_rms)}. "
+        "On the other hand, the angles deviate more from the angles on the surface. The rms deviation is larger on "
+        f"{len(larger)} of the {len(found)} samples, most on {most}, {degrees(after.angle_rms)} instead of "
+        f"{degrees(before.angle_rms)}. "
         f"The largest single deviation grows most on {peak}, to {degrees(peak_after.angle_max)} from "
         f"{degrees(peak_before.angle_max)}."
     )
@@ -79,20 +83,20 @@ def section(inputs: Inputs) -> str:
     flipped = sum(after.flipped + after.overlapping for _, after in found.values())
     return f"""## Beyond the paper
 
-WireWarping first finds the angles of wires and outline that are closest to those on the surface, and the shape
-follows from them. The refined method, WireWarp's default, finds the least distorted shape with the same exact
+WireWarping first finds the angles of wires and outline that are closest to the angles on the surface. The shape
+follows from these angles. The refined method, WireWarp's default, finds the least distorted shape with the same exact
 lengths, and includes the angles only enough to keep lines smooth (`native/README.md`).
-With the same tolerances, *E* of WireWarping++ is {times[least]:.1f} ({least}) to
-{times[most]:.1f} times ({most}) that of the refined method; every edge of outlines, rigid and elastic wires still
-has its length, with a relative error below 1e{edge}, and
+With the same tolerances, *E* of WireWarping++ is {times[least]:.1f} times ({least}) to
+{times[most]:.1f} times ({most}) the *E* of the refined method. With the refined method, too, every edge of outlines and
+wires has its target length, with a relative error below 1e{edge}, and
 {count(flipped, "triangle is", "triangles are")} flipped or overlapping.
 {angle_sentence(found)}
 
 {table(HEADER, [row(name, *both) for name, both in found.items()])}
 
-The last column has the factorizations of Newton systems, for the piece with the most. All other measures and methods,
-including
-Blender's and ARAP, are in [All samples](#all-samples). Each picture has one scale for length and one for color.
+The last column has the number of factorizations of Newton systems, for the piece with the most. [All
+samples](#all-samples) has the other measures and methods, including Blender's and ARAP. Each picture has one scale for
+length and one for color.
 
 {chr(10).join(draw(inputs, name) for name in DRAWN)}
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Shows how far the threads of a fabric stretch if a model is flattened for it, and if it is not."""
+"""Writes the section on fabrics: how far their threads stretch in pieces flattened for them, and in other pieces."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from shapes import Shape
 from sheet import Column, draw_sheet
 from text import degrees, picture, table
 
-STRAINED = 1e-3  # samples with less are unfolded: they need no stretch
+STRAINED = 1e-3  # samples with less strain are unfolded, so they need no stretch
 CHOICES: dict[str, dict[str, str]] = {
     "No fabric": {},
     "Woven": {"cloth": "woven"},
@@ -33,15 +33,15 @@ WORN = ("Fitted top", "Hat", "Wetsuit upper body", "Jeans")  # samples in the sh
 
 @dataclass(frozen=True)
 class Strained:
-    """A sample cut from a fabric. Each number is a 99th percentile by area on the model."""
+    """A sample cut from a fabric. Strains and shear are 99th percentiles by area on the model."""
 
     result: wirewarp.FlattenResult
     weft: float  # absolute strain of threads across the grain, as a fraction
-    warp: float  # along the grain
-    thread: float  # strain of the more strained thread
-    shear: float  # deviation from the right angle, radians
-    energy: float  # ARAP energy over area, Eq. (4), which a fabric does not minimize
-    seconds: float  # processor time
+    warp: float  # absolute strain of threads along the grain, as a fraction
+    thread: float  # strain of the more strained thread of each triangle, as a fraction
+    shear: float  # radians: deviation of the threads from a right angle
+    energy: float  # ARAP energy over area, Eq. (4); for a fabric, another energy is minimized
+    seconds: float  # processor time of the flattening
 
 
 def of_all(values: list[np.ndarray]) -> np.ndarray:
@@ -85,7 +85,7 @@ def range_of(values: list[float]) -> str:
 
 
 def worn_subsection(inputs: Inputs) -> str:
-    """Describe the results of wear_in_newton.py."""
+    """Return the part on the results of wear_in_newton.py."""
     rows = [
         [
             f"{name}, {choice[0].lower()}{choice[1:]}",
@@ -103,16 +103,17 @@ def worn_subsection(inputs: Inputs) -> str:
     }
     return f"""### Simulated fit
 
-A smaller energy of the flat pieces does not guarantee a better garment. NVIDIA Newton's SolverStyle3D, a physics engine
-that shares no code with WireWarp, sews the same pieces, as woven fabric with the stiffness ratios of the preset, and
-puts them on their model (`results/wear_in_newton.py`), without gravity and friction.
+A smaller energy of the flat pieces does not guarantee a better garment. We therefore simulated the fit with NVIDIA
+Newton's SolverStyle3D, a physics engine that shares no code with WireWarp (`results/wear_in_newton.py`). It sews the
+same pieces, as woven fabric with the stiffness ratios of the preset, and puts them on their model, without gravity and
+friction.
 
 {table(["pieces flattened for", "gap, rms mm", "slide, rms mm", "strain", "worst wire"], rows)}
 
-*Gap*: distance of the fabric from the model at rest. *Slide*: distance of each point from its place on the model.
-*Strain*: 99th percentile of the strain of the more strained thread. *Worst wire*: largest change of a wire's length.
-Strain and worst wire are measured on the worn garment.
-Pieces flattened for woven fabric have {range_of(change["gap"])} times the gap of those flattened without a fabric,
+All measures are those of the worn garment at rest. *Gap* is the distance of the fabric from the model. *Slide* is the
+distance of each point from its place on the model. *Strain* is the 99th percentile of the strain of the more strained
+thread. *Worst wire* is the largest change of a wire's length.
+Pieces flattened for woven fabric have {range_of(change["gap"])} times the gap of pieces flattened without a fabric,
 {range_of(change["slide"])} times the slide and {range_of(change["strain"])} times the strain. On the body, fabric
 slides until its threads carry little load, whether or not a fabric was chosen. The shape between exact outlines
 therefore affects the fit less than the outlines do.
@@ -128,7 +129,7 @@ def section(inputs: Inputs) -> str:
     share = {choice: [row[choice].thread / row["No fabric"].thread for row in found.values()] for choice in CHOICES}
     energy = [row["Woven"].energy / row["No fabric"].energy for row in found.values()]
     seconds = {choice: sum(row[choice].seconds for row in every.values()) for choice in CHOICES}
-    times = ", ".join(
+    times = "; ".join(
         f"{seconds[choice] / seconds['No fabric']:.1f} times as long for {choice[0].lower()}{choice[1:]}"
         for choice in CHOICES
         if choice != "No fabric"
@@ -139,26 +140,25 @@ def section(inputs: Inputs) -> str:
     rows = [[name, *(strains(row[choice]) for choice in CHOICES)] for name, row in found.items()]
     return f"""## Fabrics
 
-The tables show the strain of each fabric: of the threads across (weft) and along the grain (warp), and their
-deviation from a right angle. In all columns the lengths of outlines, seams and wires are the same and exact; only the
-shape between them differs. Each number is the 99th percentile by area: 1% of the piece has more.
+The table shows the strain of each fabric: the strain of the threads across (weft) and along the grain (warp), and the
+deviation of the threads from a right angle. In all columns, the lengths of outlines, seams and wires are the same and
+exact. Only the shape between them differs. Each number is the 99th percentile by area: 1% of the area has a larger
+value.
 
 {table(["across / along / shear", *CHOICES], rows)}
 
 {chr(10).join(draw(inputs, name, found[name]) for name in DRAWN)}
 
-Woven fabric has stiff threads and shears easily. In pieces flattened for it, the more strained of the two threads has
-{woven} times the strain without a fabric (99th percentiles), and {best} times in the direction of least energy. Shear
-and the ARAP energy, which weighs all directions equally, become larger: *E* is {range_of(energy)} times as large. A
-jersey stretches more across than along: its strain along the grain is lower than without a fabric on {lower} of the
-{len(found)}
-samples. Some samples unfold without strain, in every fabric: {", ".join(unfolded)}. All samples together take {times}
-as without a fabric.
+Woven fabric has stiff threads and shears easily. In pieces flattened for woven fabric, the more strained of the two
+threads has {woven} times the strain without a fabric (99th percentiles). In the direction of least energy, it has
+{best} times this strain. Shear and the ARAP energy, which weighs all directions equally, become larger: *E* is
+{range_of(energy)} times as large. Jersey stretches more across than along the grain. Its strain along the grain is
+lower than without a fabric on {lower} of the {len(found)} samples. Some samples unfold without strain in every fabric:
+{", ".join(unfolded)}. Compared with runs without a fabric, flattening all samples takes {times}.
 
 **What to choose.** Choose no fabric for materials that are equally stiff in all directions: felt, paper, foam, and
 leather of unknown direction. For other materials, choose the preset. The report then shows the strain of this fabric,
-and warns you if the fabric cannot stretch that far. If the fabric has no nap or print and the pieces may have any
-direction on it, choose the best direction. Otherwise choose a grain line, so that each piece gets the direction that a
-tailor would choose.
+and warns you if the fabric cannot stretch that far. If the fabric has no nap or print, and if the pieces may have any
+direction on it, choose the best direction. Otherwise choose a grain line for each piece, as a tailor does.
 
 {worn_subsection(inputs)}"""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Samples whose lines are cut longer or shorter than on the model: negative ease, an eased sleeve head, gathers."""
+"""Writes the section on samples with other lengths than the model: negative ease, an eased sleeve head, gathers."""
 
 from __future__ import annotations
 
@@ -28,8 +28,8 @@ class Cut:
     """A line of a sample; lengths in meters."""
 
     name: str
-    worn: float  # on the model
-    cut: float
+    worn: float  # length on the model
+    cut: float  # length on the flat piece
 
 
 def stretched_lines(found: Strained) -> list[Cut]:
@@ -40,13 +40,13 @@ def stretched_lines(found: Strained) -> list[Cut]:
 
 
 def eased_line(name: str, found: Strained) -> Cut:
-    """Return the total of all eased seams of a sample: the longer side as cut, the other side as worn."""
+    """Return the total of all eased seams of a sample: the longer sides as cut, the shorter sides as worn."""
     seams = [seam for seam in found.result.seams if any(seam.eases)]
     return Cut(name, sum(min(seam.length_2d) for seam in seams), sum(max(seam.length_2d) for seam in seams))
 
 
 def eased(found: Strained) -> float:
-    """Return the total length of the eased seams in meters."""
+    """Return the total amount of ease in meters."""
     line = eased_line("", found)
     return line.cut - line.worn
 
@@ -58,7 +58,7 @@ def made_in(shape: Shape, cloth: str, stretch: tuple[float, float] = (0, 0)) -> 
 
 
 def cloth_energy(found: Strained) -> float:
-    """Return the minimized energy over the area; without a fabric that is *E*."""
+    """Return the minimized energy over the area, which is *E* without a fabric."""
     areas = [piece.metrics.area_3d for piece in found.result.pieces]
     energies = [piece.metrics.cloth_energy for piece in found.result.pieces]
     return found.energy if np.isnan(energies).all() else float(np.average(energies, weights=areas))
@@ -83,7 +83,7 @@ def draw(inputs: Inputs, name: str, as_made: Strained) -> str:
 
 
 def in_each_cloth(shape: Shape) -> dict[str, Strained]:
-    """Return results by description. If the sample is stretched when worn, each knit is also stretched."""
+    """Return the results in each fabric, by description. If the sample has a stretch, add each knit stretched by it."""
     found = {cloth or "no fabric": made_in(shape, cloth) for cloth in CLOTHS}
     if any(shape.stretch):
         across, along = (f"{100 * share:.0f}%" for share in shape.stretch)
@@ -93,7 +93,7 @@ def in_each_cloth(shape: Shape) -> dict[str, Strained]:
 
 def section(inputs: Inputs) -> str:
     shapes = {name: inputs.shapes[name] for name in DRAWN}
-    # Only the swimsuit uses its fabric; the others show the effect of eases alone.
+    # Only the swimsuit is flattened for its fabric. The other samples show the effect of eases alone.
     fabrics = {name: shape.cloth if any(shape.stretch) else "" for name, shape in shapes.items()}
     as_made = {name: made_in(shape, fabrics[name], shape.stretch) for name, shape in shapes.items()}
     lines = [
@@ -111,19 +111,19 @@ def section(inputs: Inputs) -> str:
 Three samples are cut longer or shorter than they are on the model. The swimsuit is swim knit, stretched
 {100 * across:.0f}% across and {100 * along:.0f}% along when worn. The head of the set-in sleeve is eased into the
 armhole, between its notches. The skirt is gathered to its waistband; its fairness is
-{shapes[SKIRT].fairness}. Everywhere else on this page, these samples have the lengths of the model.
+{shapes[SKIRT].fairness}. In all other sections of this page, these samples have the lengths of the model.
 
 {table(["mm", "worn", "cut", "difference", "share"], [length_row(line) for line in lines])}
 
-Lines across the swim knit are cut to 1/{1 + across:.2f} of their length, lines along it to 1/{1 + along:.2f}, those
-between by their direction, and a seam by the mean of its two sides. All eased edges become longer by the same share.
-Except for that ease, the two sides of a seam {differ(mismatch)}.
+Lines across the swim knit are cut to 1/{1 + across:.2f} of their length, and lines along it to 1/{1 + along:.2f}. For
+other lines, the factor depends on their direction, and for a seam, it is the mean of its two sides. All eased edges
+become longer by the same share. Except for the ease, the two sides of a seam {differ(mismatch)}.
 
 {chr(10).join(draw(inputs, name, as_made[name]) for name in DRAWN)}
 
 The table shows the strain of each fabric (99th percentiles by area), the minimized energy, *E*, and processor time.
-All rows of a sample have the same exact lengths, except those that are cut for stretched fabric: their strain is
-measured from the fabric as cut.
+All rows of a sample have the same exact lengths, except the rows that are cut for stretched fabric. In these rows, the
+strain is relative to the fabric as cut.
 
 {table(["", "across / along / shear", "its energy", "*E*", "s"], rows)}
 
@@ -131,10 +131,9 @@ measured from the fabric as cut.
 both directions. Then choose a fabric that allows the total stretch in the report: for the swimsuit,
 {plain_percent(as_made[SWIMSUIT].weft, 0)} across and {plain_percent(as_made[SWIMSUIT].warp, 0)} along. If one piece
 must be fuller than the other, as at a sleeve head or an elbow, use ease on one side. With
-{1000 * eased(as_made[SLEEVE]):.0f} mm of it, *E* of the sleeve and its bodice
+an ease of {1000 * eased(as_made[SLEEVE]):.0f} mm, *E* of the sleeve and its bodice
 {change(plain_sleeve, as_made[SLEEVE].energy)}. For gathers, choose no fabric, and use an ease of 50% to 150% and a
-larger fairness, so that the long edge stays smooth. The strain there becomes folds, against which fabric has hardly
-any
-resistance. With a woven fabric,
-the pieces would shear instead: by {degrees(woven.shear)}, compared with {degrees(unwoven.shear)} without a fabric.
+larger fairness, so that the long edge stays smooth. The strain at this edge becomes folds, because
+fabric hardly resists folding. With a woven fabric, the pieces would shear instead:
+by {degrees(woven.shear)}, compared with {degrees(unwoven.shear)} without a fabric.
 """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Shows the effect of elastic seams, which may change their length equally on both sides."""
+"""Writes the section on elastic seams, which may change their length equally on both sides."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ FLAT = 1e-9  # shapes with less energy count as undistorted
 
 
 def with_elastic_seams(shape: Shape, chains: list[list[int]], tolerance: float) -> tuple[wirewarp.FlattenResult, float]:
-    """Flatten with an elastic wire along every seam. Also returns processor seconds."""
+    """Return a flattening with an elastic wire along every seam, and its processor seconds."""
     along_seams = [wirewarp.Wire(chain, tolerance) for chain in chains if tolerance > 0]
     begin = time.process_time()
     result = flatten(shape, along_seams)
@@ -49,15 +49,15 @@ def section(inputs: Inputs) -> str:
     ratios = " and ".join(f"{seconds[t] / seconds[0.0]:.1f}" for t in TOLERANCES[1:])
     return f"""## Elastic seams
 
-All seams of a sample may become longer or shorter by this percentage, equally on both sides. Each seam gets the length
-that is best for all pieces together. Other outlines and the wires keep their lengths.
+All seams of a sample may become longer or shorter by up to the percentage above the column, equally on both sides. Each
+seam gets the length that is best for all pieces together. Other outlines and the wires keep their lengths.
 
 {table(header, rows)}
 
 With ±3%, *E* falls by {plain_percent(gains[least])} ({least}) to {plain_percent(gains[most])} ({most}). The two sides
 of a flat seam {differ(mismatch)}. The runs take {ratios} times as much processor time as with rigid seams.
 
-**What to choose.** Keep seams rigid if their lengths are measured: waist, collar, a zip. Let the other seams change by
+**What to choose.** Keep seams rigid if their lengths must be exact: waist, collar, a zip. Let the other seams change by
 an amount that is easy to sew: 1% in firm fabric, 3% in a knit or in neoprene. The pieces then have less distortion,
 and all pairs of edges still match. If one side must be longer than the other, as for a sleeve head or for gathers,
 enter an ease.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Fig. 1: the quarter sphere with both wires rigid, one of them elastic, both elastic."""
+"""Writes the section on Fig. 1: the quarter sphere with both wires rigid, one elastic, and both elastic."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from text import change, degrees, picture, table
 
 TOLERANCE = 0.10
 RIGID, ONE, BOTH = [0.0, 0.0], [TOLERANCE, 0.0], [TOLERANCE, TOLERANCE]
-CASES = {  # method and tolerances
+CASES = {  # by title: method, and tolerances of both wires
     "WireWarping:\nboth wires rigid": ("wirewarping", RIGID),
     "Refined:\nboth wires rigid": ("refined", RIGID),
     f"WireWarping++:\nmeridian elastic, ±{100 * TOLERANCE:.0f}%": ("wirewarp++", ONE),
@@ -21,7 +21,7 @@ CASES = {  # method and tolerances
     f"Refined:\nmeridian elastic, ±{100 * TOLERANCE:.0f}%": ("refined", ONE),
     f"Refined:\nboth elastic, ±{100 * TOLERANCE:.0f}%": ("refined", BOTH),
 }
-DRAWN = 4  # number of cases that are drawn, from the first on
+DRAWN = 4  # the first cases are drawn
 HEADER = ["", "*E*", "max *E_r*", "Meridian", "Cross arc", "angles: rms", "largest", "flipped"]
 
 
@@ -56,14 +56,13 @@ def section(inputs: Inputs) -> str:
 
 {table(HEADER, rows)}
 
-*− is shorter, + is longer; the outline keeps its length in all cases.* If both wires are rigid, they must bend to
-the sides, and *E_r* reaches {rigid.max_aspect_ratio:.2f} beside them. With an elastic
+In the columns of the wires, − is shorter and + is longer. The outline keeps its length in all cases. If both wires are
+rigid, they must bend to the sides, and *E_r* reaches {rigid.max_aspect_ratio:.2f} beside them. With an elastic
 meridian, which changes by {percent(one.wires[0].change)}, *E* {change(rigid.energy, one.energy)}. If both wires are
 elastic, they change by {meridian} and {across}, *E* {change(rigid.energy, both.energy)} from the rigid case, and the
-largest *E_r* is {both.max_aspect_ratio:.2f}. This reproduces the paper's figure qualitatively. Our surface is a
-quarter sphere without its tips. The paper uses the first angles that close all loops, and equal weights. With these
-options (`inner="least-norm"`, `node_weight="uniform"`), *E* of the rigid case is {first.energy:.4f} instead of
+largest *E_r* is {both.max_aspect_ratio:.2f}. This reproduces the paper's figure qualitatively. Our surface is a quarter
+sphere without its tips. The paper uses the first angles that close all loops, and equal weights. With these options
+(`inner="least-norm"`, `node_weight="uniform"`), *E* of the rigid case is {first.energy:.4f} instead of
 {rigid.energy:.4f}. The refined method, second in the picture, keeps the same lengths. *E* of the rigid case
-{change(rigid.energy, refined.energy)}, and *E* with both wires elastic
-{change(both.energy, refined_both.energy)}.
+{change(rigid.energy, refined.energy)}, and *E* with both wires elastic {change(both.energy, refined_both.energy)}.
 """

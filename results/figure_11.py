@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Fig. 11: a toy and a piece of furniture."""
+"""Writes the section on Fig. 11: a toy and a piece of furniture."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ def section(inputs: Inputs) -> str:
 
 {table(HEADER, rows)}
 
-{" ".join(sentences)} Outlines and seams stay rigid. The gain from a tolerance on the wires across a piece depends on
-how much of its distortion the outline causes. Two sides of a seam {differ(mismatch)}.
-The paper shows pieces for a toy and for furniture, without numbers; our bear and armchair are different models.
+{" ".join(sentences)} Outlines and seams stay rigid. If the outline of a piece causes most of its distortion,
+a tolerance of its wires gains little. Two sides of a seam {differ(mismatch)}.
+The paper shows pieces for a toy and for furniture, without numbers. Our bear and armchair are different models.
 """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Fig. 3: is E(h) continuous? The error and its exact derivative along the h of each wire, from the compiled core."""
+"""Writes the section on Fig. 3: is E(h) continuous? The core computes E and its exact derivative along each h."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ from shapes import Shape
 from text import count, picture
 
 LIMIT, STEPS = 0.15, 150
-KINK = 0.2  # change of the derivative within one step, as a fraction of its range, that counts as a kink
-PIECES = {  # sample and piece -> its case
+KINK = 0.2  # share of the range of the derivative; a larger change within a step counts as a kink
+PIECES = {  # title by sample and index of the piece
     ("Fitted top", 0): "front of the fitted top",
     ("Wetsuit upper body", 0): "front of the wetsuit",
     ("Wetsuit collar", 0): "wetsuit collar",
@@ -29,14 +29,14 @@ DASHES = ("-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)), (0, (1, 1)))
 
 @dataclass(frozen=True)
 class Curve:
-    name: str
-    variation: np.ndarray
-    error: np.ndarray  # nan if ψ(h) does not exist
-    slope: np.ndarray
+    name: str  # name of the wire
+    variation: np.ndarray  # (k,) values of h
+    error: np.ndarray  # (k,) values of E; nan if ψ(h) does not exist
+    slope: np.ndarray  # (k,) derivative of E
 
 
 def surface_text(shape: Shape) -> str:
-    """Return the surface in the format of the program."""
+    """Return the surface in the format that the program wirewarp_error_curves reads."""
     faces = shape.triangles()
     sizes = (len(shape.vertices), len(faces), len(shape.seams), len(shape.wires))
     rows = [sizes, *shape.vertices.tolist(), *faces.tolist(), *shape.seams.tolist()]
@@ -45,7 +45,7 @@ def surface_text(shape: Shape) -> str:
 
 
 def error_curves(program: Path, shape: Shape, piece: int) -> list[Curve]:
-    """Return one curve for each part of a wire inside the piece."""
+    """Return a curve for each part of a wire in the piece."""
     command = [str(program), str(piece), str(LIMIT), str(STEPS)]
     answer = subprocess.run(command, input=surface_text(shape), capture_output=True, text=True, check=True).stdout
     table = np.array([line.split() for line in answer.splitlines()], dtype=float)
@@ -57,7 +57,7 @@ def error_curves(program: Path, shape: Shape, piece: int) -> list[Curve]:
 
 
 def kinks(curves: dict[str, list[Curve]]) -> list[str]:
-    """Return sentences on jumps of a derivative."""
+    """Return a phrase for each place at which a derivative jumps."""
     found = []
     for title, pieces in curves.items():
         for curve in pieces:
@@ -71,11 +71,11 @@ def kinks(curves: dict[str, list[Curve]]) -> list[str]:
 def verdict(found: list[str]) -> str:
     if not found:
         return "No derivative jumps: in this range *E* is as smooth as the paper finds it on its patches."
-    return f"""The derivative jumps in {count(len(found), "place", "places")}: {"; ".join(found)}. There *ψ(h)*,
-which is computed from the surface angles for each *h*, switches to another minimum of Eq. (1): a wire that is too
-long must bend to one side, and *E* has a kink or a step where this starts. *E* is therefore not twice differentiable
-everywhere, although the paper concludes from its patches that it is. The outer loop can handle this: it follows its
-minimum and only accepts a lower *E*."""
+    return f"""The derivative jumps in {count(len(found), "place", "places")}: {"; ".join(found)}. At these
+values of *h*, *ψ(h)* switches to another minimum of Eq. (1). A wire that is too long must bend to one side, and *E* has
+a kink or a step at the length at which this starts. *E* is therefore not twice differentiable everywhere, although
+the paper concludes from its patches that it is. The search for the best lengths still works, because it only accepts
+lengths with a lower *E*."""
 
 
 def draw(curves: dict[str, list[Curve]], path: Path) -> None:
@@ -106,15 +106,15 @@ def section(inputs: Inputs) -> str:
     path = inputs.pictures / "figure_3.png"
     draw(curves, path)
     missing = sum(int(np.isnan(curve.error).sum()) for pieces in curves.values() for curve in pieces)
-    exists = "*ψ(h)* exists at all of them" if missing == 0 else f"*ψ(h)* does not exist at {missing} of them"
+    exists = "*ψ(h)* exists at all values" if missing == 0 else f"*ψ(h)* does not exist at {missing} values"
     return f"""## Fig. 3: continuity of the shape error
 
 {picture("E(h) and its derivative along h of each wire, for four pieces", path)}
 
 The figure shows *E* of Eq. (4) over the area of the piece, and its derivative from the adjoint solve of the core, at
 {STEPS + 1} values
-of *h* within ±{100 * LIMIT:.0f}% along each wire, with the lengths of the others fixed. The program in
-`native/bench/error_curves` computes them; {exists}. The paper shows a chest, a knee and a collar patch, and only
+of *h* within ±{100 * LIMIT:.0f}% along each wire, with the lengths of the other wires fixed. The program in
+`native/bench/error_curves` computes both; {exists}. The paper shows a patch of a chest, a knee and a collar, and only
 curves of *E*.
 {verdict(kinks(curves))}
 """

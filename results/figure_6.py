@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Fig. 6: a pair of jeans by methods that do not keep lengths, and by methods that do."""
+"""Writes the section on Fig. 6: jeans by methods that do not keep lengths, and by methods that do."""
 
 from __future__ import annotations
 
@@ -56,20 +56,17 @@ def section(inputs: Inputs) -> str:
 
 {table(HEADER, [row(name, s) for name, s in found.items()])}
 
-For outlines and rigid wires, the table has the largest relative change of a whole wire or a section of outline
-between junctions. For elastic wires, it has the largest relative change of a part inside a piece. WireWarping++ and
-Refined may change a part by up to ±5%; for the methods above, any change is an error. ARAP has the least *E* by
-definition. With methods that do not keep lengths, however, pieces do not fit together and wires change their lengths:
-two sides of a seam differ by
-{millimeters(peers[best_peer].seam_mismatch)} mm ({best_peer}) to
-{millimeters(peers[worst_peer].seam_mismatch)} mm
-({worst_peer}). With WireWarping, WireWarping++ and Refined they
-{differ(max(found[name].seam_mismatch for name in KEEPING_LENGTHS))}.
-From WireWarping to WireWarping++, *E* {change(rigid.energy, elastic.energy)}, the largest *E_r*
-{change(rigid.max_aspect_ratio, elastic.max_aspect_ratio)} and the largest *E_A*
-{change(rigid.max_face_energy, elastic.max_face_energy)}. The next step is not in the paper: from WireWarping++ to
-Refined, with the same tolerances, *E* {change(elastic.energy, refined.energy)}.
-Instead of the paper's ABF++, the page uses Blender's angle-based unwrap, with each island scaled to its area on the
-model, not by its longest edge. The jeans are our own and simpler. *E_A* is Eq. (6) over the area of the triangle, so
-that it does not depend on the mesh size. Flipped triangles are counted and drawn; the paper does not mention them.
+For outlines and rigid wires, the table has the largest relative change of a whole wire or a section of outline between
+junctions. For elastic wires, it has the largest relative change of a part inside a piece. WireWarping++ and Refined may
+change a part by up to ±5%. For the other methods, every change is an error. ARAP has the least *E* by definition. If a
+method does not keep lengths, however, pieces do not fit together and wires change their lengths: two sides of a seam
+differ by {millimeters(peers[best_peer].seam_mismatch)} mm ({best_peer}) to
+{millimeters(peers[worst_peer].seam_mismatch)} mm ({worst_peer}). With WireWarping, WireWarping++ and Refined, the two
+sides {differ(max(found[name].seam_mismatch for name in KEEPING_LENGTHS))}. From WireWarping to WireWarping++, *E*
+{change(rigid.energy, elastic.energy)}, the largest *E_r* {change(rigid.max_aspect_ratio, elastic.max_aspect_ratio)} and
+the largest *E_A* {change(rigid.max_face_energy, elastic.max_face_energy)}. The refined method is not in the paper. From
+WireWarping++ to Refined, with the same tolerances, *E* {change(elastic.energy, refined.energy)}. The paper uses ABF++,
+with islands scaled by their longest edge. This page uses Blender's angle-based unwrap, with each island scaled to its
+area on the model. The jeans are our own model, which is simpler than the paper's. Flipped triangles are counted and
+drawn. The paper does not mention them.
 """

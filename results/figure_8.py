@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Fig. 8: the collar of a wetsuit, rigid and with two tolerances."""
+"""Writes the section on Fig. 8: the collar of a wetsuit with rigid wires and with two tolerances."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from palette import percent
 from sheet import Column, draw_sheet
 from text import change, count, degrees, picture, table
 
-CASES = {  # method and tolerance of both wires
+CASES = {  # by title: method, and tolerance of both wires
     "WireWarping: both wires rigid": ("wirewarping", 0.0),
     "Refined: both wires rigid": ("refined", 0.0),
     "WireWarping++, ±3%": ("wirewarp++", 0.03),
@@ -19,7 +19,7 @@ CASES = {  # method and tolerance of both wires
     "Refined, ±3%": ("refined", 0.03),
     "Refined, ±5%": ("refined", 0.05),
 }
-DRAWN = 4  # number of cases that are drawn, from the first on
+DRAWN = 4  # the first cases are drawn
 
 
 def section(inputs: Inputs) -> str:
@@ -57,14 +57,12 @@ def section(inputs: Inputs) -> str:
 {table(header, rows)}
 
 The maps are darkest where rigid wires distort the fabric. With a tolerance, the wires change their lengths, and the
-colors become lighter.
-*E* {change(rigid.energy, three.energy)} within ±3% and {change(rigid.energy, five.energy)} within ±5%.
-In the paper, the lengths with ±5% change by 3.4% and 4.3%, both within the tolerance. Our changes are in the last
-columns.
-A wire stays inside its tolerance if a longer or shorter one would not lower *E*, and reaches its limit otherwise. The
-numbers therefore depend on the collar, and ours is not the paper's. With the first angles that close all loops, as in
-the paper, and with equal weights, *E* of the rigid case is {first.energy:.4f}, and
-{count(first.flipped, "triangle is", "triangles are")} flipped.
-The refined method, second in the picture, keeps the same lengths: *E* of the rigid case
-{change(rigid.energy, refined.energy)}, and *E* within ±5% {change(five.energy, refined_five.energy)}.
+colors become lighter. *E* {change(rigid.energy, three.energy)} within ±3% and {change(rigid.energy, five.energy)}
+within ±5%. In the paper, the lengths of the wires with ±5% change by 3.4% and 4.3%, both within the tolerance. The last
+columns have our changes. A wire reaches the limit of its tolerance only if every step toward the limit lowers *E*. The
+numbers therefore depend on the collar, and our collar is not the paper's. With the first angles that close all loops,
+as in the paper, and with equal weights, *E* of the rigid case is {first.energy:.4f}, and
+{count(first.flipped, "triangle is", "triangles are")} flipped. The refined method, second in the picture, keeps the
+same lengths: *E* of the rigid case {change(rigid.energy, refined.energy)}, and *E* within ±5%
+{change(five.energy, refined_five.energy)}.
 """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Fig. 9: the upper body of a wetsuit."""
+"""Writes the section on Fig. 9: the upper body of a wetsuit."""
 
 from __future__ import annotations
 
@@ -34,16 +34,14 @@ def section(inputs: Inputs) -> str:
 {picture("Upper body of a wetsuit: model, pieces, maps", path)}
 
 The suit is cut into {pieces}. The bust and waist lines are rigid, and the other wires may change by ±5%. The outline
-and the
-rigid wires keep their lengths in all three flattenings, and two sides of a seam
-{differ(max(s.seam_mismatch for s in found))}.
-From WireWarping to WireWarping++, *E* {change(rigid.energy, elastic.energy)} and the largest *E_r*
-{change(rigid.max_aspect_ratio, elastic.max_aspect_ratio)}. Of {len(elastic.changes)} elastic parts of wires,
-{at_limit} {"is" if at_limit == 1 else "are"} at the limit of the tolerance. The paper only shows the elastic result.
-From WireWarping++
-to Refined, with the same tolerances, *E* {change(elastic.energy, refined.energy)} and the largest *E_r*
-{change(elastic.max_aspect_ratio, refined.max_aspect_ratio)}. Elastic wires across several pieces have a
-separate length in each:
+and the rigid wires keep their lengths in all three flattenings, and two sides of a seam
+{differ(max(s.seam_mismatch for s in found))}. From WireWarping to WireWarping++, *E*
+{change(rigid.energy, elastic.energy)} and the largest *E_r* {change(rigid.max_aspect_ratio, elastic.max_aspect_ratio)}.
+Of {len(elastic.changes)} elastic parts of wires, {at_limit} {"is" if at_limit == 1 else "are"} at the limit of the
+tolerance. The paper only shows the elastic result. From WireWarping++ to Refined, with the same tolerances, *E*
+{change(elastic.energy, refined.energy)} and the largest *E_r*
+{change(elastic.max_aspect_ratio, refined.max_aspect_ratio)}. An elastic wire across several pieces has its own change
+of length in each piece:
 
 {table(["", "wire", "WireWarping++", "Refined"], parts)}
 """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Draws three maps on flat pieces: length changes of lines (E_L with its sign), aspect ratio E_r, ARAP energy E_A."""
+"""Draws maps on flat pieces: length changes of lines, aspect ratio E_r, ARAP energy E_A, and strain of threads."""
 
 from __future__ import annotations
 
@@ -16,31 +16,31 @@ from measures import piece_areas
 from palette import CLOTH, ENERGY_MAP, INK, LENGTH_MAP, RATIO_MAP, TURNED_OVER
 from shapes import Shape
 
-ROUND = (1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0)  # ends of scales, times a power of ten
+ROUND = (1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0)  # a scale ends at one of these times a power of ten
 
 
 @dataclass(frozen=True)
 class PieceLines:
-    """Edges of a piece as piece vertex pairs (k, 2), and their relative length changes."""
+    """Edges of the outline and wires of a piece."""
 
-    edges: np.ndarray
-    is_outline: np.ndarray
-    change: np.ndarray
+    edges: np.ndarray  # (k, 2) vertices of the piece
+    is_outline: np.ndarray  # (k,) whether the edge is on the outline
+    change: np.ndarray  # (k,) relative change of length
 
 
 @dataclass(frozen=True)
 class Map:
     title: str
     colors: Colormap
-    values: Callable[[Shape, wirewarp.Piece], np.ndarray]  # per face, or per line for the map of lengths
+    values: Callable[[Shape, wirewarp.Piece], np.ndarray]  # for each face, or for each edge of piece_lines()
     base: float  # value without distortion
-    shown: float  # share of values within the scale
+    shown: float  # share of the values that are within the scale
     is_signed: bool
     on_lines: bool
 
 
 def piece_lines(shape: Shape, piece: wirewarp.Piece) -> PieceLines:
-    """Return outline and wires."""
+    """Return the edges of outline and wires."""
     sides = np.concatenate([piece.faces[:, [k, (k + 1) % 3]] for k in range(3)])
     edges, count = np.unique(np.sort(sides, axis=1), axis=0, return_counts=True)
     chains = [np.array(wire.vertices) for wire in shape.wires]
@@ -100,7 +100,7 @@ MAPS = (LENGTHS, ASPECT_RATIO, ARAP_ENERGY)
 
 
 def scale_of(quantity: Map, shape: Shape, results: list[wirewarp.FlattenResult]) -> Normalize:
-    """Return one scale for all results, which ends at a round number and omits the most extreme values of each."""
+    """Return one scale for all results. It ends at a round number and omits the most extreme values of each result."""
     needed = 0.0
     for result in results:
         values = np.concatenate([quantity.values(shape, piece) for piece in result.pieces])
@@ -114,7 +114,7 @@ def scale_of(quantity: Map, shape: Shape, results: list[wirewarp.FlattenResult])
 def draw_piece(
     axes: Axes, quantity: Map, scale: Normalize, shape: Shape, piece: wirewarp.Piece, uv: np.ndarray
 ) -> None:
-    """Draw a piece. uv: (p, 2), its place in the picture."""
+    """Draw a piece. uv (p, 2): its vertices in the picture."""
     values = quantity.values(shape, piece)
     triangles = uv[piece.faces]
     colors = [CLOTH] if quantity.on_lines else quantity.colors(scale(values))
@@ -128,7 +128,7 @@ def draw_piece(
 
 
 def _fill(triangles: np.ndarray, colors: np.ndarray | list[str]) -> PolyCollection:
-    """Draw triangles without antialiased borders, which would show as a net."""
+    """Return triangles without antialiased borders, which would look like a net."""
     return PolyCollection(triangles, facecolors=colors, edgecolors=colors, linewidths=0.3, antialiased=False)
 
 

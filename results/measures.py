@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Computes the figures of a whole sample's flattening from the reports on its pieces."""
+"""Computes the figures of a flattened sample from the reports on its pieces."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ import wirewarp
 
 @dataclass(frozen=True)
 class Line:
-    """A wire, or a section of outline between junctions; lengths in meters."""
+    """A wire, or a section of outline between junctions. Lengths are in meters."""
 
     name: str
     length_3d: float
@@ -19,7 +19,7 @@ class Line:
 
     @property
     def change(self) -> float:
-        """Return the relative change, above 0 if it became longer."""
+        """Return the relative change of length, above 0 if the line became longer."""
         return self.length_2d / self.length_3d - 1
 
     @property
@@ -31,21 +31,21 @@ class Line:
 class Summary:
     """Figures of all pieces. Means are over the area of the surface, so that they do not depend on the mesh."""
 
-    energy: float  # E of Eq. (4) over the area: the mean of E_A over the triangle's area
+    energy: float  # E of Eq. (4) over the area
     mean_aspect_ratio: float
     max_aspect_ratio: float
     max_face_energy: float  # E_A of Eq. (6) over the triangle's area
     seam_mismatch: float | None  # meters; None without seams
-    worst_edge: float  # largest relative difference of outline and wires from the method's target lengths
+    worst_edge: float  # largest relative difference of an edge of outline or wires from its target length
     flipped: int
     overlapping: int
-    angle_rms: float  # for the worst piece, radians
-    angle_max: float
+    angle_rms: float  # radians: rms change of the angles of outline and wires, of the worst piece
+    angle_max: float  # radians: largest change of such an angle
     outline: list[Line]
     wires: list[Line]  # whole wires, as marked
     tolerances: list[float]  # tolerances of the wires
-    changes: list[float]  # h of all elastic parts of wires
-    factorizations: int  # largest number of a piece
+    changes: list[float]  # relative change of length of every elastic part of a wire
+    factorizations: int  # of the piece with the most factorizations
 
 
 def face_areas(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
@@ -54,7 +54,7 @@ def face_areas(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
 
 
 def piece_areas(vertices: np.ndarray, piece: wirewarp.Piece) -> np.ndarray:
-    """Return 3D areas (q,) of the triangles of a piece. vertices: of the surface."""
+    """Return the areas (q,) of a piece's triangles on the surface with these vertices."""
     return face_areas(vertices[piece.source_vertex], piece.faces)
 
 
@@ -66,7 +66,7 @@ def percentile_99(values: np.ndarray, areas: np.ndarray) -> float:
 
 
 def summarize(vertices: np.ndarray, result: wirewarp.FlattenResult) -> Summary:
-    """Return the figures. vertices: of the surface, (n, 3), meters."""
+    """Return the figures. vertices (n, 3): of the surface, in meters."""
     metrics = [piece.metrics for piece in result.pieces]
     area = np.concatenate([piece_areas(vertices, piece) for piece in result.pieces])
     ratio = np.concatenate([m.face_aspect_ratio for m in metrics])
@@ -97,5 +97,5 @@ def rigid_wires(found: Summary) -> list[Line]:
 
 
 def worst(lines: list[Line]) -> Line:
-    """Return the line with the largest relative error."""
+    """Return the line with the largest relative change of length."""
     return max(lines, key=lambda line: abs(line.change))

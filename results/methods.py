@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The flattening methods of the page. All are measured by wirewarp.measure or by the same code in flatten."""
+"""Flattens samples by all methods of docs/results.md, and measures the results with the same code."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ def wires_of(shape: Shape) -> list[wirewarp.Wire]:
 
 
 def flatten(shape: Shape, more_wires: Sequence[wirewarp.Wire] = (), **options: str | float) -> wirewarp.FlattenResult:
-    """Flatten by WireWarp, with the sample's wires and more. options: of wirewarp.Options."""
+    """Flatten by WireWarp with the sample's wires and `more_wires`. options: fields of wirewarp.Options."""
     return wirewarp.flatten(
         shape.vertices,
         shape.triangles(),
@@ -30,7 +30,7 @@ def flatten(shape: Shape, more_wires: Sequence[wirewarp.Wire] = (), **options: s
 
 
 def flatten_as_made(shape: Shape, cloth: str = "", stretch: tuple[float, float] = (0, 0)) -> wirewarp.FlattenResult:
-    """Flatten with the sample's eases and fairness in this fabric, whereas flatten keeps the lengths of the model."""
+    """Flatten with the sample's eases and fairness in this fabric. flatten() uses neither eases nor fairness."""
     chosen = wirewarp.Cloth(**wirewarp.Cloth.preset(cloth).to_dict() | {"stretch": stretch}) if cloth else None
     return wirewarp.flatten(
         shape.vertices,
@@ -48,7 +48,7 @@ def paper_warping(shape: Shape) -> wirewarp.FlattenResult:
 
 
 def measure(shape: Shape, corner_uv: np.ndarray) -> wirewarp.FlattenResult:
-    """Measure any layout (m, 3, 2) in meters."""
+    """Return the measures of a layout (m, 3, 2) in meters, made by any method."""
     return wirewarp.measure(shape.vertices, shape.triangles(), corner_uv, seams=shape.seams, wires=wires_of(shape))
 
 

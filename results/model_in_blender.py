@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Adds a model to unwrap, for scripts that Blender runs."""
+"""Adds a model to unwrap and reads its UV map, for scripts that Blender runs."""
 
 from collections.abc import Sequence
 
@@ -8,7 +8,7 @@ import numpy as np
 
 
 def add_model(vertices: np.ndarray, faces: Sequence[Sequence[int]], seams: np.ndarray) -> bpy.types.Mesh:
-    """Add the only object, active, in Edit Mode, with everything selected."""
+    """Make a new file with this model only. It is active and in Edit Mode, with all faces selected."""
     bpy.ops.wm.read_factory_settings(use_empty=True)
     mesh = bpy.data.meshes.new("Model")
     mesh.from_pydata(vertices.tolist(), [], faces)
@@ -26,7 +26,7 @@ def add_model(vertices: np.ndarray, faces: Sequence[Sequence[int]], seams: np.nd
 
 
 def read_uv(mesh: bpy.types.Mesh) -> np.ndarray:
-    """Leave Edit Mode and return UVs (loops, 2)."""
+    """Leave Edit Mode, and return the UVs (loops, 2)."""
     bpy.ops.object.mode_set(mode="OBJECT")
     uv = np.empty(2 * len(mesh.loops), dtype=np.float32)
     mesh.uv_layers.active.data.foreach_get("uv", uv)

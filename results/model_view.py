@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Draws the modeled surface from far away, with its visible seams and wires."""
+"""Draws a modeled surface in parallel projection, with its visible seams and wires."""
 
 from __future__ import annotations
 
@@ -9,17 +9,18 @@ from matplotlib.collections import LineCollection, PolyCollection
 from palette import ELASTIC, INK, RIGID
 from shapes import Shape
 
-LAMP = np.array([-0.35, 0.55, 0.76])  # right, up, toward the viewer
+LAMP = np.array([-0.35, 0.55, 0.76])  # direction to the lamp: right, up, toward the viewer
 FRONT, BACK = np.array([0.95, 0.93, 0.88]), np.array([0.62, 0.61, 0.59])
 SHADES = 24
-CELLS = 250  # number of cells across the view, to find hidden lines
-SAMPLES = 24  # along a side of a triangle, for the same
+CELLS = 250  # number of cells across the view in the search for hidden lines
+SAMPLES = 24  # number of samples along a side of a triangle in this search
 SLACK = 0.02  # largest distance of a visible line behind the nearest surface, as a fraction of the view's size
 
 
 def rotation(turned: float, tipped: float) -> np.ndarray:
-    """Return (3, 3): rows right, up and toward the viewer; z of the model is up. Degrees: rotation to the left, then
-    tilt.
+    """Return the matrix (3, 3) whose rows are right, up and toward the viewer. The model's z is up.
+
+    turned: degrees of rotation to the left; tipped: degrees of tilt, which comes second.
     """
     a, b = np.radians([turned, tipped])
     turn = np.array([[np.cos(a), -np.sin(a), 0], [np.sin(a), np.cos(a), 0], [0, 0, 1]])
@@ -29,12 +30,12 @@ def rotation(turned: float, tipped: float) -> np.ndarray:
 
 
 def draw_model(axes: Axes, shape: Shape, turned: float, tipped: float) -> None:
-    """Draw triangles from the farthest to the nearest, so that near ones cover far ones, then the visible lines."""
+    """Draw triangles from the farthest to the nearest, so that near ones cover far ones. Then draw visible lines."""
     points = shape.vertices @ rotation(turned, tipped).T
     triangles = points[shape.triangles()]
     triangles = triangles[np.argsort(triangles[:, :, 2].mean(axis=1), kind="stable")]
     colors = _shades(triangles)
-    # Antialiased borders would show as a net between the triangles.
+    # without antialiased borders, which would look like a net between the triangles
     axes.add_collection(
         PolyCollection(triangles[:, :, :2], facecolors=colors, edgecolors=colors, linewidths=0.3, antialiased=False)
     )
@@ -48,7 +49,7 @@ def draw_model(axes: Axes, shape: Shape, turned: float, tipped: float) -> None:
 
 
 def frame(axes: Axes, low: np.ndarray, high: np.ndarray) -> None:
-    """Show the box with a small margin, undistorted and without axes."""
+    """Make the axes show the box from low to high with a small margin, with equal scales and without lines."""
     margin = 0.02 * (high - low).max()
     axes.set_xlim(low[0] - margin, high[0] + margin)
     axes.set_ylim(low[1] - margin, high[1] + margin)
@@ -67,7 +68,7 @@ def _shades(triangles: np.ndarray) -> np.ndarray:
 
 
 def _in_sight(places: np.ndarray, triangles: np.ndarray) -> np.ndarray:
-    """Return whether places (k, 3) are on the nearest triangle (m, 3, 3) there, in the viewer's frame."""
+    """Return whether the viewer sees each of the places (k, 3) on the triangles (m, 3, 3), in the viewer's frame."""
     i, j = (c.ravel() for c in np.meshgrid(np.arange(SAMPLES + 1), np.arange(SAMPLES + 1)))
     weights = (np.stack([i, j, SAMPLES - i - j], axis=-1) / SAMPLES)[i + j <= SAMPLES]
     samples = np.einsum("sc,mcd->msd", weights, triangles).reshape(-1, 3)
@@ -84,7 +85,7 @@ def _in_sight(places: np.ndarray, triangles: np.ndarray) -> np.ndarray:
 
 
 def _lines(shape: Shape) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return vertex pairs (k, 2) with a color and a width each: outline and seams, then wires."""
+    """Return vertex pairs (k, 2) with their colors and widths: outline and seams, then wires."""
     sides = np.sort(np.concatenate([shape.triangles()[:, [k, (k + 1) % 3]] for k in range(3)]), axis=1)
     edges, count = np.unique(sides, axis=0, return_counts=True)
     cuts = np.concatenate([edges[count == 1], shape.seams.reshape(-1, 2)])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Colors and number formats of all pictures. People with any color vision can distinguish the colors."""
+"""Defines colors and number formats of all pictures. People with any color vision can distinguish the colors."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ CLOTH = "#ece8df"
 TURNED_OVER = "#d6006e"
 RIGID, ELASTIC = "#22262e", "#e08a00"
 
-STEPS = 20  # colors of a scale; few enough to read a value, and for pictures with 256 colors
-# From shorter through unchanged to longer, dark in the middle: for lines on a light surface.
+STEPS = 20  # number of colors of a scale, few enough to read a value, and for pictures with 256 colors
+# Colors of lines on a light surface: blue if shorter, dark if unchanged, orange if longer.
 LENGTH_MAP = LinearSegmentedColormap.from_list("length", ["#1f9bff", "#1c5f9e", INK, "#b0480a", "#ff8a1f"], STEPS + 1)
 RATIO_MAP = matplotlib.colormaps["YlGnBu"].resampled(STEPS)
 ENERGY_MAP = matplotlib.colormaps["YlOrRd"].resampled(STEPS)
@@ -28,7 +28,7 @@ def use_style() -> None:
 
 
 def percent(share: float, digits: int = 1) -> str:
-    """Return a signed percentage, such as +2.0% or −0.3%; 0 without a sign if it rounds to zero."""
+    """Return a percentage with its sign, such as +2.0% or −0.3%, or "0%" if it rounds to zero."""
     text = f"{100 * share:+.{digits}f}%".replace("-", "−")
     return text if any(c in "123456789" for c in text) else "0%"
 

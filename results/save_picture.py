@@ -15,9 +15,9 @@ COLORS = 256  # the maximum for a PNG with a palette
 
 
 def save(figure: Figure, path: Path) -> None:
-    """Save the figure with only its most frequent colors, those of scales and surfaces, and close it.
+    """Save the figure with only its COLORS most frequent colors, and close it.
 
-    Other colors, at borders of lines and letters, are replaced by the nearest of these.
+    Other colors, which occur at borders of lines and letters, are replaced by the nearest of the frequent colors.
     """
     raw = BytesIO()
     figure.savefig(raw, format="png", metadata={"Software": None})

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Draws a picture: the model, and below it one column per flattening and one row per map, all at one scale."""
+"""Draws a picture of the model, and below it a column for each flattening and a row for each map, at one scale."""
 
 from __future__ import annotations
 
@@ -23,13 +23,13 @@ from palette import ELASTIC, FAINT_INK, INK, RIGID, TURNED_OVER, percent
 from save_picture import save
 from shapes import Shape
 
-# Inches. Text of 8 points is readable if a picture of this width is as wide as the page of the site.
+# inches; if a picture of this width fills the page of the site, text of 8 points is readable
 PAGE_WIDTH = 9.0
 MODEL_WIDTH, MODEL_HEIGHT, KEY_WIDTH, SCALE_WIDTH = 2.8, 2.4, 1.4, 1.15
 TITLE_MARGIN, TITLE_LINE, FOOT_HEIGHT = 0.23, 0.17, 0.55
 WIDEST_CELL = 2.7
-LEAST_ROW = 1.2  # for the title of a scale
-LETTERS = 13  # of a title per inch
+LEAST_ROW = 1.2  # least height of a row, so that the title of a scale has room
+LETTERS = 13  # number of letters of a title in an inch
 
 
 @dataclass(frozen=True)
@@ -49,8 +49,10 @@ def draw_sheet(
     aspect: float = 1.0,
     label_wires: bool = False,
 ) -> None:
-    """Draw the picture. view: rotation and tilt of the model in degrees; aspect: preferred width over height of a
-    flattening. label_wires writes the length variation at each wire, for surfaces of one piece.
+    """Draw the picture.
+
+    view: rotation and tilt of the model in degrees; aspect: preferred width over height of a flattening; label_wires:
+    write the change of length at each wire, for surfaces of one piece.
     """
     results = [column.result for column in columns]
     arrangement = arrange(columns[-1].shape.vertices, results, aspect)
@@ -60,12 +62,12 @@ def draw_sheet(
     titles = ["\n".join(fill(line, letters) for line in column.title.split("\n")) for column in columns]
     title_height = TITLE_MARGIN + TITLE_LINE * max(title.count("\n") + 1 for title in titles)
     row_height = max(cell_height, LEAST_ROW)
-    top = FOOT_HEIGHT + len(maps) * row_height  # of the maps
+    top = FOOT_HEIGHT + len(maps) * row_height  # upper edge of the maps
     size = np.array([len(columns) * cell_width + SCALE_WIDTH, top + title_height + MODEL_HEIGHT])
     figure = plt.figure(figsize=size)
 
     def panel(x: float, y: float, width: float, height: float) -> Axes:
-        """Return axes at inches from the lower left corner."""
+        """Return axes of this size at this place, in inches from the lower left corner."""
         return figure.add_axes((x / size[0], y / size[1], width / size[0], height / size[1]))
 
     left = (len(columns) * cell_width - MODEL_WIDTH - KEY_WIDTH) / 2  # model and key are above the middle of the maps
@@ -98,7 +100,7 @@ def _exceeds(quantity: Map, scale: plt.Normalize, columns: Sequence[Column]) -> 
 
 
 def _label_wires(axes: Axes, column: Column, uv: np.ndarray) -> None:
-    """Write the variation of each wire on it, where it is farthest from other wires and earlier labels."""
+    """Write the change of length on each wire, at the place farthest from other wires and earlier labels."""
     piece = column.result.pieces[0]
     of_source = {int(v): k for k, v in enumerate(piece.source_vertex)}
     lines = [uv[[of_source[vertex] for vertex in wire.vertices]] for wire in column.shape.wires]
@@ -125,7 +127,7 @@ def _summary(column: Column) -> str:
 
 
 def _draw_key(figure: Figure, columns: Sequence[Column], x: float, y: float) -> None:
-    """Draw the key of lines beside the model, from its left middle at these fractions of the figure."""
+    """Draw the key of lines beside the model. x, y: middle of its left side, as fractions of the figure."""
     wires = columns[-1].shape.wires
     handles = [Line2D([], [], color=INK, linewidth=1.0, label="outline or seam")]
     if any(wire.tolerance == 0 for wire in wires):

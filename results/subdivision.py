@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Shows how E of the quarter sphere with rigid wires changes as the mesh becomes finer."""
+"""Writes the part on subdivision: how E of the quarter sphere with rigid wires changes if the mesh becomes finer."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Markdown, and sentences on numbers that are true for any numbers."""
+"""Makes Markdown, and phrases about numbers."""
 
 from __future__ import annotations
 
@@ -12,17 +12,17 @@ WIDTH = 120  # characters per line of the page
 
 
 def table(header: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
-    """Return a table. The first column is text, the others are numbers."""
+    """Return a table. The first column is text, and the other columns are numbers."""
     lines = [header, [":--", *["--:"] * (len(header) - 1)], *rows]
     return "\n".join("| " + " | ".join(line) + " |" for line in lines)
 
 
 def picture(alternative: str, path: Path) -> str:
-    return f"[![{alternative}](results/{path.name})](results/{path.name})"  # a click enlarges it
+    return f"[![{alternative}](results/{path.name})](results/{path.name})"  # a click enlarges the picture
 
 
 def change(before: float, after: float) -> str:
-    """Return a verb and an amount, such as "falls by 62%"; "does not change" below half a percent."""
+    """Return a verb and an amount, such as "falls by 62%". Below half a percent, return "does not change"."""
     share = after / before - 1
     if abs(share) < 0.005:
         return "does not change"
@@ -35,12 +35,12 @@ def count(number: int, one: str, many: str) -> str:
 
 
 def millimeters(meters: float) -> str:
-    """Return two decimals; rounding errors are shown as 0."""
+    """Return the length in millimeters with two decimals. Rounding errors become 0."""
     return "0" if meters < 1e-9 else "under 0.01" if meters < 1e-5 else f"{1000 * meters:.2f}"
 
 
 def differ(meters: float) -> str:
-    """Return a verb phrase on two sides of a seam: "differ by at most 1.20 mm"."""
+    """Return a phrase about the two sides of a seam, such as "differ by at most 1.20 mm"."""
     if meters < 1e-9:
         return "differ by rounding errors only"
     return "differ by less than 0.01 mm" if meters < 1e-5 else f"differ by at most {millimeters(meters)} mm"
@@ -51,7 +51,7 @@ def degrees(radians: float) -> str:
 
 
 def wrap(page: str) -> str:
-    """Wrap the lines of paragraphs again; headings, tables, pictures and lists do not change."""
+    """Return the page with wrapped paragraphs. Headings, tables, pictures and lists do not change."""
     blocks = page.split("\n\n")
     return "\n\n".join(
         block

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Makes maps of methods with an arbitrary size comparable."""
+"""Scales maps to the area of the model, because some methods make pieces of an arbitrary size."""
 
 import numpy as np
 import wirewarp

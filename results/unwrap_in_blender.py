@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Unwraps every sample with Blender's own methods, for write_page.py to measure. Needs no add-on:
+"""Unwraps every sample with Blender's own methods, so that write_page.py can measure the results. Needs no add-on:
 
 blender --background --factory-startup --python-exit-code 1 --python results/unwrap_in_blender.py -- OUTPUT.npz
 
-The file has one array (m, 3, 2) "SAMPLE/METHOD" each: the UVs at the corners of the sample's triangles, unchanged: in
-the unit square, with every island in an arbitrary size.
+The file has an array (m, 3, 2) for each SAMPLE/METHOD: the UVs at the corners of the sample's triangles. They are as
+Blender makes them, in the unit square, with every island in an arbitrary size.
 """
 
 from __future__ import annotations
@@ -23,8 +23,9 @@ from shapes import Shape, all_shapes  # noqa: E402
 
 
 def triangle_loops(shape: Shape) -> np.ndarray:
-    """Return the loops (m, 3) at the corners of shape.triangles(). The loops of a mesh are the corners of its faces in
-    order.
+    """Return the loops (m, 3) at the corners of shape.triangles().
+
+    The loops of a mesh in Blender are the corners of its faces, in order.
     """
     starts = np.cumsum([0, *map(len, shape.faces[:-1])])
     triangles = [

@@ -3,9 +3,9 @@
 
 python results/wear_in_newton.py OUTPUT
 
-NVIDIA Newton's SolverStyle3D gets the flat triangles as the rest shape of the fabric, the model's welded triangles as
-the way they are sewn, and the model, offset inward, as the body. The fabric starts on the model, without gravity and
-friction, and comes to rest. OUTPUT is JSON: the numbers of Worn by sample and choice of cloths.CHOICES.
+In NVIDIA Newton's SolverStyle3D, the flat triangles are the rest shape of the fabric, and the model's connected
+triangles determine how they are sewn. The body is the model, offset inward. The fabric starts on the model, without
+gravity and friction, and comes to rest. OUTPUT is JSON: the numbers of Worn by sample and choice of cloths.CHOICES.
 """
 
 from __future__ import annotations
@@ -23,17 +23,18 @@ from measures import face_areas, percentile_99
 from methods import flatten
 from shapes import Shape, all_shapes
 
-CLOTH = (1000.0, 1000.0, 50.0)  # N/m for weft, warp and shear, in the ratios of the preset "woven"
-BENDING = (2e-5, 2e-5, 1e-5)  # N m, of a shirt: too soft to keep a shape by itself
+CLOTH = (1000.0, 1000.0, 50.0)  # N/m: stiffness of weft, warp and shear, with the ratios of the preset "woven"
+BENDING = (2e-5, 2e-5, 1e-5)  # N m: bending stiffness of a shirt, which is too soft to keep a shape by itself
 DENSITY = 0.2  # kg/m²; there is no gravity, so the fabric has no weight
 CLEARANCE = 0.002  # meters: offset of the body below the model, and of the fabric above the body
-CONTACT = 1e4  # N/m; the fabric sinks in by up to 3 mm under its tension
-STEP, STEPS, ITERATIONS = 1 / 240, 80, 10  # afterwards the rms distance changes by less than 3% in 20 steps
+CONTACT = 1e4  # N/m: stiffness of contacts; under its tension, the fabric sinks into the body by up to 3 mm
+# seconds of a step, number of steps, and iterations in a step; 20 more steps would change the rms distance by < 3%
+STEP, STEPS, ITERATIONS = 1 / 240, 80, 10
 
 
 @dataclass(frozen=True)
 class Worn:
-    """A flattened model, sewn and worn. Means and percentiles are by area on the model."""
+    """Measures of a sewn and worn garment. Means and percentiles are by area on the model."""
 
     gap: float  # rms distance from the model along its normals, meters
     slide: float  # rms distance of each vertex from its place on the model, meters
@@ -50,7 +51,7 @@ def vertex_normals(shape: Shape) -> np.ndarray:
 
 
 def wear(shape: Shape, corner_uv: np.ndarray) -> np.ndarray:
-    """Return the final places (n, 3) of the vertices of the sewn pieces. corner_uv: (m, 3, 2) meters."""
+    """Return the final places (n, 3) of the vertices of the sewn pieces. corner_uv (m, 3, 2): flat pieces in meters."""
     triangles = shape.triangles()
     builder = newton.ModelBuilder(up_axis=newton.Axis.Z)
     newton.solvers.SolverStyle3D.register_custom_attributes(builder)
@@ -71,11 +72,11 @@ def wear(shape: Shape, corner_uv: np.ndarray) -> np.ndarray:
     )
     body = shape.vertices - CLEARANCE * vertex_normals(shape)
     builder.add_shape_mesh(body=-1, mesh=newton.Mesh(body.astype(np.float32), triangles.ravel().astype(np.int32)))
-    model = builder.finalize(device="cpu")  # reproducible sums
+    model = builder.finalize(device="cpu")  # because sums on the CPU are reproducible
     model.set_gravity((0.0, 0.0, 0.0))
     model.soft_contact_ke, model.soft_contact_kd, model.soft_contact_mu = CONTACT, 0.0, 0.0
     solver = newton.solvers.SolverStyle3D(model, config=newton.solvers.SolverStyle3D.Config(iterations=ITERATIONS))
-    # Fabric does not collide with itself.
+    # without collisions of the fabric with itself
     solver.collision.stiff_vf = solver.collision.stiff_ee = solver.collision.stiff_ef = 0.0
     state, following = model.state(), model.state()
     control, pipeline = model.control(), newton.CollisionPipeline(model)

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writes docs/results.md and its pictures: the paper's section IV on our own geometry, and what goes beyond it.
+"""Writes docs/results.md and its pictures: the paper's section IV on our own geometry, and more comparisons.
 
 python results/write_page.py UNWRAPS WORN ERROR_CURVES [--output FILE]
 
-UNWRAPS is the output of unwrap_in_blender.py, WORN that of wear_in_newton.py, ERROR_CURVES the program built from
-native/bench/error_curves.
+UNWRAPS is the output of unwrap_in_blender.py. WORN is the output of wear_in_newton.py. ERROR_CURVES is the program
+built from native/bench/error_curves.
 """
 
 from __future__ import annotations
@@ -15,9 +15,9 @@ import os
 import re
 from pathlib import Path
 
-os.environ["IGL_NUM_THREADS"] = os.environ["OMP_NUM_THREADS"] = "1"  # reproducible sums
+os.environ["IGL_NUM_THREADS"] = os.environ["OMP_NUM_THREADS"] = "1"  # so that sums are reproducible
 
-import all_samples  # noqa: E402 (threads are set when the modules are loaded)
+import all_samples  # noqa: E402 (modules read the number of threads when they are loaded)
 import beyond_the_paper  # noqa: E402
 import cloths  # noqa: E402
 import ease_and_stretch  # noqa: E402
@@ -42,7 +42,7 @@ SECTIONS = [*PAPER, beyond_the_paper, cloths, elastic_seams, ease_and_stretch, a
 
 
 def contents(sections: list[str]) -> str:
-    """Return a list of links to the headings."""
+    """Return a list of links to the headings of the sections."""
     headings = [section.partition("\n")[0].removeprefix("## ") for section in sections]
     anchors = [re.sub(r"[^a-z0-9 -]", "", heading.lower()).replace(" ", "-") for heading in headings]
     return "\n".join(f"- [{heading}](#{anchor})" for heading, anchor in zip(headings, anchors, strict=True))
@@ -51,24 +51,23 @@ def contents(sections: list[str]) -> str:
 def opening(version: str, sections: list[str]) -> str:
     return f"""# Results
 
-Written by `./dev results`, which regenerates every number and picture of this page; commit {version}.
+`./dev results` writes this page with all its numbers and pictures. Commit: {version}.
 
 This page repeats the examples of "WireWarping++" (Zhang, Wang), section IV, on our own geometry
 (`blend_samples/shapes/`). It compares these methods: {", ".join(METHODS)}. The
-same code, `wirewarp.measure`, measures all of them.
+same code measures the results of all methods: `wirewarp.measure`.
 
 {contents(sections)}
 
-**Measures.** *E* is the ARAP energy of Eq. (4) over the area of the surface. *E_A*, Eq. (6), is the same for one
-triangle. *E* is therefore the mean of *E_A*, and neither depends on the mesh size. *E_r* is the larger of a triangle's
-largest stretch and its largest compression; it is 1 only without distortion. Means are over the area. Length changes
-refer to whole wires and to sections of outline between junctions.
+**Measures.** *E* is the ARAP energy of Eq. (4), divided by the area of the surface. *E_A* is the energy of a triangle,
+Eq. (6), divided by the area of the triangle. *E* is therefore the mean of *E_A*, and neither depends on the mesh size.
+*E_r* is the larger of a triangle's largest stretch and its largest compression, as a ratio. It is 1 only without
+distortion. Means are over the area. Length changes refer to whole wires and to sections of outline between junctions.
 
-**Differences from the paper.** The angles are the local minimum of Eq. (1) reached from the surface angles, whereas
-the paper stops at the first angles that close all loops. The weight of a node follows from the length of wire around
-it. The gradient of *E* with respect to *h* is exact. Flipped triangles are reported. "Refined" is not in the paper:
-see [Beyond the
-paper](#beyond-the-paper).
+**Differences from the paper.** Our angles are the local minimum of Eq. (1) that the search reaches from the surface
+angles. The paper stops at the first angles that close all loops. The weight of a node follows from the length of wire
+around it. The gradient of *E* with respect to *h* is exact. Flipped triangles are reported. "Refined" is not in the
+paper: see [Beyond the paper](#beyond-the-paper).
 
 A separate page, not written by `./dev results`, compares [cuts with those of OptCuts](cuts.md) on its benchmark.
 """

@@ -13,7 +13,7 @@ ADDON = ROOT / "addon" / "wirewarp"
 FOLDER = BUILD / "coverage"
 COVERAGE_APT = ("python3-coverage",)
 KINDS = ("headless", "window")
-NEEDS_WINDOW = {  # modules that run in a window only; all others are tested without one, too
+NEEDS_WINDOW = {  # modules that run in a window only; all other modules are tested without a window
     "addon/wirewarp/overlay/view3d.py": "draws in a view and in a UV editor",
     "addon/wirewarp/overlay/screen.py": "draws text",
 }
@@ -32,8 +32,8 @@ def begin(kind: str) -> dict[str, str]:
 def show(kind: str) -> None:
     """Print the share of covered lines and the least covered modules, from the last measurements of both kinds.
 
-    Raises StepError if the tests of this kind run no function of one of their modules. Does nothing if PYTEST_ADDOPTS
-    selects tests.
+    Raises StepError if the tests of this kind run no function of a module that they should test. Does nothing if
+    PYTEST_ADDOPTS is set, because it may select a part of the tests.
     """
     if os.environ.get("PYTEST_ADDOPTS"):
         return
@@ -51,12 +51,12 @@ def show(kind: str) -> None:
 
 
 def _report(*kinds: str) -> dict:
-    """Return coverage.py's report on these kinds together."""
+    """Return the report of coverage.py on the measurements of these kinds together."""
     measured = [file for kind in kinds for file in FOLDER.glob(f"{kind}.*")]
     report = FOLDER / "report.json"
     commands: list[list[str | Path]] = [
         ["combine", "--keep", "--quiet", *measured],
-        # a measured file of the other kind may have been removed since
+        # --ignore-errors, because a source may have been removed since tests of the other kind measured it
         ["json", "--quiet", "--ignore-errors", "-o", report],
     ]
     for command in commands:
@@ -72,7 +72,7 @@ def _is_run(module: Path, file: dict | None) -> bool:
 
 
 def _bodies(module: Path) -> Iterator[set[int]]:
-    """Return the lines of each function's body, except for functions that only register."""
+    """Yield the line numbers of each function's body, except for functions that only register."""
     for node in ast.walk(ast.parse(module.read_text())):
         if isinstance(node, ast.FunctionDef) and node.name not in REGISTERING:
             yield set(range(node.body[0].lineno, (node.end_lineno or 0) + 1))

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tests of the Python package on the wheel for Linux on ARM, which QEMU runs here.
+"""Tests the Python package on the wheel for Linux on ARM, with QEMU.
 
-Python is Debian's for ARM: apt fetches its packages into a folder, where they are only unpacked.
+The tests use Debian's Python for ARM. apt downloads its packages into a folder, in which they are unpacked but not
+installed.
 """
 
 import shutil
@@ -27,8 +28,8 @@ from tools.package import BUILD_APT, build_wheel, cross_wheel
 QEMU_APT = ("qemu-user",)
 PYTHON_APT = (f"python{DEBIAN_VERSION}-minimal", f"libpython{DEBIAN_VERSION}-stdlib", "libstdc++6")
 FOLDER = BUILD / "arm"
-PLATFORMS = ("manylinux_2_28_aarch64", "manylinux2014_aarch64")  # pip's names; each package has a wheel for one
-# QEMU is slow, and some tests start programs of this machine: run only tests of lengths, errors and pattern files.
+PLATFORMS = ("manylinux_2_28_aarch64", "manylinux2014_aarch64")  # pip's names; each package has a wheel for one of them
+# Only tests of lengths, errors and pattern files, because QEMU is slow and some tests start programs of this machine
 TESTS = ("test_readme", "test_errors", "test_results", "test_wire_and_options", "test_pattern_files")
 
 
@@ -51,7 +52,7 @@ def arm_tests() -> None:
 
 
 def arm_python() -> Path:
-    """Return a root with Debian's Python for ARM; fetched once."""
+    """Return a root folder with Debian's Python for ARM, which is downloaded once."""
     root = FOLDER / "root"
     key = fingerprint([], *PYTHON_APT)
     if not (root.is_dir() and is_current("arm-python", key)):
@@ -60,11 +61,11 @@ def arm_python() -> Path:
         lists, archives, status = FOLDER / "apt" / "lists", FOLDER / "apt" / "archives", FOLDER / "apt" / "status"
         for folder in (lists, archives):
             (folder / "partial").mkdir(parents=True, exist_ok=True)
-        status.touch()  # nothing is installed, so apt fetches everything
+        status.touch()  # an empty list of installed packages, so that apt downloads every dependency
         settings = {
             "APT::Architecture": "arm64",
             "APT::Architectures": "arm64",
-            "APT::Sandbox::User": "",  # no other user, because the folders belong to the caller
+            "APT::Sandbox::User": "",  # apt does not change the user, because the folders belong to the caller
             "Dir::State::Lists": lists,
             "Dir::State::status": status,
             "Dir::Cache::archives": archives,

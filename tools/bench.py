@@ -13,7 +13,7 @@ APT = (*CORE_APT, *BLENDER_APT, *BPY_APT, "libbenchmark-dev")
 PACKAGES = (NUMPY[DEBIAN_VERSION], "libigl==2.6.3", "matplotlib==3.10.9")
 PEER = "bpy==4.5.15"  # the Blender whose unwraps are compared
 FOLDER = BUILD / "bench"
-SHARED = {"PYTHONPATH": str(ROOT / "results")}  # modules for both pages
+SHARED = {"PYTHONPATH": str(ROOT / "results")}  # modules that the pages of benchmarks and results share
 NOT_THE_LARGEST = "--benchmark_filter=-triangles:1000000"
 
 
@@ -44,7 +44,7 @@ def measure_peers(python: Path, is_full: bool) -> Path:
 
 
 def measure_real_meshes(python: Path) -> list[str | Path]:
-    """Measure the meshes in WIREWARP_MESHES. Return options for write_page.py; none without this folder."""
+    """Measure the meshes in the folder WIREWARP_MESHES. Return options for write_page.py, none if it is not set."""
     folder = os.environ.get("WIREWARP_MESHES")
     if not folder:
         say("real meshes are NOT MEASURED: WIREWARP_MESHES names no folder")

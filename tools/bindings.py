@@ -10,7 +10,7 @@ from tools.libraries import PATTERN
 from tools.package import venv_with_core
 
 HYPOTHESIS = "hypothesis==6.170.15"
-XDIST = "pytest-xdist==3.8.0"  # runs tests on all cores, because most tests use one
+XDIST = "pytest-xdist==3.8.0"  # runs tests on all cores, because most tests use one core
 READERS = (
     "dxfgrabber==1.0.1",
     "ezdxf==1.4.5",
@@ -18,8 +18,8 @@ READERS = (
     "python-bidi==0.6.12",
     "resvg-py==0.5.0",
     "shapely==2.2.0",
-)  # used only by tests: readers of pattern files, and of text in both directions
-# optional packages: tests run with and without them
+)  # only tests use these packages, to read pattern files and right-to-left text
+# optional packages; tests that need one are skipped without it
 OPTIONAL = ("spyrrow==0.9.0", "fonttools[woff]==4.68.0", "hyperqueue==0.27.0")
 MODELS = ("trimesh==5.2.0", "pillow==13.0.0", "psutil==7.2.2", "tqdm==4.70.1")  # packages for python -m wirewarp
 
@@ -32,13 +32,11 @@ def bindings_python(version: str) -> Path:
 def bindings_tests(version: str, *options: str) -> None:
     """Run all tests in Debian's Python. In other Pythons, leave out the tests of the core's results.
 
-    options: options of pytest.
-
-    If PYTEST_ADDOPTS is set, they run in one process, where breakpoint() works.
+    options: options of pytest. If PYTEST_ADDOPTS is set, the tests run in one process, in which breakpoint() works.
     """
     chosen = [] if version == DEBIAN_VERSION else ["-m", "not core"]
     has_options = bool(os.environ.get("PYTEST_ADDOPTS"))
-    # each file in one process, because its tests share results
+    # all tests of a file in one process, because they share results
     at_once = [] if has_options else ["-n", str(CORES), "--dist", "loadfile"]
     folders = ("tests/bindings", "tests/without_blender")
     run([bindings_python(version), "-m", "pytest", "-q", *at_once, *chosen, *options, *folders])

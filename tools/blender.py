@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs the add-on's tests in every available Blender, on the zips that users install.
 
-Debian's Blender is the whole program, 3.4 in Debian 12 and 4.3 in Debian 13; the others are the module `bpy` in their
-own Python.
+Debian's Blender is the whole program, 3.4 in Debian 12 and 4.3 in Debian 13. Other Blenders are the module `bpy` in a
+Python of their own.
 """
 
 import os
@@ -30,19 +30,19 @@ from tools.zips import EXTENSION_MODULE, LEGACY_MODULE
 PYTEST = "pytest==9.2.0"
 BLENDER_APT = ("blender", "libegl1", "python3-numpy", "python3-pytest")  # EGL is needed for drawing without a window
 BPY_APT = ("libgl1", "libice6", "libsm6", "libxfixes3", "libxi6", "libxkbcommon0", "libxrender1")
-NUMPY = {"3.11": "numpy==1.26.4", "3.13": "numpy==2.5.5"}  # both ABIs: Blender up to 5.0, and from 5.1 on
+NUMPY = {"3.11": "numpy==1.26.4", "3.13": "numpy==2.5.5"}  # both ABIs: of Blender up to 5.0, and from 5.1 on
 # "" on other systems, which check_system() refuses
 DEBIAN_BLENDER = {"3.11": "3.4", "3.13": "4.3"}.get(DEBIAN_VERSION, "")
 # name of the add-on in Debian's Blender
 ADDON_MODULE = LEGACY_MODULE if DEBIAN_VERSION == LEGACY_PYTHON else EXTENSION_MODULE
 RUNNER = ROOT / "tests" / "addon" / "run_in_blender.py"
-BLENDERS = 2  # at once: the tests of one use little more than one core
+BLENDERS = 2  # number of Blenders at once, because the tests in a Blender use little more than one core
 BPY = {"bpy==4.2.23": "3.11", "bpy==4.5.15": "3.11", "bpy==5.0.1": "3.11", "bpy==5.2.3": "3.13"}
 EXTENSION_PROGRAM = "addons_core/bl_pkg/cli/blender_ext.py"  # the program behind `blender --command extension`
 
 
 def blender_folder(name: str) -> dict[str, str]:
-    """Return an empty private folder for add-ons and settings, so that no earlier ones are used."""
+    """Return variables for a new folder with add-ons and settings, so that Blender uses no others."""
     folder = BUILD / "blender" / name
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
@@ -57,7 +57,7 @@ def blender(*arguments: str | Path) -> list[str | Path]:
 
 
 def debian_blender_zip() -> Path:
-    """Return the zip for Debian's Blender: the legacy zip in 3.4, the extension in later ones."""
+    """Return the zip for Debian's Blender: the legacy zip in Blender 3.4, the extension in later versions."""
     if DEBIAN_VERSION == LEGACY_PYTHON:
         return package_legacy()
     package()
@@ -65,7 +65,7 @@ def debian_blender_zip() -> Path:
 
 
 def install_privately(name: str) -> dict[str, str]:
-    """Prepare separate settings for Debian's Blender, with the add-on of this tree."""
+    """Install the add-on of this folder for Debian's Blender with separate settings. Return variables for Blender."""
     require_apt(*BUILD_APT, *BLENDER_APT)
     settings = blender_folder(name)
     file = str(debian_blender_zip())
@@ -79,7 +79,7 @@ def install_privately(name: str) -> dict[str, str]:
 
 
 def run_with_addon(name: str, script: Path, *arguments: str | Path) -> None:
-    """Run a script in Debian's Blender with the add-on, which is installed in a folder of this name."""
+    """Run a script in Debian's Blender with the add-on. name: name of the folder with the separate settings."""
     settings = install_privately(name)
     run(blender("--addons", ADDON_MODULE, "--python", script, "--", *arguments), **settings)
 
@@ -94,8 +94,8 @@ def debian_blender_tests() -> None:
 def run_addon_tests(command: Sequence[str | Path], name: str, *options: str, **settings: str) -> None:
     """Run the tests of the add-on in several Blenders at once, each with a share of the files and a private folder.
 
-    command: starts a Blender that runs RUNNER; options: of pytest. If PYTEST_ADDOPTS is set, all tests run in one
-    Blender. The files are dealt by size, forward and back, so that the shares take equally long.
+    command: starts a Blender that runs RUNNER; options: options of pytest. If PYTEST_ADDOPTS is set, all tests run in
+    one Blender. The files are dealt by size, forward and back, so that all shares take about the same time.
     """
     files = sorted((ROOT / "tests" / "addon").glob("test_*.py"), key=lambda file: (-file.stat().st_size, file.name))
     shares = 1 if os.environ.get("PYTEST_ADDOPTS") else BLENDERS
@@ -126,8 +126,10 @@ def blender_script(python: Path, name: str) -> Path:
 
 
 def bpy_tests(requirement: str) -> None:
-    """In the newest Blender, leave out the tests of the core's results. In earlier ones, run only tests that depend on
-    Blender's interface.
+    """Check the extension zip with Blender's own program, then run tests of the add-on on it.
+
+    The newest Blender leaves out the tests of the core's results. Earlier Blenders run only tests that depend on
+    Blender's Python interface.
     """
     require_apt(*BPY_APT)
     package()

@@ -16,14 +16,15 @@ DRIVE = f"import sys; sys.path.insert(0, {str(DRIVER)!r}); import drive; drive.m
 def run_tours(
     script: Path, names: Sequence[str], environment: dict[str, str], seconds: float, display: int = 99
 ) -> tuple[int, str]:
-    """Run these generator functions of `script` in the window; return the exit code and the output.
+    """Run tours in the window. Return the exit code and the output.
 
-    tests/window/drive.py describes these functions.
+    names: generator functions of `script`, which tests/window/drive.py describes.
 
-    environment: variables for Blender. WIREWARP_ZIP names the zip to install, BLENDER_USER_SCRIPTS and _CONFIG name
-    empty folders, WIREWARP_PICTURES names the folder for pictures, and WIREWARP_VIEWPORT_AA says how Blender smooths
-    the view (by default "8", the samples of each pixel). display: number of the first virtual screen to try; tours that
-    start at the same time need different ones. Tours that take longer than `seconds` are stopped, with exit code -9.
+    environment: variables for Blender. WIREWARP_ZIP names the zip to install, BLENDER_USER_SCRIPTS and
+    BLENDER_USER_CONFIG name empty folders, WIREWARP_PICTURES names the folder for pictures, and WIREWARP_VIEWPORT_AA
+    says how Blender smooths the view (by default "8", the samples of each pixel). display: number of the first virtual
+    screen to try; tours that start at the same time need different numbers. After `seconds`, the tours are killed, with
+    exit code -9.
     """
     blender = ["/usr/bin/blender", "--factory-startup", "--no-window-focus"]
     blender += ["--window-geometry", "0", "0", "1600", "900", "--enable-event-simulate"]

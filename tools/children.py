@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Ends everything that `dev` has started: each process is asked to end, and killed if it does not.
+"""Ends every process that `dev` has started. Processes that do not end after SIGTERM are killed.
 
-Linux only. It also finds children that have left our process group, such as Blender on its virtual screen.
+It also finds processes that have left our process group, such as Blender on its virtual screen. Works on Linux only.
 """
 
 import ctypes
@@ -13,14 +13,15 @@ from contextlib import contextmanager
 from pathlib import Path
 
 PR_SET_CHILD_SUBREAPER = 36  # from <linux/prctl.h>
-PATIENCE = 10.0  # seconds to end, so that apt and pip leave nothing incomplete
+PATIENCE = 10.0  # seconds before a process is killed, so that apt and pip can finish what they write
 
 
 @contextmanager
 def no_child_left() -> Iterator[None]:
-    """Treat SIGTERM and SIGHUP like Ctrl+C, a KeyboardInterrupt. At the end, every process below this one ends.
+    """Return a context that ends all processes that were started inside it.
 
-    Later signals are ignored.
+    In the context, SIGTERM and SIGHUP raise KeyboardInterrupt as Ctrl+C does. While the processes end, signals are
+    ignored.
     """
     for number in (signal.SIGTERM, signal.SIGHUP):
         signal.signal(number, signal.default_int_handler)

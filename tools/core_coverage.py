@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Measures how much of the core its tests run. The compiler counts in build/asan, and gcovr reports."""
+"""Measures how much of the core its tests run. The program in build/asan counts, and gcovr makes the report."""
 
 import json
 from pathlib import Path
@@ -12,7 +12,7 @@ GCOVR = "gcovr==8.8"
 
 
 def begin() -> None:
-    """Delete earlier counts. gcovr would fail on counts of sources that were moved."""
+    """Delete earlier counts, also of sources that were moved, because gcovr would fail on these."""
     for counts in OBJECTS.rglob("*.gcda"):
         counts.unlink()
     run(["ninja", "-C", TREE, "-t", "cleandead"])
@@ -24,19 +24,19 @@ def begin() -> None:
 def show() -> None:
     """Print the shares of covered lines and functions, and the functions that no test runs.
 
-    Code in headers is counted incompletely: if a test includes a header, too, the linker may keep the test's copy,
-    which does not count. Raises StepError if a source file has functions and none was run.
+    Headers are left out, because their counts are incomplete: the linker may keep the copy of a function in a test,
+    which does not count. Raises StepError if no function of a source file was run.
     """
     gcovr = venv("coverage", DEBIAN_PYTHON, GCOVR).parent / "gcovr"
     report = TREE / "coverage.json"
     sources: list[str | Path] = ["--root", ROOT, "--filter", "native/src/", "--exclude", r".*\.h$"]
-    # gcovr would otherwise fail on three things: a function that starts on several lines, a count damaged by threads,
-    # and high counts.
+    # Without these options, gcovr would fail on a function that starts on several lines, on a count that threads have
+    # damaged, and on high counts.
     tolerant = ["--merge-mode-functions=separate", "--gcov-ignore-parse-errors=all"]
     run([gcovr, *sources, *tolerant, "--json", report, "--print-summary", OBJECTS])
     untested = []
     for file in json.loads(report.read_text())["files"]:
-        # other entries have no code
+        # entries without an execution_count have no code
         functions = [function for function in file["functions"] if "execution_count" in function]
         missed = [function for function in functions if not function["execution_count"]]
         for function in missed:

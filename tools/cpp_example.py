@@ -13,7 +13,7 @@ FOLDER = BUILD / "example"
 
 
 def example_tests() -> None:
-    """Raises StepError unless both programs print the lines on the page about C++."""
+    """Raises StepError unless both programs print the lines in docs/cpp.md."""
     require_apt(*NATIVE_APT)
     openmesh = {"FETCHCONTENT_SOURCE_DIR_OPENMESH": str(openmesh_source())}
     build_native("release", "wirewarp", **openmesh)
@@ -21,7 +21,7 @@ def example_tests() -> None:
     prefix = FOLDER / "prefix"
     install: list[str | Path] = ["cmake", "--install", BUILD / "release", "--prefix", prefix]
     run_quietly("installing the library", [*install, "--component", "development"])
-    elsewhere = prefix.rename(FOLDER / "moved")  # nothing in it may depend on its path
+    elsewhere = prefix.rename(FOLDER / "moved")  # because installed files must not depend on their path
     # Compile for this processor: code compiled for AVX must still free the arrays of the library.
     build_and_check("installed", CMAKE_PREFIX_PATH=str(elsewhere), CMAKE_CXX_FLAGS="-march=native")
     commands = (FOLDER / "installed" / "compile_commands.json").read_text()

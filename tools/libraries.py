@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Downloads wheels for other systems, such as packages that wirewarp.pattern needs and Blender lacks."""
+"""Downloads wheels of other projects for other systems: packages that WireWarp needs and Blender lacks."""
 
 import shutil
 from pathlib import Path
@@ -9,7 +9,7 @@ from tools.module_needs import LIEF
 
 WHEEL = "wheel==0.48.0"
 PATTERN = ("pyclipper==1.4.0", "pydyf==0.13.0", "uharfbuzz==0.57.0")  # packages without dependencies
-PIP_PLATFORMS = {  # pip's name for the oldest system that Blender supports, by Blender's name
+PIP_PLATFORMS = {  # by Blender's name of a system: pip's name for the oldest version that Blender supports
     "linux-x64": "manylinux2014_x86_64",
     "linux-arm64": "manylinux_2_28_aarch64",
     "windows-x64": "win_amd64",
@@ -24,7 +24,7 @@ def cross_python() -> Path:
 
 
 def library_wheels(platform: str, tag: str) -> list[Path]:
-    """Return the wheels for Blender's platform and the Python of the tag, such as "cp311"; they are downloaded once."""
+    """Return the wheels of PATTERN for a platform and a Python tag, such as "cp311". They are downloaded once."""
     name = f"libraries-{platform}-{tag}"
     folder = BUILD / "wheels" / name
     key = fingerprint([], PIP_PLATFORMS[platform], *PATTERN)
@@ -40,9 +40,9 @@ def library_wheels(platform: str, tag: str) -> list[Path]:
 
 
 def install_for(platforms: tuple[str, ...], version: str, folder: Path, *arguments: str | Path) -> None:
-    """Install packages for another system (pip's names) and a Python of this version into a folder."""
+    """Install packages for another system and a Python of this version into a folder. platforms: pip's names."""
     systems = [f"--platform={each}" for each in platforms]
-    # pip would check packages against the version of our Python.
+    # Without --ignore-requires-python, pip would check packages against the version of our Python.
     options = ("--implementation=cp", f"--python-version={version}", "--only-binary=:all:", "--ignore-requires-python")
     pip = ["pip", "install", "--quiet", "--target", str(folder), *systems, *options]
     what = f"pip install for {platforms[0]}: " + " ".join(str(a) for a in arguments if not str(a).startswith("-"))

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Checks that a module for another system is built for it, and needs nothing that the system lacks.
 
-This system cannot load such modules, and linkers do not find all errors: on macOS, every undefined name may be
-Python's. The file is therefore read again. Run it with a Python that has the package lief; it prints one line per
-fault:
+This system cannot load such modules, and linkers do not find all errors. On macOS, for example, the linker accepts
+every undefined name, because it may be Python's. Run this program with a Python that has the package lief. It prints
+one line for each fault:
 
     python -m tools.module_needs PLATFORM MODULE VERSION LIBSYSTEM
 """
@@ -26,16 +26,17 @@ MACHINES = {
     "macos-x64": "X86_64",
 }
 GLIBC = r"lib(c|m|pthread|dl)\.so\.\d+|ld-linux-.*"
-WINDOWS = r"KERNEL32\.dll|api-ms-win-crt-.*\.dll"  # the C runtime is part of Windows since version 10
+WINDOWS = r"KERNEL32\.dll|api-ms-win-crt-.*\.dll"  # Windows 10 and later contain the C runtime
 MACOS = r"/usr/lib/libSystem\.B\.dylib"
 
 
 def faults(platform: str, module: Path, oldest: tuple[int, ...], system: Path) -> list[str]:
-    """Return one sentence per fault. oldest: required version of glibc or macOS; Windows files have none.
+    """Return one sentence for each fault.
 
-    system: names in macOS' libSystem, from the files .tbd of its compilers.
+    oldest: oldest version of glibc or macOS on which the module must work, unused for Windows; system: the file
+    libSystem.tbd, which lists the names in macOS' libSystem.
     """
-    import lief  # imported here, because only this program's Python has it
+    import lief  # imported here, because only the Python that runs this program has lief
 
     lief.logging.disable()
     binary = lief.parse(str(module))

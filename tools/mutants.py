@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Measures how many small faults the tests catch. Each mutant of a source has one different comparison or sign.
+"""Measures how many small faults the tests catch. Each mutant of a source has one changed comparison, sign or logical
+operator.
 
-Run it before and after you remove tests: the share must not fall. The sample is the same each time.
+Run this program before and after you remove tests: the share of caught mutants must not fall. The sample of mutants is
+the same each time.
 """
 
 import io
@@ -18,16 +20,16 @@ from tools.bindings import bindings_python
 from tools.environment import BUILD, CORES, DEBIAN_VERSION, ROOT, StepError, clean_environment, say
 from tools.native import build_native
 
-SAMPLE = 60  # number of mutants, enough to know the share within about 5%
-SECONDS = 900.0  # seconds for the tests of a mutant; if they take longer, it counts as caught
+SAMPLE = 60  # number of mutants; the standard error of the share is then about 5%
+SECONDS = 900.0  # limit for the tests of a mutant; if they take longer, the mutant counts as caught
 SWAPPED = {"<": "<=", "<=": "<", ">": ">=", ">=": ">", "==": "!=", "!=": "==", "+": "-", "-": "+"}
 CPP_SWAPPED = SWAPPED | {"&&": "||", "||": "&&"}
 PYTHON_SWAPPED = SWAPPED | {"and": "or", "or": "and"}
-# Matches comments, texts and includes, which are left out, then operators. The formatter puts spaces around operators,
-# but not in templates.
+# Matches comments, texts and preprocessor lines, whose contents are never changed, and operators between spaces. The
+# formatter puts no spaces around < and > of templates.
 CPP_TOKEN = re.compile(r'//[^\n]*|"(?:\\.|[^"\\\n])*"|^#[^\n]*|(?<= )(?:[<>=!]=|[<>+-]|&&|\|\|)(?= )', re.MULTILINE)
 PACKAGE = ROOT / "python" / "wirewarp"
-COPY = BUILD / "mutants"  # copy of the package with the compiled module
+COPY = BUILD / "mutants"  # folder with a copy of the package and the compiled module
 
 
 @dataclass(frozen=True)
@@ -48,14 +50,15 @@ class Mutant:
         return text[: self.start] + self.other + text[self.start + len(self.operator) :]
 
 
-# A function that returns whether tests fail on a mutant, or on the original source if called with None. Returns None if
-# the source does not compile.
+# A function that returns whether tests fail on a mutant, or on the original source if called with None. It returns None
+# if the mutant does not compile.
 Judge = Callable[[Mutant | None], bool | None]
 
 
 def mutants(words: list[str]) -> None:
-    """Measure the mutants. words: a source or folder of sources, then the tests: files for pytest, or a GoogleTest
-    filter.
+    """Print the share of caught mutants, and the mutants that no test catches.
+
+    words: a source or a folder of sources, then the tests: files for pytest, or a GoogleTest filter.
     """
     if len(words) < 2:
         raise StepError("name a source or its folder, and its tests: ./dev mutants native/src/measure 'Measure*'")

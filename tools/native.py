@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Builds and tests the core, with expected input and with random input."""
+"""Builds the core and tests it, with unit tests and with random input."""
 
 from tools import core_coverage
 from tools.environment import BUILD, CORES, DEBIAN_PYTHON, ROOT, require_apt, run, run_quietly, venv
@@ -11,14 +11,14 @@ NATIVE_APT = (*CORE_APT, "libgtest-dev", "libnlopt-dev")
 FUZZ_APT = (*CORE_APT, "clang", "libclang-rt-dev")
 ATHERIS = ("atheris==3.0.0", "numpy==1.26.4")  # atheris is libFuzzer for Python
 FEW_CASES, MANY_CASES = 1_000, 10_000
-TEST_SECONDS = 1500  # a part takes half a minute of one core under the sanitizers; the last test in the output hangs
-# The address sanitizer keeps this many callers of each allocation. Its usual 30 take up to a tenth of the time.
+TEST_SECONDS = 1500  # limit for a part of the tests, which takes half a minute of one core under the sanitizers
+# The address sanitizer records this many callers of each allocation. The usual 30 need up to a tenth of the time.
 FEW_CALLERS = {"ASAN_OPTIONS": "malloc_context_size=5"}
 FUZZ_SECONDS = {"flatten": 600, "reader": 120}
 
 
 def build_native(preset: str, *targets: str, **definitions: str) -> None:
-    """Build these targets, or all. definitions: CMake variables."""
+    """Build these targets, or all targets if none is named. definitions: CMake variables."""
     defined = [f"-D{name}={value}" for name, value in definitions.items()]
     run_quietly(f"configuring build/{preset}", ["cmake", "--preset", preset, *defined])
     only = ["--target", *targets] if targets else []
@@ -31,14 +31,14 @@ def run_native_tests(preset: str) -> None:
 
 
 def native_tests() -> None:
-    """Test the core as it is in the wheels, with the same OpenMesh, so that the wheels need not compile it again."""
+    """Test the core as it is in the wheels. It has the same OpenMesh, so the wheels need not compile the core again."""
     require_apt(*NATIVE_APT)
     build_native("release", "wirewarp_tests", FETCHCONTENT_SOURCE_DIR_OPENMESH=str(openmesh_source()))
     run_native_tests("release")
 
 
 def instrumented_native_tests() -> None:
-    """Test under the sanitizers, with the core's coverage and Debian's OpenMesh."""
+    """Test the core under the sanitizers, with Debian's OpenMesh, and show the coverage."""
     require_apt(*NATIVE_APT)
     build_native("asan")
     core_coverage.begin()

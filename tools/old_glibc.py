@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Makes the wheels run on systems older than this one."""
+"""Makes the wheels run on Linux systems with an older glibc than this machine."""
 
 import re
 import shutil
@@ -20,11 +20,11 @@ from tools.environment import (
 from tools.zig import ZIG, cache_variables, zig
 
 OPENMESH = "openmesh==1.2.1"  # contains the C++ source of OpenMesh 9.1
-GLIBC = "2.28"  # version of the systems that blender.org builds for
+GLIBC = "2.28"  # version on the oldest systems that blender.org supports
 POLICY = f"manylinux_{GLIBC.replace('.', '_')}_x86_64"
-# Defines names for which libstdc++ or its headers would otherwise need a newer glibc. The value 0 of the variable,
-# "there may be several threads", is always safe. Debian 13's headers replace strtol and similar functions by these
-# functions, which also accept binary numbers.
+# Defines names for which libstdc++ or its headers would otherwise need a newer glibc. The variable
+# __libc_single_threaded is 0, which means that there may be several threads and is always safe. Debian 13's headers
+# replace strtol and strtoul by the functions __isoc23_*, which also accept binary numbers.
 NEWER_GLIBC = """
 #define OURS extern "C" __attribute__((visibility("hidden")))
 OURS char __libc_single_threaded;
@@ -34,7 +34,7 @@ extern "C" unsigned long strtoul(const char*, char**, int);
 OURS long __isoc23_strtol(const char* text, char** end, int base) { return strtol(text, end, base); }
 OURS unsigned long __isoc23_strtoul(const char* text, char** end, int base) { return strtoul(text, end, base); }
 """
-# Links only the used parts of libstdc++, which need no newer glibc, and hides them from other modules.
+# Links only the used parts of libstdc++, which need no newer glibc. Hides these parts from other modules.
 SECTIONS = "-Wl,--gc-sections -Wl,--exclude-libs,ALL"
 
 
@@ -72,7 +72,7 @@ def cmake_definitions() -> dict[str, str]:
 
 
 def write_stubs(folder: Path) -> None:
-    """Write the libraries of the old glibc, such as libc.so. zig writes them to its cache when it links anything."""
+    """Write the libraries of the old glibc, such as libc.so. zig makes them in its cache when it links any program."""
     cache = folder / "zig"
     (folder / "empty.c").write_text("")
     link = ("cc", "-target", f"x86_64-linux-gnu.{GLIBC}", "-shared", "-o", folder / "empty.so", folder / "empty.c")
@@ -85,7 +85,7 @@ def write_stubs(folder: Path) -> None:
 
 
 def check_symbols(wheel: Path) -> None:
-    """Raise StepError if the module needs a symbol that the old glibc lacks and that is linked without a version."""
+    """Raise StepError if the module needs a symbol without a version, because the old glibc may lack it."""
     with zipfile.ZipFile(wheel) as archive:
         (name,) = (name for name in archive.namelist() if name.endswith(".so"))
         module = Path(archive.extract(name, wheel.parent))

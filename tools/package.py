@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Makes the files that users install, in dist/: one wheel per Python, the extension zip and the legacy add-on zip.
+"""Makes the files that users install, in dist/: a wheel for each Python, the extension zip and the legacy add-on zip.
 
 wirewarp-V-cp311-*.whl, wirewarp-V-cp313-*.whl   core package with its libraries, without numpy
 wirewarp-V-<platform>.zip                        extension for Blender 4.2 and later, with the wheels
@@ -37,11 +37,11 @@ from tools.zig import ZIG
 from tools.zips import LEGACY_TAG, VERSION
 
 DIST = ROOT / "dist"
-# Blenders by Python version; Debian's 4.3 has 3.13
+# Blenders of blender.org by version of Python; Debian's Blender 4.3 has Python 3.13
 BLENDERS = {"3.11": "Blender 3.4 to 5.0", "3.13": "Blender 5.1 and later"}
 PYTHONS = tuple(BLENDERS)
 LEGACY_PYTHON = "3.11"
-PLATFORM = "linux-x64"  # Blender's name for the system on which this runs
+PLATFORM = "linux-x64"  # Blender's name of the system on which this program runs
 BUILD_APT = (
     "build-essential",
     "ccache",
@@ -89,7 +89,7 @@ def package_for_all_systems() -> None:
 
 
 def extension_for(system: System) -> Path:
-    """Return the extension for another system, with the wheels of this tree."""
+    """Return the extension for another system, with wheels built from these sources."""
     wheels = [cross_wheel(system, version, wheel) for version, wheel in build_wheels().items()]
     folder = wheels[0].parent
     zips.write_zips(folder)
@@ -97,9 +97,9 @@ def extension_for(system: System) -> Path:
 
 
 def cross_wheel(system: System, version: str, wheel: Path) -> Path:
-    """Return the wheel for another system, from the last build if its sources have not changed.
+    """Return the wheel for another system. If the sources have not changed, this is the wheel of the last build.
 
-    It is in a folder of that system, because other steps clean dist/.
+    The wheel is in a folder of the system, because other steps delete wheels in dist/.
     """
     folder = BUILD / "cross" / system.platform / "wheels"
     folder.mkdir(parents=True, exist_ok=True)
@@ -114,7 +114,7 @@ def cross_wheel(system: System, version: str, wheel: Path) -> Path:
 
 
 def keep_in_dist(wheels: Collection[Path]) -> None:
-    """Write the zips of these wheels, and remove all others."""
+    """Keep only these wheels in dist/, write their zips, and delete all other zips."""
     for old in set(DIST.glob("wirewarp-*.whl")) - set(wheels):
         old.unlink()
     for old in set(DIST.glob("wirewarp-*.zip")) - set(zips.write_zips(DIST)):
@@ -129,8 +129,8 @@ def package_legacy() -> Path:
 
 
 def venv_with_core(name: str, version: str, *requirements: str) -> Path:
-    """Return the Python of the venv build/venvs/NAME with these packages and the wheel of this tree."""
-    require_apt(*BUILD_APT)  # without its headers, Debian's Python is not found
+    """Return the Python of the venv build/venvs/NAME with these packages and the wheel built from these sources."""
+    require_apt(*BUILD_APT)  # require_python() finds Debian's Python only with its headers
     python = require_python(version)
     wheel = build_wheel(version, python)
     interpreter = venv(name, python, *requirements)
@@ -151,7 +151,7 @@ def show_dist() -> None:
 
 
 def missing_python_notice() -> str | None:
-    """Return a notice about missing Pythons and the files that need them."""
+    """Return a notice about missing Pythons and their consequences, or None if no Python is missing."""
     missing = [version for version in PYTHONS if not find_python(version)]
     if not missing:
         return None
@@ -162,7 +162,7 @@ def missing_python_notice() -> str | None:
 
 
 def build_wheel(version: str, python: Path) -> Path:
-    """Return the repaired wheel for one Python, from the last build if its sources have not changed."""
+    """Return the repaired wheel for a Python. If the sources have not changed, this is the wheel of the last build."""
     BUILD.mkdir(exist_ok=True)
     with (BUILD / "wheels.lock").open("w") as lock:
         fcntl.flock(lock, fcntl.LOCK_EX)  # parallel steps build in the same folders
@@ -176,7 +176,7 @@ def venv_for_wheels(version: str, python: Path) -> Path:
 def build_wheel_alone(version: str, python: Path) -> Path:
     tag = "cp" + version.replace(".", "")
     key = fingerprint([ROOT / source for source in CORE_SOURCES], str(python), *WHEEL_TOOLS)
-    name = f"wirewarp-{VERSION}-{tag}-*{old_glibc.POLICY}.whl"  # leaves out wheels of other systems in the same folder
+    name = f"wirewarp-{VERSION}-{tag}-*{old_glibc.POLICY}.whl"  # the folder may also have wheels of other systems
     found = list(DIST.glob(name))
     if len(found) == 1 and is_current(f"wheel-{tag}", key):
         return found[0]
@@ -190,9 +190,9 @@ def build_wheel_alone(version: str, python: Path) -> Path:
         "SOURCE_DATE_EPOCH": TIME_STAMP,
         "PATH": f"{interpreter.parent}:{clean_environment()['PATH']}",
     }
-    # compiles the core as build/release does, so that both share objects in ccache
+    # The core is compiled as in build/release, so that both builds share objects in ccache.
     options = {"build-dir": str(BUILD / f"wheel-{tag}")}
-    # warnings are not errors in users' builds, because their compilers may be newer
+    # Only here are warnings errors. In the builds of users they are not, because their compilers may be newer.
     options["cmake.define.CMAKE_COMPILE_WARNING_AS_ERROR"] = "ON"
     options |= {f"cmake.define.{name}": value for name, value in old_glibc.cmake_definitions().items()}
     build = ("pip", "wheel", "--quiet", "--no-build-isolation", "--no-deps", "-w", raw)

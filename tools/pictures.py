@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Takes the pictures of the pages in docs/ with the scripts in docs/guide/, in Blender's window on a virtual screen."""
+"""Takes the pictures of the pages in docs/. The scripts in docs/guide/ use Blender's window on a virtual screen."""
 
 import json
 import shutil
@@ -29,22 +29,22 @@ TOURS = (
     "ring",
     "export",
 )
-SHEET, DOTS = 6, 60  # page of the PDF that is shown, and its dots per inch
-DRAWN = {"pattern": 2600, "marker": 1100}  # name of the SVG file and of its style: width in pixels
-PART = (970, 0, 1930, 1000)  # the pixels of the pattern that are shown: the left sleeve and the neck of the front
-AT_ONCE = 4  # number of Blenders at a time; they mostly wait for their windows
-SECONDS = 600.0  # limit for a busy machine; a tour takes about ten seconds on an idle one
+SHEET, DOTS = 6, 60  # number of the page of the PDF in the picture, and dots per inch of the picture
+DRAWN = {"pattern": 2600, "marker": 1100}  # width of each picture in pixels, by the name of its SVG file and style
+PART = (970, 0, 1930, 1000)  # pixels of the pattern in the picture: the left sleeve and the neck of the front
+AT_ONCE = 4  # number of Blenders at a time, which mostly wait for their windows
+SECONDS = 600.0  # limit for a busy machine; a tour takes about ten seconds on an idle machine
 
 
 def take_tour(zip_file: Path, taken: Path, name: str) -> tuple[int, str]:
     say(f"taking pictures: {name}")
     settings = blender_folder(f"pictures-{name}") | {"WIREWARP_ZIP": str(zip_file), "WIREWARP_PICTURES": str(taken)}
-    display = 99 + 10 * TOURS.index(name)  # numbers of screens far enough apart, because some may be in use
+    display = 99 + 10 * TOURS.index(name)  # xvfb-run tries the next number if a screen is in use, so leave gaps
     return run_tours(SCRIPT, [name], clean_environment(**settings), SECONDS, display)
 
 
 def pictures() -> None:
-    """Take all pictures again; replace the old ones once all exist."""
+    """Take all pictures again. The old pictures are replaced when all new ones exist."""
     require_apt(*BUILD_APT, *BLENDER_APT, *WINDOW_APT, "librsvg2-bin", "poppler-utils")
     zip_file = package_legacy()
     taken = BUILD / "pictures"

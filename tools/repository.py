@@ -14,13 +14,13 @@ from tools.package import DIST, package
 from tools.zips import extension_zips
 
 REPOSITORY = DIST / "repository"
-PAGE = ROOT / "tools" / "repository.html"  # contains $body (the table of zips) and $date
-# Blender's generator is a separate script. It comes with the newest bpy for Debian's Python.
+PAGE = ROOT / "tools" / "repository.html"  # template; Blender replaces ${body} by the table of zips, and ${date}
+# Version of bpy with the generator, a separate script: the newest version for Debian's Python.
 GENERATOR = next((each for each in reversed(BPY) if BPY[each] == DEBIAN_VERSION), "")
 
 
 def write_repository(zips: Path) -> Path:
-    """Copy the extension zips of all systems in this folder to dist/repository/ and list them there."""
+    """Copy the extension zips in this folder to dist/repository/, and write the list there. Return dist/repository/."""
     found = extension_zips(zips)
     if not found:
         raise StepError(f"there is no extension zip in {zips}; ./dev package makes one")
@@ -43,7 +43,7 @@ def write_repository(zips: Path) -> Path:
 
 
 def update_tests() -> None:
-    """In every later Blender with private settings, add dist/repository/, install from it, and update."""
+    """In every Blender of BPY, with private settings, add dist/repository/, install WireWarp from it, and update it."""
     require_apt(*BPY_APT)
     package()
     folder = write_repository(DIST)

@@ -2,7 +2,7 @@
 """Makes the source package for PyPI: the Python package and the core with the sources of Eigen and OpenMesh, so that
 pip can build it with packages from PyPI only.
 
-`python -m build` would not shorten this: it calls the function that BUILD_SDIST calls.
+`python -m build` would not make this program shorter, because it calls the function that BUILD_SDIST calls.
 """
 
 import shutil
@@ -58,7 +58,7 @@ def source_package() -> Path:
 
 
 def source_package_tests() -> None:
-    """Build a wheel from the source package as pip does, without other sources, and run the examples on it."""
+    """Build a wheel from the source package as pip does, without other sources. Run the examples on this wheel."""
     unpacked, compiled = FOLDER / "unpacked", FOLDER / "compiled"
     for folder in (unpacked, compiled):
         shutil.rmtree(folder, ignore_errors=True)
@@ -66,7 +66,7 @@ def source_package_tests() -> None:
     python = venv("source", DEBIAN_PYTHON, PYTEST, HYPOTHESIS, NUMPY[DEBIAN_VERSION], *PATTERN)
     definitions = {"FETCHCONTENT_FULLY_DISCONNECTED": "ON", "CMAKE_CXX_FLAGS_RELEASE": FAST_TO_COMPILE}
     settings = [f"--config-settings=cmake.define.{name}={value}" for name, value in definitions.items()]
-    # a folder in build/, where ccache finds the objects of the last run
+    # a fixed folder in build/, so that ccache finds the objects of the last run
     options = (*settings, f"--config-settings=build-dir={compiled}", "--no-deps", "--force-reinstall")
     (sources,) = unpacked.iterdir()
     install: list[str | Path] = [python, "-m", "pip", "install", *options, sources]

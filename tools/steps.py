@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs the steps of ./dev test: a few of them in order, or all of them two at a time.
+"""Runs the steps of ./dev test: named steps one after the other, otherwise two steps at a time.
 
-nox would not shorten this program, because it runs its sessions in order and has no dependencies between them.
+nox would not make this program shorter, because it runs one session at a time and knows no dependencies.
 """
 
 import multiprocessing
@@ -22,16 +22,16 @@ PASSED, FAILED, NOT_TESTED = "passed", "FAILED", "NOT TESTED"
 EXIT_CODES: dict[int | None, str] = {0: PASSED, 1: FAILED, 2: NOT_TESTED}
 LOGS = BUILD / "log"
 AT_ONCE = 2  # number of steps at a time, because a step may use only one core
-FAILURE_LINES = 400  # last lines shown of a failed step, enough for some failed tests with their values
+FAILURE_LINES = 400  # number of last lines shown of a failed step, enough for some failed tests with their values
 PROCESSES = multiprocessing.get_context("fork")
 
 
 class When(IntEnum):
-    """The runs of ./dev test that include a step even if they do not name it."""
+    """Which runs of ./dev test include a step that they do not name."""
 
     ALWAYS = 0
     ALL = 1  # only ./dev test --all
-    NAMED = 2  # only runs that name the step
+    NAMED = 2  # no run: the step must be named
 
 
 @dataclass(frozen=True)
@@ -61,7 +61,7 @@ def run_in_order(steps: Iterable[Step]) -> list[Outcome]:
 
 
 def run_side_by_side(steps: Sequence[Step]) -> list[Outcome]:
-    """Run each step in its own process, with its output in build/log. Return outcomes in the given order."""
+    """Run each step in its own process, two at a time, with output in build/log. Return outcomes in the given order."""
     LOGS.mkdir(parents=True, exist_ok=True)
     waiting = list(steps)
     running: list[tuple[Step, ForkProcess, float]] = []
@@ -117,7 +117,7 @@ def _word_of(step: Step) -> str:
 
 
 def _run_apart(step: Step) -> None:
-    """Run the step in this process, which ends with it."""
+    """Run the step and end this process with the exit code of its outcome."""
     signal.signal(signal.SIGTERM, signal.SIG_DFL)
     with (LOGS / step.name).open("w", buffering=1) as log:
         os.dup2(log.fileno(), 1)  # also redirects the output of programs that the step starts
@@ -125,7 +125,7 @@ def _run_apart(step: Step) -> None:
         sys.stdout = sys.stderr = log
         try:
             word = _word_of(step)
-        except Exception:  # a fault of this program: show it at the end of the log, where readers look
+        except Exception:  # a fault of this program, which the end of the log then shows
             traceback.print_exc()
             word = FAILED
     sys.exit(next(code for code, name in EXIT_CODES.items() if name == word))

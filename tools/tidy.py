@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs clang-tidy on the C++ sources; .clang-tidy lists the checks.
+"""Runs clang-tidy on the C++ sources. The file .clang-tidy lists the checks.
 
-The sources of a folder are checked as one, as they are compiled: metrics/ takes 4 s of one core instead of 19 s. The
-native tests take as long as all other sources, so only `./dev tidy` checks them.
+The sources of a folder are checked as one, as they are compiled: metrics/ then takes 4 s of one core instead of 19 s.
+The native tests take as long as all other sources, so only `./dev tidy` checks them.
 """
 
 import json
@@ -30,7 +30,7 @@ TOOLS = ("clang-tidy==23.1.4", PYBIND11)
 FOLDER = BUILD / "tidy"
 NATIVE_TEST = re.compile(r"/wirewarp_tests\.dir/|/tests/native/")
 INCLUDED = ("native/include", "native/src", "tests/judge", "tests/random_cases", "/usr/include/eigen3")
-# clang-tidy treats the sources as headers, because one file includes them.
+# --header-filter, because one file includes the sources of a folder, so clang-tidy treats them as headers
 OPTIONS = ("--quiet", "-p", FOLDER, "--header-filter=/(native|tests)/", "--checks=-bugprone-suspicious-include")
 
 
@@ -60,7 +60,7 @@ def check(with_tests: bool) -> None:
 
 
 def check_fuzzer() -> None:
-    """Compile the fuzzer without output: it needs clang, and only `./dev fuzz` builds it, which few changes need."""
+    """Check that the fuzzer compiles, because no other step of ./dev test compiles it. It needs clang."""
     folders = [f"-I{folder}" for folder in INCLUDED]
     command = ["clang++", "-std=c++17", "-fsyntax-only", *folders, "tests/fuzz/fuzz_flatten.cpp"]
     run_quietly("compiling the fuzzer", command)

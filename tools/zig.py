@@ -9,13 +9,11 @@ ZIG = "ziglang==0.17.1"
 
 
 def zig() -> Path:
-    """Return the program itself, so that CMake and its caches see one compiler."""
+    """Return the path of the compiler's program, so that CMake and ccache see one compiler."""
     (program,) = venv("zig", DEBIAN_PYTHON, ZIG).parent.parent.glob("lib/python*/site-packages/ziglang/zig")
     return program
 
 
 def cache_variables(folder: Path) -> dict[str, str]:
-    """Return variables for zig's cache folders. They also contain zig's own libraries, which take minutes to build the
-    first time.
-    """
+    """Return environment variables for zig's cache, which also contains its libraries. These take minutes to build."""
     return {"ZIG_GLOBAL_CACHE_DIR": str(folder), "ZIG_LOCAL_CACHE_DIR": str(folder)}

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Makes the zips that users install from wheels: for each platform an extension, and an add-on for older Blenders.
 
-They also contain wheels of the packages that WireWarp needs and Blender lacks (tools/libraries.py). Version and
+The zips also contain wheels of the packages that WireWarp needs and Blender lacks (tools/libraries.py). Version and
 manifest come from pyproject.toml only. The same sources and wheels give the same bytes.
 
-Blender's `extension build` would not shorten this: Debian 12's Blender 3.4 lacks it, and it does not write legacy zips.
+Blender's `extension build` would not make this program shorter. Debian 12's Blender 3.4 lacks this command, and it does
+not write legacy zips.
 """
 
 import json
@@ -30,7 +31,7 @@ EXTENSION_MODULE = f"bl_ext.user_default.{ADDON['id']}"
 LEGACY_TAG = "cp311"
 NEWEST_TAG = "cp313"
 FIRST_BLENDER_ON_NEWEST = "5.1.0"
-SAMPLES = ("cushion", "fitted_top", "jeans", "toy", "carnival_mask")  # files for Open Sample
+SAMPLES = ("cushion", "fitted_top", "jeans", "toy", "carnival_mask")  # files for the menu Open Sample
 PLATFORMS = {  # pattern of a wheel's tag: Blender's name of the system
     r"manylinux_\d+_\d+_x86_64": "linux-x64",
     r"manylinux_\d+_\d+_aarch64": "linux-arm64",
@@ -41,14 +42,15 @@ PLATFORMS = {  # pattern of a wheel's tag: Blender's name of the system
 NOT_IN_STORE = "linux-arm64"  # extensions.blender.org refuses a zip for this platform
 
 
-# a function that returns the wheels of other packages for a platform and a Python tag
+# a function that returns the wheels of the other packages for a platform and a Python tag
 Libraries = Callable[[str, str], list[Path]]
 
 
 def write_zips(folder: Path, libraries: Libraries = library_wheels) -> list[Path]:
-    """Write the extension and, if possible, the legacy zip of each platform with wheels of this version in the folder.
+    """Write the extension of each platform that has wheels of this version in the folder. Return the written zips.
 
-    Raises StepError for a wheel of an unknown platform, and if there is no wheel.
+    If there is a wheel for LEGACY_TAG, also writes the legacy zip. Raises StepError for a wheel of an unknown platform,
+    and if there is no wheel.
     """
     by_platform: dict[str, list[Path]] = {}
     for wheel in sorted(folder.glob(f"wirewarp-{VERSION}-*.whl")):
@@ -97,7 +99,7 @@ def store_zips(folder: Path) -> list[Path]:
 
 
 def addon_files() -> dict[str, bytes]:
-    """Return the add-on's own files by their path inside its folder, with the version filled in."""
+    """Return the contents of the add-on's own files, by path inside its folder. bl_info has the version."""
     source = ROOT / "addon" / "wirewarp"
     files = {
         str(path.relative_to(source)): path.read_bytes()
@@ -113,7 +115,7 @@ def addon_files() -> dict[str, bytes]:
 
 
 def with_version(text: str) -> str:
-    """Write the version into bl_info, which must be a literal."""
+    """Return the text of __init__.py with the version in bl_info, which Blender reads as a literal."""
     version = ", ".join(VERSION.split("."))
     text, count = re.subn(r'"version": \(0, 0, 0\)', f'"version": ({version})', text)
     if count != 1:
@@ -122,9 +124,9 @@ def with_version(text: str) -> str:
 
 
 def write_extension(folder: Path, platform: str, wheels: list[Path]) -> Path:
-    """Write everything in one folder, which Blender 4.2 and later ignore.
+    """Write the extension. All files are in one folder, which Blender 4.2 and later ignore.
 
-    Earlier Blenders have no extensions and would otherwise scatter the files.
+    Without this folder, earlier Blenders, which have no extensions, would scatter the files among their add-ons.
     """
     files = addon_files()
     for wheel in wheels:
@@ -134,7 +136,7 @@ def write_extension(folder: Path, platform: str, wheels: list[Path]) -> Path:
 
 
 def manifest(platform: str, wheels: list[Path]) -> str:
-    """Return blender_manifest.toml: the metadata of pyproject.toml and the wheels inside."""
+    """Return the text of blender_manifest.toml: the metadata in pyproject.toml, and the paths of the wheels."""
     entries = {
         "schema_version": "1.0.0",
         "id": ADDON["id"],
@@ -158,8 +160,10 @@ def manifest(platform: str, wheels: list[Path]) -> str:
 
 
 def write_legacy(folder: Path, platform: str, wheel: Path, libraries: list[Path]) -> Path:
-    """Write the legacy zip. The core is in _core/, where the add-on's core module finds it by relative import; its
-    packages are in _core/libraries, from where addon/legacy_core imports them.
+    """Write the legacy zip.
+
+    The core is in _core/, from which the add-on's core module imports it. Other packages are in _core/libraries, from
+    which addon/legacy_core imports them.
     """
     files = addon_files()
     files["_core/__init__.py"] = (ROOT / "addon" / "legacy_core" / "__init__.py").read_bytes()
@@ -170,7 +174,7 @@ def write_legacy(folder: Path, platform: str, wheel: Path, libraries: list[Path]
 
 
 def unpacked(wheel: Path) -> dict[str, bytes]:
-    """Return the files of a wheel by their path, without files that only pip needs."""
+    """Return the contents of a wheel's files by path, without files that only pip needs."""
     with zipfile.ZipFile(wheel) as archive:
         names = [name for name in archive.namelist() if ".dist-info/" not in name and not name.endswith("/")]
         return {name: archive.read(name) for name in names}
@@ -179,7 +183,7 @@ def unpacked(wheel: Path) -> dict[str, bytes]:
 def write_zip(path: Path, files: dict[str, bytes]) -> Path:
     """Write the zip with sorted names and a fixed time, so that the same files give the same bytes.
 
-    Replaces an old zip even if it is in use.
+    An old zip is replaced, even if it is in use.
     """
     part = path.with_suffix(f".part{os.getpid()}")
     try:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A sheet of paper in Blender, seen from above: x right, y up, in inches; rendered by Workbench."""
+"""Draws on a sheet of paper in Blender, seen from above: x is right and y is up, in inches. Workbench renders it."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ PIXELS_PER_INCH = 100
 
 @dataclass(frozen=True)
 class Box:
-    """A part of a sheet."""
+    """A rectangle on a sheet, in inches."""
 
     left: float
     right: float
@@ -25,7 +25,7 @@ class Box:
     top: float
 
     def fit(self, points: np.ndarray) -> float:
-        """Return the largest scale at which points (n, 3) fit, seen from above."""
+        """Return the largest scale at which points (n, 3), seen from above, fit into the box."""
         width, height = np.ptp(points[:, :2], axis=0)
         return min((self.right - self.left) / width, (self.top - self.bottom) / height)
 
@@ -36,7 +36,7 @@ class Box:
 
 
 class Sheet:
-    """A separate scene, width by height inches, with the origin in the middle."""
+    """A scene of its own with a sheet of this width and height in inches. The origin is in the middle."""
 
     def __init__(self, width: float, height: float) -> None:
         self.scene = bpy.data.scenes.new("WireWarp sheet")
@@ -59,7 +59,7 @@ class Sheet:
         self._add(bpy.data.objects.new("Triangles", mesh))
 
     def add_lines(self, lines: list[np.ndarray], width: float, color: np.ndarray) -> None:
-        """Add round polylines, (n, 3) each."""
+        """Add polylines (n, 3) as round tubes of this width."""
         curve = bpy.data.curves.new("Lines", "CURVE")
         curve.dimensions, curve.bevel_depth, curve.bevel_resolution = "3D", width / 2, 2
         curve.use_fill_caps = True
@@ -70,12 +70,12 @@ class Sheet:
         self._add(bpy.data.objects.new("Lines", curve), color)
 
     def add_rimmed_lines(self, lines: list[np.ndarray], width: float, color: np.ndarray, rim: np.ndarray) -> None:
-        """Add lines on slightly wider ones, which are farther from the viewer and show on both sides."""
+        """Add lines in front of slightly wider lines, whose color shows on both sides as a rim."""
         self.add_lines(lines, 1.6 * width, rim)
         self.add_lines([line + [0, 0, 0.8 * width] for line in lines], width, color)
 
     def add_text(self, text: str, x: float, y: float, size: float, color: np.ndarray, align: str = "LEFT") -> None:
-        """Add a line of text. y: base line."""
+        """Add a line of text. y: height of the base line."""
         curve = bpy.data.curves.new("Text", "FONT")
         curve.body, curve.size, curve.align_x = text, size, align
         if self._font:

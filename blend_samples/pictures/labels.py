@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Places of numbers on flat pieces. Needs only numpy."""
+"""Finds places for numbers on flat pieces. Needs only numpy."""
 
 from __future__ import annotations
 
@@ -7,8 +7,8 @@ import numpy as np
 
 from .surfaces import Flat
 
-ROOM = 0.5  # space around a number, as a share of its usual distance from the seam
-NARROW = 0.6  # share of the usual distance that is used if the piece is narrow
+ROOM = 0.5  # least space around a number, as a share of its usual distance from the seam
+NARROW = 0.6  # distance from the seam in a narrow piece, as a share of the usual distance
 
 
 def inside_point(candidates: np.ndarray, lines: np.ndarray) -> tuple[np.ndarray, float]:
@@ -21,9 +21,10 @@ def inside_point(candidates: np.ndarray, lines: np.ndarray) -> tuple[np.ndarray,
 def seam_labels(
     pieces: Flat, points: np.ndarray, seams: list[dict], offset: float, taken: list[np.ndarray]
 ) -> list[tuple[int, np.ndarray]]:
-    """Return (number, place) beside each side of each seam, offset into the piece, near its middle.
+    """Return a number and its place for each side of each seam, near the middle of the side and inside the piece.
 
-    The numbers avoid all lines, each other and the places taken (3,); a seam without room has none.
+    The numbers avoid all lines, each other and the places in `taken`. A seam without room has no number. offset: usual
+    distance from the seam.
     """
     rows_of: dict[frozenset[int], list[int]] = {}
     for row, pair in enumerate(pieces.source_vertex[pieces.outline].tolist()):
@@ -44,8 +45,9 @@ def seam_labels(
 def _best_places(
     pieces: Flat, points: np.ndarray, rows: list[list[int]], offset: float, obstacles: tuple
 ) -> tuple[float, list[np.ndarray]]:
-    """Return the space around the best edge of a seam, and the places beside it. rows: of the outline, for each
-    edge.
+    """Return the space around the numbers at the best edge of a seam, and their places on its sides.
+
+    rows: for each edge of the seam, its rows in pieces.outline; obstacles: points of lines, and places of numbers.
     """
     lines, numbers = obstacles
     best: tuple[float, float, list[np.ndarray]] = (-np.inf, 0.0, [])
@@ -54,7 +56,7 @@ def _best_places(
         if not places:
             continue
         room = min(np.linalg.norm(lines - place, axis=1).min() for place in places)
-        for number in numbers:  # other numbers are equally large, so twice the space is needed
+        for number in numbers:  # between two numbers, both need space
             room = min(room, *(np.linalg.norm(number - place) / 2 for place in places))
         off_middle = abs((step + 0.5) / len(rows) - 0.5)
         best = max(best, (min(room, offset) - 0.5 * offset * off_middle, room, places), key=lambda choice: choice[0])
@@ -62,7 +64,7 @@ def _best_places(
 
 
 def _beside(pieces: Flat, points: np.ndarray, row: int, offset: float) -> np.ndarray:
-    """Return the point at a distance from the middle of an outline edge, inside its piece."""
+    """Return the point inside the piece at this distance from the middle of an outline edge."""
     a, b = points[pieces.outline[row]]
     at_edge = np.isin(pieces.triangles, pieces.outline[row]).sum(axis=1) == 2
     normal = np.array([a[1] - b[1], b[0] - a[0], 0]) / np.linalg.norm(b - a)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The legend at the bottom of a picture: kinds of lines, the length of 100 mm, and colors."""
+"""Draws the legend at the bottom of a picture: kinds of lines, a scale of length, and colors."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ TEXT, SMALL_TEXT = 0.17, 0.16
 
 
 def draw_line_key(sheet: Sheet, x: float, y: float, width: float, kinds: list[WireKind]) -> None:
-    """Draw a sample of seams and of each kind of wire, two per row."""
+    """Draw a line with its name for seams and for each kind of wire, two in a row."""
     for number, kind in enumerate((None, *kinds)):
         left, base = x + 2.3 * (number % 2), y - 0.23 * (number // 2)
         sample = [_line((left, base + 0.06), (left + 0.45, base + 0.06))]
@@ -25,7 +25,7 @@ def draw_line_key(sheet: Sheet, x: float, y: float, width: float, kinds: list[Wi
 
 
 def draw_length_scale(sheet: Sheet, x: float, y: float, inches_per_meter: float) -> None:
-    """Draw the longest of a few round lengths that fits in two inches."""
+    """Draw the longest of a few round lengths that fits into two inches."""
     meters = next(step for step in (0.5, 0.2, 0.1, 0.05, 0.02, 0.01) if step * inches_per_meter < 2)
     end = x + meters * inches_per_meter
     ticks = [_line((at, y - 0.02), (at, y + 0.14)) for at in (x, end)]
@@ -34,7 +34,7 @@ def draw_length_scale(sheet: Sheet, x: float, y: float, inches_per_meter: float)
 
 
 def draw_color_scale(sheet: Sheet, begin: float, end: float, y: float, limit: float, largest: float) -> None:
-    """Draw the colors from -limit to limit with numbers. largest: the largest value in the picture."""
+    """Draw the colors of the values from -limit to limit with numbers. largest: the largest value in the picture."""
     steps = 128
     edges = np.linspace(begin, end, steps + 1)
     low, high = np.full(steps, y - 0.02), np.full(steps, y + 0.18)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Values that the pictures show, computed from the arrays of a flat piece. Needs only numpy."""
+"""Computes values and lines for the pictures from arrays of flat pieces. Needs only numpy."""
 
 from __future__ import annotations
 
@@ -7,9 +7,10 @@ import numpy as np
 
 
 def cloth_stretch(flat: np.ndarray, worn: np.ndarray, triangles: np.ndarray) -> np.ndarray:
-    """Return how much longer the fabric around each vertex is on the model than flat, as a mean of all directions.
+    """Return the stretch (n,) of the fabric around each vertex, as a mean of all directions.
 
-    flat (n, 2) and worn (n, 3) are positions. 0.1 is stretched by 10%, -0.1 is compressed by 10%.
+    flat (n, 2): positions on the flat pieces; worn (n, 3): positions on the model. 0.1 means stretched by 10%, and -0.1
+    compressed by 10%.
     """
     return np.sqrt(_areas_around(worn, triangles) / _areas_around(np.pad(flat, ((0, 0), (0, 1))), triangles)) - 1
 
@@ -21,8 +22,9 @@ def _areas_around(points: np.ndarray, triangles: np.ndarray) -> np.ndarray:
 
 
 def chains(edges: np.ndarray) -> list[list[int]]:
-    """Return edges (k, 2) as polylines that end where not exactly two edges meet; closed ones repeat their first
-    vertex.
+    """Return edges (k, 2) as polylines. They end at vertices with one edge or more than two edges.
+
+    Closed polylines repeat their first vertex.
     """
     neighbors: dict[int, list[int]] = {}
     for a, b in edges.tolist():

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Draws one picture of a sample: the model with seams and wires beside its flat pieces, both at one scale."""
+"""Draws the picture of a sample: the model with seams and wires beside its flat pieces, at the same scale."""
 
 from __future__ import annotations
 
@@ -28,9 +28,10 @@ LINE_WIDTH = 0.04
 def draw_sample(
     model: bpy.types.Object, flat: bpy.types.Object, view: tuple[float, float], report: dict, path: Path
 ) -> None:
-    """Render the picture from the two objects and the object's part of the JSON report.
+    """Render the picture.
 
-    view: (yaw, pitch) in degrees, the rotation of the model to the left and its tilt toward the viewer.
+    model, flat: the model and its flat pieces; view: rotation of the model to the left and its tilt toward the viewer,
+    in degrees; report: the object's part of the JSON report.
     """
     sheet = Sheet(WIDTH, HEIGHT)
     body = read_model(model)
@@ -58,7 +59,7 @@ def draw_sample(
 
 
 def draw_model(sheet: Sheet, body: Model, points: np.ndarray, normals: np.ndarray, marked: float = 1.0) -> None:
-    """Draw the surface in soft light, its inside darker, with its lines. marked: share of each seam and wire drawn."""
+    """Draw the surface in soft light with its lines. The inside is darker. marked: drawn share of seams and wires."""
     corners = points[body.triangles]
     away = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])[:, 2] < 0
     colors = lit(normals[body.triangles], MODEL)
@@ -81,13 +82,13 @@ def _draw_wires(sheet: Sheet, surface: Model | Flat, points: np.ndarray, marked:
 
 
 def _beginnings(points: np.ndarray, edges: np.ndarray, share: float) -> list[np.ndarray]:
-    """Return this share, from 0 to 1, of the vertices of each line of edges."""
+    """Return the points of each line, from its beginning to this share of its vertices."""
     begun = [points[chain[: round(share * len(chain))]] for chain in chains(edges)]
     return [line for line in begun if len(line) > 1]
 
 
 def _draw_numbers(sheet: Sheet, pieces: Flat, points: np.ndarray, report: dict) -> None:
-    """Draw a large number in each piece and a small one on both sides of each seam, as in the printed tables."""
+    """Draw a large number in each piece and a small number on both sides of each seam, as in tables.py."""
     lines = points[np.unique(np.concatenate([pieces.outline, pieces.wires]))]
     taken = []
     for piece in np.unique(pieces.piece):
@@ -101,7 +102,7 @@ def _draw_numbers(sheet: Sheet, pieces: Flat, points: np.ndarray, report: dict) 
 
 
 def _draw_lengths(sheet: Sheet, report: dict) -> None:
-    """Draw each wire's length on the model and flat, and how well the seams match."""
+    """Draw a table of the wires' lengths on the model and flat, and a sentence on the sides of the seams."""
     columns = (MODEL_BOX.left, MODEL_BOX.left + 3.5, MODEL_BOX.left + 4.65)
     rows = [("Length in mm", "on the model", "flat")]
     for wire in report["wires"]:

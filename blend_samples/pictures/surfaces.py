@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The data of a model and its flat pieces for a picture, as arrays from Blender meshes."""
+"""Reads the data of a model and of its flat pieces, which a picture needs, from Blender meshes into arrays."""
 
 from __future__ import annotations
 
@@ -11,32 +11,32 @@ import numpy as np
 
 @dataclass(frozen=True)
 class Model:
-    """A modeled sample; edges are vertex pairs."""
+    """A modeled sample. Edges are vertex pairs."""
 
     vertices: np.ndarray  # (n, 3), Blender units
     normals: np.ndarray  # (n, 3), unit
-    triangles: np.ndarray  # (m, 3), quads and n-gons divided from their first corner
+    triangles: np.ndarray  # (m, 3); larger faces are divided at their first corner
     seams: np.ndarray  # (k, 2)
     outline: np.ndarray  # (k, 2), edges with one face
     wires: np.ndarray  # (k, 2)
-    tolerances: np.ndarray  # (k,) of the wires' edges
+    tolerances: np.ndarray  # (k,) tolerance at each edge of `wires`
 
 
 @dataclass(frozen=True)
 class Flat:
-    """Its flat pieces; their outline includes their sides of the seams."""
+    """The flat pieces of a sample. Their outline includes their sides of the seams."""
 
     vertices: np.ndarray  # (p, 3), Blender units, z 0
-    source_vertex: np.ndarray  # (p,) vertex of the model
-    triangles: np.ndarray  # (m, 3), divided like the model's
+    source_vertex: np.ndarray  # (p,) vertex of the model for each vertex
+    triangles: np.ndarray  # (m, 3), faces divided as in Model
     piece: np.ndarray  # (m,) number of the piece, from 0
     outline: np.ndarray  # (k, 2)
     wires: np.ndarray  # (k, 2)
-    tolerances: np.ndarray  # (k,) of the wires' edges
+    tolerances: np.ndarray  # (k,) tolerance at each edge of `wires`
 
 
 def read_model(thing: bpy.types.Object) -> Model:
-    """Return a mesh with Blender's seams and the add-on's wires."""
+    """Return the data of a mesh with Blender's seams and the add-on's wires."""
     mesh = thing.data
     seam = np.empty(len(mesh.edges), dtype=bool)
     mesh.edges.foreach_get("use_seam", seam)
@@ -54,7 +54,7 @@ def read_model(thing: bpy.types.Object) -> Model:
 
 
 def read_flat(thing: bpy.types.Object) -> Flat:
-    """Return the flat object that the add-on made from the model."""
+    """Return the data of the flat object that the add-on made from the model."""
     mesh = thing.data
     triangles, polygon = _triangles(mesh)
     edges = _edges(mesh)
@@ -97,7 +97,7 @@ def _face_counts(mesh: bpy.types.Mesh) -> np.ndarray:
 
 
 def _triangles(mesh: bpy.types.Mesh) -> tuple[np.ndarray, np.ndarray]:
-    """Return corners (m, 3), and the polygon of each triangle."""
+    """Return the corners (m, 3) and the polygon (m,) of each triangle."""
     cut = [
         (polygon.index, face[0], face[k], face[k + 1])
         for polygon in mesh.polygons

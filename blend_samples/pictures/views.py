@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""View of each sample: its rotation to the left and its tilt toward the viewer, in degrees."""
+"""Lists the view of each sample: its rotation to the left and its tilt toward the viewer, in degrees."""
 
 VIEWS = {
     "fitted_top": (-28, 8),

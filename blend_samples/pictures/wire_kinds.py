@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Wires by kind, with their names and colors. Needs only numpy."""
+"""Sorts wires by kind, with names and colors of the kinds. Needs only numpy."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ _FREE = WireKind("free wire", FREE, DARK_RIM)
 
 
 def by_kind(wires: np.ndarray, tolerances: np.ndarray) -> list[tuple[WireKind, np.ndarray]]:
-    """Return the existing kinds of wire edges (k, 2), each with its edges."""
+    """Return the kinds that occur among the wire edges (k, 2), each with its edges."""
     masks = ((_RIGID, tolerances == 0), (_ELASTIC, (tolerances > 0) & np.isfinite(tolerances)))
     split = [(kind, wires[mask]) for kind, mask in (*masks, (_FREE, np.isinf(tolerances)))]
     return [(kind, edges) for kind, edges in split if len(edges)]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The sample surfaces as plain arrays. Needs only numpy, so that tests can use them without Blender."""
+"""Makes the sample surfaces as plain arrays. Needs only numpy, so that tests can use them without Blender."""
 
 from __future__ import annotations
 

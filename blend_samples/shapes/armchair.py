@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The leather cover of an armchair: seat, arms and back with a round top edge, and arm fronts (Fig. 11)."""
+"""Makes the cover of an armchair: seat, arms and back with a round top edge, and arm fronts (Fig. 11)."""
 
 from __future__ import annotations
 
@@ -8,13 +8,15 @@ import numpy as np
 from .curves import coons_patch
 from .shape import Shape, ShapeBuilder
 
-# Plan: the wall of arms and back runs around the seat from the left arm's front to the right one's; meters.
+# All lengths are in meters. In the plan, the wall of arms and back runs around the seat from the left arm's front to
+# the right arm's front.
 HALF_SEAT, FRONT, BACK, CORNER = 0.27, -0.36, 0.25, 0.10  # inner face: |x|, y of front and back, corner radius
-THICKNESS = 0.15
+THICKNESS = 0.15  # of the wall
 BOTTOM, SEAT, ARM, TOP = 0.06, 0.40, 0.60, 0.88  # heights of hem, seat seam, arms and back
-# Lengths along the wall, from the arm's front, at which its rise to the back begins and ends.
+# The wall rises from the arm to the back between these lengths from the arm's front.
 RISE_BEGIN, RISE_END = 0.32, 0.90
-RECLINE, LEAN_BEGIN = 0.26, 0.25  # backward lean over the squared height above its start, 1/m; the start
+# backward lean divided by the squared height above LEAN_BEGIN, 1/m; height at which the back begins to lean
+RECLINE, LEAN_BEGIN = 0.26, 0.25
 BACK_PUFF, FRONT_PUFF, SEAT_PUFF, NOSE = 0.035, 0.012, 0.055, 0.045  # bulge of the panels, the seat and its front edge
 TOLERANCE = 0.05
 
@@ -22,10 +24,10 @@ TOLERANCE = 0.05
 def armchair_cover(
     arm: int = 13, corner: int = 5, back: int = 10, outside: int = 16, roll: int = 8, inside: int = 8, across: int = 4
 ) -> Shape:
-    """Return the cover with a rigid line around its outside and elastic lines along and across.
+    """Return the cover with a rigid line around its outside, and elastic lines along and across.
 
-    The arguments are numbers of edges. Along the wall: arm, half a corner, back. Over the wall: outside, roll, inside.
-    `across` is the width of an arm's front, whose sides get the remaining edges of the roll.
+    The arguments are numbers of edges. arm, corner, back: along the wall, with half a corner; outside, roll, inside: up
+    the wall, over its top and down; across: across an arm's front, whose sides get the other edges of the roll.
     """
     builder = ShapeBuilder()
     wall = builder.add_grid(_wall(arm, corner, back, outside, roll, inside))
@@ -54,10 +56,10 @@ def armchair_cover(
 
 
 def _wall(arm: int, corner: int, back: int, outside: int, roll: int, inside: int) -> np.ndarray:
-    """Return points (rows + 1, columns + 1, 3) from the hem up the outside, over the top and down the inside to the
-    seat.
+    """Return the points (rows + 1, columns + 1, 3) of the wall.
 
-    Columns run from the left arm's front around the back to the right arm's front.
+    Rows run from the hem up the outside, over the top and down the inside to the seat. Columns run from the left arm's
+    front around the back to the right arm's front.
     """
     angle = np.linspace(0, np.pi / 2, 2 * corner + 1)[1:-1, None]
     turn = np.concatenate([np.cos(angle), np.sin(angle)], axis=1)
@@ -73,7 +75,7 @@ def _wall(arm: int, corner: int, back: int, outside: int, roll: int, inside: int
 
     radius = THICKNESS / 2
     shoulder = ARM + (TOP - ARM) * rise - radius
-    up = np.linspace(0, 1, outside + 1)[:, None]  # the lower half of the rows is level
+    up = np.linspace(0, 1, outside + 1)[:, None]  # rows up to 0.5 are level
     phi, puff = np.linspace(0, np.pi, roll + 1)[1:-1, None], np.linspace(0, 1, inside + 1)[:, None]
     offset = np.concatenate([
         np.full((outside + 1, len(plan)), THICKNESS),
@@ -93,9 +95,10 @@ def _wall(arm: int, corner: int, back: int, outside: int, roll: int, inside: int
 
 
 def _seat(inner: np.ndarray, depth: int, apron: int) -> np.ndarray:
-    """Return points (apron + depth + 1, c, 3) from the hem up the front and back over the seat, from right to left.
+    """Return the points (apron + depth + 1, c, 3) of front and seat.
 
-    inner: the wall's edge around the seat from the left arm's front to the right one's. depth: edges along each arm.
+    Rows run from the hem up the front and then back over the seat. Columns run from right to left. inner: edge of the
+    wall around the seat, from the left arm's front to the right arm's front; depth: number of edges along each arm.
     """
     right, rear, left = inner[-1 : -depth - 2 : -1], inner[-depth - 1 : depth - 1 : -1], inner[: depth + 1]
     front = np.linspace(right[0], left[0], len(rear))
@@ -110,15 +113,16 @@ def _seat(inner: np.ndarray, depth: int, apron: int) -> np.ndarray:
 
 
 def _near_the_nose(points: np.ndarray) -> np.ndarray:
-    """Return the share of relaxation of the points, 0 to 1: the seat's front edge becomes round between the arms."""
+    """Return the share of relaxation of each point, 0 to 1, which rounds the seat's front edge between the arms."""
     x, y, z = points.T
     between, front, high = (HALF_SEAT - np.abs(x)) / 0.08, (FRONT + 0.16 - y) / 0.1, (z - 0.2) / 0.1
     return 0.6 * np.clip(between, 0, 1) * np.clip(front, 0, 1) * np.clip(high, 0, 1)
 
 
 def _arm_front(border: np.ndarray, across: int) -> np.ndarray:
-    """Return points (r, across + 1, 3) within the border: from the hem up inside the left arm, over it and down
-    outside.
+    """Return the points (r, across + 1, 3) of the left arm's front.
+
+    border: from the hem up the inside of the arm, over its top and down the outside.
     """
     sides = (len(border) - 1 - across) // 2
     left, top, right = border[: sides + 1], border[sides : sides + across + 1], border[: -sides - 2 : -1]

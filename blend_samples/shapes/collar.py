@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The collar of a wetsuit in one piece, close to the skin: from the shoulders up the neck, open behind (Fig. 8)."""
+"""Makes the collar of a wetsuit: a piece close to the skin from the shoulders up the neck, open behind (Fig. 8)."""
 
 from __future__ import annotations
 
@@ -8,8 +8,8 @@ import numpy as np
 from .curves import chord_lengths, cubic_spline, hermite_curves
 from .shape import Shape, ShapeBuilder
 
-# The neckline on chest and shoulders, and the top of the neck. Wearer's left half, from the middle of the front over
-# the shoulder to the middle of the back: x to the left, y back, z up, meters.
+# HEM is the neckline on chest and shoulders, and TOP is the upper edge on the neck. Both have the wearer's left half,
+# from the middle of the front over the shoulder to the middle of the back: x left, y back, z up, in meters.
 HEM = np.array([
     [0.000, -0.095, -0.078], [0.044, -0.081, -0.062], [0.077, -0.037, -0.030], [0.090, 0.009, -0.010],
     [0.073, 0.048, -0.004], [0.040, 0.068, -0.006], [0.000, 0.073, -0.008],
@@ -18,10 +18,10 @@ TOP = np.array([
     [0.000, -0.074, 0.074], [0.034, -0.062, 0.078], [0.054, -0.026, 0.086], [0.058, 0.008, 0.093],
     [0.048, 0.034, 0.097], [0.026, 0.048, 0.099], [0.000, 0.052, 0.100],
 ])  # fmt: skip
-OPENING = 0.012  # half the width of the gap at the back, at its hem and top
-SPREAD = 0.055  # distance from the hem, inward, at which the skin turns up the neck
-SLOPES = (1.3, 2.4)  # slopes of the skin at the hem, upward over inward: on the shoulder and on the chest
-RISE = 0.105  # velocity at the top; larger values make it straighter
+OPENING = 0.012  # meters: half the width of the gap at the back, at hem and top
+SPREAD = 0.055  # meters: distance inward from the hem over which the skin turns up the neck
+SLOPES = (1.3, 2.4)  # slopes of the skin at the hem (rise over distance inward) on the shoulder and on the chest
+RISE = 0.105  # meters: velocity of the curves at the top; larger values make the neck straighter
 TOLERANCE = 0.05
 
 
@@ -48,7 +48,10 @@ def _half(columns: int, rows: int) -> np.ndarray:
 
 
 def _round(points: np.ndarray, columns: int) -> np.ndarray:
-    """Return evenly spaced points (columns + 1, 3) of a smooth curve that crosses the middle at right angles."""
+    """Return evenly spaced points (columns + 1, 3) of a smooth curve through `points`, up to the gap at the back.
+
+    It crosses the middle of the front at a right angle.
+    """
     mirrored = np.concatenate([points[2:0:-1] * [-1, 1, 1], points, points[-2:-4:-1] * [-1, 1, 1]])
     knots = chord_lengths(mirrored)
     fine = cubic_spline(knots, mirrored)(np.linspace(knots[2], knots[-3], 2001))

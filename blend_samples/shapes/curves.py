@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Smooth curves through or between points, even spacing along them, and the patch between four of them."""
+"""Computes smooth curves, even spacing along curves, and the patch between four curves."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ def even_parameters(curve: Callable[[np.ndarray], np.ndarray], begin: float, end
 
 
 def hermite(t: np.ndarray, begin: np.ndarray, leave: np.ndarray, end: np.ndarray, arrive: np.ndarray) -> np.ndarray:
-    """Return points at t, 0 to 1, of cubic curves from begin to end with the velocities leave and arrive there."""
+    """Return points at t, 0 to 1, of cubic curves from begin to end. Their velocities are leave and arrive."""
     return (
         (1 + 2 * t) * (1 - t) ** 2 * begin
         + t * (1 - t) ** 2 * leave
@@ -55,14 +55,15 @@ def hermite(t: np.ndarray, begin: np.ndarray, leave: np.ndarray, end: np.ndarray
 
 
 def hermite_curves(begin: np.ndarray, leave: np.ndarray, end: np.ndarray, arrive: np.ndarray, count: int) -> np.ndarray:
-    """Return points (count + 1, n, d) of cubic curves from begin to end (n, d) with the velocities leave and arrive
-    there.
-    """
+    """Return points (count + 1, n, d) of cubic curves from begin to end (n, d), with velocities leave and arrive."""
     return hermite(np.linspace(0, 1, count + 1)[:, None, None], begin, leave, end, arrive)
 
 
 def coons_patch(bottom: np.ndarray, top: np.ndarray, left: np.ndarray, right: np.ndarray) -> np.ndarray:
-    """Return points (r, c, d) between bottom and top (c, d), from left to right, and left and right (r, d), upward."""
+    """Return points (r, c, d) between four curves: bottom and top (c, d), left and right (r, d).
+
+    bottom and top run from left to right, left and right run upward.
+    """
     s, t = chord_lengths((bottom + top) / 2), chord_lengths((left + right) / 2)
     s, t = s[None, :, None], t[:, None, None]
     between_rows = (1 - t) * bottom + t * top
@@ -72,5 +73,5 @@ def coons_patch(bottom: np.ndarray, top: np.ndarray, left: np.ndarray, right: np
 
 
 def _column(numbers: np.ndarray, values: np.ndarray) -> np.ndarray:
-    """Return the numbers in a shape that multiplies the rows of values."""
+    """Return the numbers with more axes, so that they multiply the rows of `values`."""
     return np.reshape(numbers, np.shape(numbers) + (1,) * (values.ndim - 1))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""An upholstered box cushion: crowned top and bottom, and a boxing strip in four lengths around them."""
+"""Makes an upholstered box cushion: domed top and bottom, and a strip in four parts around them."""
 
 from __future__ import annotations
 
@@ -9,14 +9,17 @@ from .shape import Shape, ShapeBuilder
 
 HALF_WIDTH = 0.25
 CORNER_RADIUS = 0.06
-CORNER_DENSITY = 2.0  # density of points along the round corners over that on the straight sides
-CROWN = 0.035  # rise of the top over its seam
+CORNER_DENSITY = 2.0  # density of points along round corners, as a multiple of the density along straight sides
+CROWN = 0.035  # meters: rise of the top above its seam
 STRIP_HEIGHT = 0.08
 STRIP_BULGE = 0.006
 
 
 def cushion(core: int = 20, rings: int = 7, strip_rows: int = 6) -> Shape:
-    """Return the cushion with a middle line all around it, and a second one across it."""
+    """Return the cushion with two lines around it over top and bottom: front to back, and side to side.
+
+    core: edges along each side; rings: rings around the core of a panel; strip_rows: rows of the strip.
+    """
     builder = ShapeBuilder()
     x, y = _panel(core, rings)
     crown = _inflate(x, y, core, rings)
@@ -27,7 +30,7 @@ def cushion(core: int = 20, rings: int = 7, strip_rows: int = 6) -> Shape:
         for quad in _panel_quads(core, rings):
             builder.add_face(tuple(points[quad]), flip=side < 0)
         tops[side] = points
-    outline = _spokes(core, rings)[:, -1]  # counter-clockwise, from a corner, closed
+    outline = _spokes(core, rings)[:, -1]  # closed, counter-clockwise from a corner
     strip = builder.add_points(_strip(x[outline], y[outline], strip_rows))
     for lower, upper in zip(strip[:-1], strip[1:], strict=True):
         for corners in zip(lower[:-1], lower[1:], upper[1:], upper[:-1], strict=True):
@@ -42,9 +45,7 @@ def cushion(core: int = 20, rings: int = 7, strip_rows: int = 6) -> Shape:
 
 
 def _line_around(tops: dict[int, np.ndarray], strip: np.ndarray, core: int, rings: int, first: int) -> np.ndarray:
-    """Return the closed chain over the top, down the strip, under the bottom and up, from the middle of side
-    `first`.
-    """
+    """Return the closed chain from the middle of side `first` over the top, down the strip, under the bottom and up."""
     begin, end = (side * core + core // 2 for side in (first, first + 2))
     spokes = _spokes(core, rings)
     across = [*spokes[begin][::-1], *_core_line(core, first)[1:-1], *spokes[end]]
@@ -53,13 +54,13 @@ def _line_around(tops: dict[int, np.ndarray], strip: np.ndarray, core: int, ring
     )
 
 
-# The planar panel: a square core of (core+1)^2 points, row by row, then rings of 4*core points around it.
+# A panel is planar. Its points are a square core of (core+1)^2 points, row by row, and then rings of 4*core points.
 
 
 def _panel(core: int, rings: int) -> tuple[np.ndarray, np.ndarray]:
     side = np.linspace(-1, 1, core + 1)
     inner = 0.45 * HALF_WIDTH
-    # The core bulges towards a disk, so that the rings are not too close at its corners.
+    # The core is bulged toward a disk, so that the rings are not too close at its corners.
     bulge = 1 + 0.22 * (1 - side**2)
     core_x = inner * side[None, :] * bulge[:, None]
     core_y = inner * side[:, None] * bulge[None, :]
@@ -73,7 +74,7 @@ def _panel(core: int, rings: int) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _rounded_square(core: int) -> np.ndarray:
-    """Return 4*core points, counter-clockwise, from the middle of the corner (-, -)."""
+    """Return the outline, 4*core points, counter-clockwise from the middle of the corner (-, -)."""
     straight = HALF_WIDTH - CORNER_RADIUS
     t = np.linspace(0, np.pi / 2, 200)
     corner = np.stack([straight + CORNER_RADIUS * np.cos(t), straight + CORNER_RADIUS * np.sin(t)], axis=-1)
@@ -84,7 +85,7 @@ def _rounded_square(core: int) -> np.ndarray:
     even = np.linspace(0, lengths[-1], core + 1)[:-1]
     x, y = (np.interp(even, lengths, first[:, k]) for k in range(2))
     quarter = np.stack([x, y], axis=-1)  # from corner (+, +) to corner (-, +)
-    turn = np.array([[0.0, 1.0], [-1.0, 0.0]])  # row vectors, counter-clockwise by 90 degrees
+    turn = np.array([[0.0, 1.0], [-1.0, 0.0]])  # rotates row vectors counter-clockwise by 90 degrees
     sides = [quarter @ np.linalg.matrix_power(turn, k) for k in (2, 3, 0, 1)]
     return np.concatenate(sides)
 
@@ -96,16 +97,18 @@ def _core_border(core: int) -> np.ndarray:
 
 
 def _core_line(core: int, first: int) -> np.ndarray:
-    """Return the middle line of the core, from the middle of side `first` (0 the front, -y; 1 the right, +x) to the
-    other.
+    """Return the middle line of the core, from the middle of side `first` to the opposite side.
+
+    first: 0 for the front (-y), 1 for the right (+x).
     """
     grid = np.arange((core + 1) ** 2).reshape(core + 1, core + 1)
     return grid[:, core // 2] if first == 0 else grid[core // 2, ::-1]
 
 
 def _spokes(core: int, rings: int) -> np.ndarray:
-    """Return indices (4*core + 1, rings + 1) of the lines from the core's border to the outline; the last is the
-    first.
+    """Return indices (4*core + 1, rings + 1) of the lines from the core's border to the outline.
+
+    The last line is the first line again.
     """
     ring_points = (core + 1) ** 2 + np.arange(rings * 4 * core).reshape(rings, 4 * core)
     spokes = np.concatenate([_core_border(core)[None], ring_points]).T
@@ -113,7 +116,7 @@ def _spokes(core: int, rings: int) -> np.ndarray:
 
 
 def _panel_quads(core: int, rings: int) -> np.ndarray:
-    """Return indices (k, 4), counter-clockwise from above."""
+    """Return the indices (k, 4) of a panel's quads, counter-clockwise as seen from above."""
     grid = np.arange((core + 1) ** 2).reshape(core + 1, core + 1)
     spokes = _spokes(core, rings)
     quads = [
@@ -144,7 +147,7 @@ def _inflate(x: np.ndarray, y: np.ndarray, core: int, rings: int) -> np.ndarray:
 
 
 def _strip(x: np.ndarray, y: np.ndarray, rows: int) -> np.ndarray:
-    """Return points (rows + 1, c, 3) of the strip over the closed outline, bottom row first, bulging outward."""
+    """Return points (rows + 1, c, 3) of the strip along the closed outline, bottom row first. It bulges outward."""
     outline = np.stack([x, y], axis=-1)
     along = np.roll(outline[:-1], -1, axis=0) - np.roll(outline[:-1], 1, axis=0)
     normal = np.stack([along[:, 1], -along[:, 0]], axis=-1) / np.linalg.norm(along, axis=1, keepdims=True)

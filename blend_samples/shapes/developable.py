@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Surfaces that unroll without distortion, as smooth surfaces and as the triangle meshes built here."""
+"""Makes surfaces that unroll without distortion. Their meshes do so, too."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from .shape import Shape, ShapeBuilder
 
 
 def half_cylinder(segments: int = 40, radius: float = 0.10, height: float = 0.22) -> Shape:
-    """Return half a tube with a ruling, a half ring and a helix, which unrolls to a straight line."""
+    """Return half a tube with three wires: a ruling, a half ring, and a helix, which unrolls to a straight line."""
     builder = ShapeBuilder()
     angles = np.linspace(-np.pi / 2, np.pi / 2, segments + 1)
     heights = np.linspace(0, height, segments + 1)
@@ -29,7 +29,7 @@ def half_cylinder(segments: int = 40, radius: float = 0.10, height: float = 0.22
 def lampshade(
     segments: int = 72, rows: int = 18, top_radius: float = 0.06, radius: float = 0.14, height: float = 0.16
 ) -> Shape:
-    """Return a cone without its tip, open along one ruling, with planar quads and a closed wire around its middle."""
+    """Return a cone without its tip, with a seam along a ruling, planar quads and a closed wire around its middle."""
     builder = ShapeBuilder()
     angles = np.linspace(0, 2 * np.pi, segments + 1)
     up = np.linspace(0, 1, rows + 1)

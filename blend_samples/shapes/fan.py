@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Triangle fans with even triangles from the pole outward: row k of a sector has k edges."""
+"""Makes fans of even triangles around a pole. Row k of a sector has k edges."""
 
 from __future__ import annotations
 
@@ -18,10 +18,10 @@ def add_sector(
     rows: int,
     flip: bool = False,
 ) -> list[np.ndarray]:
-    """Fill the sector of longitudes begin..end around a pole. Return the vertices of each row, pole first.
+    """Fill the sector of longitudes begin to end around a pole. Return the vertices of each row, pole first.
 
-    surface(row, longitudes) returns the points (c, 3) of a row; row 0 is the pole. Faces point in the direction of the
-    pole if longitudes increase, or in the opposite one if flipped.
+    surface(row, longitudes) returns the points (c, 3) of a row. Row 0 is the pole. If longitudes increase, faces point
+    in the direction of the pole, or in the opposite direction if flip is true.
     """
     fan = []
     for row in range(rows + 1):

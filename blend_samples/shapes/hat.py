@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A hat: a crown in two halves, each with a dart, and a brim."""
+"""Makes a hat: a crown in two halves, each with a dart, and a brim."""
 
 from __future__ import annotations
 
@@ -11,10 +11,10 @@ from .curves import chord_lengths, cubic_spline, even_parameters
 from .fan import add_sector
 from .shape import Shape, ShapeBuilder
 
-# Radius and height of the crown's profile from its top to the hem; a head of 58 cm.
+# Radius and height of the crown's profile from its top to the hem, in meters, for a head of 58 cm.
 CROWN_PROFILE = np.array([[0.0, 0.118], [0.045, 0.112], [0.075, 0.093], [0.088, 0.060], [0.092, 0.028], [0.093, 0.0]])
 BRIM_PROFILE = np.array([[0.093, 0.0], [0.112, -0.018], [0.135, -0.032]])
-LENGTH, WIDTH = 1.08, 0.92  # front to back (y) and side to side (x), over the profile's radius
+LENGTH, WIDTH = 1.08, 0.92  # half the length (y) and half the width (x), as multiples of the profile's radius
 
 
 def hat(fan_rows: int = 12, side_rows: int = 7, brim_rows: int = 6, sectors: int = 8) -> Shape:

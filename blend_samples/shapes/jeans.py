@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A pair of jeans: two fronts, two backs, two back yokes and a waistband (Fig. 6)."""
+"""Makes a pair of jeans: two fronts, two backs, two back yokes and a waistband (Fig. 6)."""
 
 from __future__ import annotations
 
@@ -9,16 +9,18 @@ from . import legs
 from .curves import chord_lengths
 from .shape import Shape, ShapeBuilder
 
-SIDE_OF_CROTCH = 0.850  # height, at the side, of the row that ends at the crotch
-HIP, THIGH = 0.930, 0.790  # heights of the lines at the side
-CREASE_AT_WAIST = 0.090  # x
+# meters
+SIDE_OF_CROTCH = 0.850  # height at the side of the row that ends at the crotch
+HIP, THIGH = 0.930, 0.790  # heights of the hip line and the thigh line at the side
+CREASE_AT_WAIST = 0.090  # x of the crease at the waist
 TOLERANCE = 0.05
 
 
 def jeans(leg: int = 30, seat: int = 9, yoke: int = 4, band: int = 3, columns: int = 14) -> Shape:
     """Return the jeans with rigid hip and knee lines, elastic thigh lines and elastic creases down front and back.
 
-    Rows of faces: leg from the hem to the crotch, then seat, yoke and band up to the waist.
+    leg, seat, yoke, band: numbers of rows of faces, from the hem up; leg ends at the crotch, and band at the waist.
+    columns: number of columns of faces of a front or back.
     """
     builder = ShapeBuilder()
     rise = seat + yoke + band
@@ -52,20 +54,20 @@ def jeans(leg: int = 30, seat: int = 9, yoke: int = 4, band: int = 3, columns: i
 
 
 def _around(grids: dict[tuple[int, int], np.ndarray], quarters: list[tuple[int, int]], row: int) -> np.ndarray:
-    """Return the closed chain along one row: outward in the first quarter, inward in the second, and so on."""
+    """Return the closed chain along a row: outward in the first quarter, inward in the second, and so on."""
     chains = [grids[quarter][row, :: 1 if k % 2 == 0 else -1] for k, quarter in enumerate(quarters)]
     return np.concatenate([chains[0], *(chain[1:] for chain in chains[1:])])
 
 
 def _side_heights(leg: int, rise: int) -> np.ndarray:
-    """Return heights of the rows along the outer seam; below the crotch they become denser upward."""
+    """Return the heights of the rows along the outer seam. Below the crotch, rows become denser upward."""
     below = _graded(leg, 0.55)
     above = np.linspace(SIDE_OF_CROTCH, legs.WAIST, rise + 1)
     return np.concatenate([legs.HEM + (SIDE_OF_CROTCH - legs.HEM) * below, above[1:]])
 
 
 def _graded(count: int, last: float) -> np.ndarray:
-    """Return count + 1 numbers from 0 to 1 whose last step is `last` times the first."""
+    """Return count + 1 numbers from 0 to 1. The last step is `last` times the first step."""
     return np.concatenate([[0], np.cumsum(np.linspace(1, last, count))]) / np.linspace(1, last, count).sum()
 
 
@@ -94,6 +96,6 @@ def _inner_edge(side: int, leg: int, rise: int) -> tuple[np.ndarray, np.ndarray]
 
 
 def _near_the_crotch(points: np.ndarray) -> np.ndarray:
-    """Return the share of relaxation of the points, 0 to 1: between the legs the rows converge."""
+    """Return the share of relaxation of each point, 0 to 1. It is above 0 near the crotch, at which rows converge."""
     distance = np.linalg.norm((points - [0, 0, legs.CROTCH]) / [0.15, 0.20, 0.14], axis=1)
     return np.clip(1.2 - distance, 0, 0.7)

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Hips and legs as a smooth surface: left front and left back, each from the inner leg and the middle to the side.
+"""Describes hips and legs as a smooth surface: left front and left back, each from the inner leg to the side.
 
-A point has an angle (0 the inner leg, pi/2 the middle of the thigh, pi the side) and a height z. Above the crotch, the
-angles end at the middle of the body. The front faces -y, the wearer's left is +x; meters.
+A point has a height z and an angle: 0 at the inner leg, pi/2 in the middle of the thigh, pi at the side. Above the
+crotch, the smallest angle is that of the middle of the body. The front faces -y, and the wearer's left is +x. Lengths
+are in meters.
 """
 
 from __future__ import annotations
@@ -28,27 +29,27 @@ PROFILE = np.array([
 HEM, KNEE, CROTCH, WAIST = 0.060, 0.480, 0.835, 1.080  # heights
 # Height above the crotch over which two legs become one body, and the exponent of the transition.
 MERGE, POWER = 0.18, 4
-GAP, SPREAD = 0.020, 0.026  # half of the gap between the thighs, and how much wider it is at the hem
-SEAT_POINT = np.array([0.082, 0.915])  # x and z
-SEAT_RISE, SEAT_SIZE = 0.034, 0.070
+GAP, SPREAD = 0.020, 0.026  # half of the gap between the thighs, and the additional half gap at the hem
+SEAT_POINT = np.array([0.082, 0.915])  # x and z of the middle of the seat
+SEAT_RISE, SEAT_SIZE = 0.034, 0.070  # height and radius of the seat
 
 _profile = cubic_spline(PROFILE[:, 0], PROFILE[:, 1:])
 
 
 def middle_angle(z: np.ndarray) -> np.ndarray:
-    """Return the angle at which the section at height z meets the middle of the body; 0 at or below the crotch."""
+    """Return the angle at which the section at height z meets the middle of the body. Up to the crotch, it is 0."""
     return np.arccos(np.clip(1 - (z - CROTCH) / MERGE, 0, 1) ** POWER)
 
 
 def angle_at(x: np.ndarray, z: np.ndarray) -> np.ndarray:
-    """Return the angle of the points of the left half at x, on front and back."""
+    """Return the angle of the points of the left half at x and z. It is the same on front and back."""
     outer, inner = np.moveaxis(_profile(z), -1, 0)[:2]
     center = _center(z, inner)
     return np.arccos(np.clip((center - x) / np.where(x < center, inner, outer - center), -1, 1))
 
 
 def center(z: np.ndarray) -> np.ndarray:
-    """Return x of the middle of the thigh, smooth through the crotch."""
+    """Return x of the middle of the thigh at height z. It is smooth at the crotch."""
     return _center(z, _profile(z)[..., 1])
 
 
@@ -66,7 +67,7 @@ class Half:
     side: int
 
     def points(self, angle: np.ndarray, z: np.ndarray) -> np.ndarray:
-        """Return points (..., 3) of the left half at angles and heights of one shape."""
+        """Return points (..., 3) of the left half. angle, z: arrays of one shape (...)."""
         outer, inner, front, back, y = np.moveaxis(_profile(z), -1, 0)
         center = _center(z, inner)
         cosine = np.cos(angle)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Limbs and ears sewn into rectangular holes of a grid: loops around a hole, tubes, caps and envelopes."""
+"""Makes limbs for rectangular holes of a grid: loops around a hole, tubes and caps."""
 
 from __future__ import annotations
 
@@ -13,20 +13,20 @@ from .shape import ShapeBuilder
 
 @dataclass(frozen=True)
 class Hole:
-    """A hole in a grid of quads, half_width columns to each side of a seam's column."""
+    """A hole in a grid of quads, in the middle of which a seam ends."""
 
-    row: int  # its lowest row of vertices
-    column: int
-    rows: int
-    half_width: int
+    row: int  # lowest row of vertices of the hole
+    column: int  # column of vertices of the seam
+    rows: int  # height in quads
+    half_width: int  # width in quads to each side of the seam
 
     def cut(self, holes: np.ndarray) -> None:
-        """Mark its quads (r - 1, c - 1) as missing."""
+        """Set the quads of the hole in `holes` (r - 1, c - 1)."""
         columns = slice(self.column - self.half_width, self.column + self.half_width)
         holes[self.row : self.row + self.rows, columns] = True
 
     def loop(self, grid: np.ndarray) -> np.ndarray:
-        """Return its closed border, counter-clockwise from outside, starting at the seam below it."""
+        """Return the closed border, counter-clockwise as seen from outside, starting at the seam below the hole."""
         left, right = self.column - self.half_width, self.column + self.half_width
         top = self.row + self.rows
         return np.concatenate([
@@ -38,10 +38,9 @@ class Hole:
 def tube(
     loop: np.ndarray, center: np.ndarray, axis: np.ndarray, radius: float, fullness: float, rows: int
 ) -> np.ndarray:
-    """Return points (rows + 1, n + 1, 3) from a closed loop (n + 1, 3) to a circle around the limb's axis at its
-    center.
+    """Return points (rows + 1, n + 1, 3) of a tube from a closed loop (n + 1, 3) to a circle.
 
-    fullness: distance over which the tube is straight before it bends.
+    center, axis, radius: of the circle; fullness: distance over which the tube is straight before it bends.
     """
     axis, leave = axis / np.linalg.norm(axis), loop_normal(loop)
     up = np.array([0.0, 0.0, 1.0]) - axis[2] * axis
@@ -60,7 +59,7 @@ def loop_normal(loop: np.ndarray) -> np.ndarray:
 
 
 def add_cap(builder: ShapeBuilder, ring: np.ndarray, height: float, flip: bool) -> np.ndarray:
-    """Close a tube's round end of 16 edges (17, 3) with a dome. Return its vertices."""
+    """Close a tube's round end of 16 edges (17, 3) with a dome. Return the vertices of the dome."""
     center = ring[:-1].mean(axis=0)
     normal = loop_normal(ring) * (-1 if flip else 1)
     halfway = center + 0.55 * (ring[::2] - center) + (1 - 0.55**2) * height * normal

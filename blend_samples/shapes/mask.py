@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A carnival mask: one piece with two holes, which wires connect with each other and with the outline."""
+"""Makes a carnival mask: a piece with two holes, which wires connect with each other and with the outline."""
 
 from __future__ import annotations
 
@@ -8,14 +8,14 @@ import numpy as np
 from .curves import chord_lengths, cubic_spline, even_parameters
 from .shape import Shape, ShapeBuilder
 
-# Planar drawing of one half (x >= 0), from the arch over the nose around the cheek and the temple to the brow.
+# Outline of one half (x >= 0) in the plane, from the arch over the nose around cheek and temple to the brow, in meters.
 OUTLINE = np.array(
     [
         [0.000, -0.017], [0.008, -0.021], [0.016, -0.034], [0.030, -0.042], [0.052, -0.037], [0.072, -0.021],
         [0.087, 0.004], [0.094, 0.026], [0.084, 0.034], [0.062, 0.033], [0.036, 0.033], [0.014, 0.026], [0.0, 0.022],
     ]
 )  # fmt: skip
-TEMPLE_KNOT = 7
+TEMPLE_KNOT = 7  # row of OUTLINE
 BRIDGE = np.array([0.0, -0.0035])
 EYE_CENTER = np.array([0.039, 0.0])
 EYE_AXES = np.array([0.021, 0.011])
@@ -40,7 +40,8 @@ def mask(around: int = 72, rings: int = 9) -> Shape:
 def _half(around: int, rings: int, below: int, above: int) -> tuple[np.ndarray, int]:
     """Return points (rings + 1, around + 1, 2) from the eye to the outline, and the column that ends at the temple.
 
-    Columns run from the bridge of the nose down the middle line, along the outline and back to the bridge.
+    The outer ends of the columns run from the bridge of the nose down the middle line, along the outline, and back to
+    the bridge.
     """
     mirrored = np.concatenate([OUTLINE[2:0:-1] * [-1, 1], OUTLINE, OUTLINE[-2:-4:-1] * [-1, 1]])  # smooth at the middle
     knots = chord_lengths(mirrored)
@@ -64,7 +65,7 @@ def _half(around: int, rings: int, below: int, above: int) -> tuple[np.ndarray, 
 
 
 def _bend(plane: np.ndarray) -> np.ndarray:
-    """Wrap the planar drawing around a face that faces -y, with a rise for the nose."""
+    """Return the planar points (..., 2), wrapped around a face that faces -y, with a rise for the nose."""
     x, z = plane[..., 0], plane[..., 1]
     nose = NOSE_RISE * np.exp(-((x / 0.016) ** 2)) / (1 + np.exp((z - 0.004) / 0.008))
     radius = FACE_RADIUS - 0.5 * z**2 / 0.12 + nose

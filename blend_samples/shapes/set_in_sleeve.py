@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The left half of a jacket's bodice with a set-in sleeve, whose head is eased into the armhole."""
+"""Makes the left half of a jacket's bodice with a set-in sleeve, whose head is eased into the armhole."""
 
 from __future__ import annotations
 
@@ -9,14 +9,14 @@ from . import bodice, torso
 from .curves import chord_lengths, hermite_curves
 from .shape import Shape, ShapeBuilder
 
-NECK_DEPTH = {1: 0.30, -1: 0.08}  # depth of the neckline's middle, in v between shoulder line and underarm
-# Middle of the elbow and of the cuff; radii there, from the underarm to the shoulder side, and from front to back.
+NECK_DEPTH = {1: 0.30, -1: 0.08}  # of front (1) and back (-1): depth of bodice.neckline()
+# Centers of elbow and cuff, and their radii from the underarm to the shoulder side and from front to back, in meters.
 ELBOW, CUFF = np.array([0.308, 0.004, 0.225]), np.array([0.404, -0.026, -0.005])
 ELBOW_RADII, CUFF_RADII = np.array([0.062, 0.066]), np.array([0.048, 0.052])
-UPPER_ARM, FOREARM = np.array([0.44, 0.02, -0.898]), np.array([0.36, -0.14, -0.922])  # directions
-LEAVE = np.array([0.92, 0.0, -0.39])  # direction of the sleeve where it leaves the armhole
-ELBOW_SPEED = 0.24  # velocity of the curves along the sleeve, meters: the distance from the elbow to the armhole
-CAP_FULLNESS = 0.22  # distance over which the sleeve leaves the armhole straight before it bends to the arm
+UPPER_ARM, FOREARM = np.array([0.44, 0.02, -0.898]), np.array([0.36, -0.14, -0.922])  # their directions
+LEAVE = np.array([0.92, 0.0, -0.39])  # direction of the sleeve at the armhole
+ELBOW_SPEED = 0.24  # meters: velocity of the curves at the elbow, about the distance from the elbow to the armhole
+CAP_FULLNESS = 0.22  # meters: distance from the armhole over which the sleeve is straight before it bends to the arm
 EASE = 0.09  # ease of the sleeve head between its notches; the part under the arm has no ease
 NOTCH = 0.36  # position of the notches, as a share of the way from the underarm to the shoulder
 TOLERANCE = 0.05
@@ -25,9 +25,9 @@ TOLERANCE = 0.05
 def set_in_sleeve(
     shoulder: int = 3, neck: int = 16, ribs: int = 12, side: int = 4, armhole: int = 16, upper: int = 16, fore: int = 14
 ) -> Shape:
-    """Return front, back and sleeve with elastic lines down each, and rigid bust and upper-arm lines.
+    """Return front, back and sleeve with an elastic line down each of them, and rigid bust and upper-arm lines.
 
-    The counts are numbers of edges along each section; neck counts both halves.
+    The arguments are numbers of edges along the sections; neck includes both halves.
     """
     builder = ShapeBuilder()
     grids, armholes = {}, {}
@@ -52,7 +52,7 @@ def set_in_sleeve(
 
 
 def _panel(body: torso.Half, shoulder: int, neck: int, ribs: int, side: int, armhole: int) -> np.ndarray:
-    """Return longitudes and v (r, c, 2) of both halves of the front or back, from the waist to the shoulders."""
+    """Return longitudes and v (r, c, 2) of the whole front or back, from the waist to the shoulders."""
     columns = 2 * shoulder + neck
     levels = np.linspace(torso.v_at_height(torso.WAIST), torso.v_at_height(torso.BUST), ribs + 1)
     rows = np.array([bodice.level_row(body, v, -np.pi / 2, np.pi / 2, columns) for v in levels])
@@ -63,7 +63,10 @@ def _panel(body: torso.Half, shoulder: int, neck: int, ribs: int, side: int, arm
 
 
 def _sleeve(armhole: np.ndarray, upper: int, fore: int) -> np.ndarray:
-    """Return points (upper + fore + 1, c, 3) from the armhole, closed at the underarm, over the elbow to the cuff."""
+    """Return points (upper + fore + 1, c, 3) of the sleeve from the armhole over the elbow to the cuff.
+
+    armhole (c, 3): a closed loop from the underarm.
+    """
     half = len(armhole) // 2
     around = np.concatenate([chord_lengths(armhole[: half + 1]), 1 + chord_lengths(armhole[half:])[1:]])
     elbow = _ring(ELBOW, UPPER_ARM + FOREARM, ELBOW_RADII, np.pi * around)
@@ -75,7 +78,7 @@ def _sleeve(armhole: np.ndarray, upper: int, fore: int) -> np.ndarray:
 
 
 def _ring(center: np.ndarray, axis: np.ndarray, radii: np.ndarray, angle: np.ndarray) -> np.ndarray:
-    """Return points (n, 3) of an ellipse across the arm; angle 0 is under the arm, pi/2 in front."""
+    """Return points (n, 3) of an ellipse across the arm. Angle 0 is under the arm, and pi/2 is in front."""
     axis = axis / np.linalg.norm(axis)
     across = np.cross(axis, [0, 1, 0])  # from the underarm to the shoulder
     front = np.cross(axis, across)

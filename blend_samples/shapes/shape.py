@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A sample surface with its seams and wires, and the builder that welds it together from patches."""
+"""Defines sample surfaces with seams and wires, and the builder that joins patches to a surface."""
 
 from __future__ import annotations
 
@@ -10,12 +10,12 @@ import numpy as np
 
 FAIRNESS = 0.05  # the default of wirewarp.Options
 ALLOWANCE = 10.0  # mm, the default of the add-on
-WELD_DISTANCE = 1e-7  # meters; common points of a sample's patches are equal to about 1e-15
+WELD_DISTANCE = 1e-7  # meters; rounding moves common points of patches apart by about 1e-15
 
 
 @dataclass
 class Wire:
-    """A line with a measured length: a chain of vertices joined by edges; a closed one repeats its first vertex."""
+    """A measuring line: a chain of vertices joined by edges. A closed chain repeats its first vertex."""
 
     vertices: list[int]
     name: str
@@ -26,13 +26,13 @@ class Wire:
 class Ease:
     """A side of a seam, or a section of outline, that is cut longer than on the surface."""
 
-    half_edges: np.ndarray  # (k, 2); an edge from a to b is the side of the face with a, b in its own order
+    half_edges: np.ndarray  # (k, 2) vertices a and b of each edge, on the side of the face that has b after a
     ratio: float  # 0.05 for 5%
 
 
 @dataclass
 class Shape:
-    """A surface in meters, of quads and triangles that are counter-clockwise from outside."""
+    """A surface of quads and triangles, in meters. Faces are counter-clockwise as seen from outside."""
 
     name: str
     vertices: np.ndarray  # (n, 3)
@@ -40,19 +40,19 @@ class Shape:
     seams: np.ndarray  # (k, 2) vertex pairs
     wires: list[Wire] = field(default_factory=list)
     eases: list[Ease] = field(default_factory=list)
-    cloth: str = ""  # a name in wirewarp.Cloth.presets() that stretches far enough; empty: any fabric does
-    stretch: tuple[float, float] = (0.0, 0.0)  # stretch of that fabric when worn, across and along the grain
+    cloth: str = ""  # fabric of wirewarp.Cloth.presets() that stretches far enough; empty: every fabric does
+    stretch: tuple[float, float] = (0.0, 0.0)  # stretch of the fabric when worn, across and along the grain
     fairness: float = FAIRNESS  # option of wirewarp.Options
     allowance: float = ALLOWANCE  # seam allowance in mm
-    groups: dict[str, list[int]] = field(default_factory=dict)  # vertices of parts that give pieces their names
+    groups: dict[str, list[int]] = field(default_factory=dict)  # vertices of parts, by the name for their pieces
 
     def triangles(self) -> np.ndarray:
-        """Return triangles (m, 3); quads are divided from their first to their third corner, like in Blender."""
+        """Return triangles (m, 3). Quads are divided from their first to their third corner, as in Blender."""
         return np.array([(face[0], face[k], face[k + 1]) for face in self.faces for k in range(1, len(face) - 1)])
 
 
 def chain_of(edges: np.ndarray) -> list[int]:
-    """Return the vertices of a seam (k, 2) in order."""
+    """Return the vertices of a seam in order. edges (k, 2): in order, but each in any direction."""
     first, *others = edges.tolist()
     if others and first[0] in others[0] and first[1] not in others[0]:
         first.reverse()
@@ -63,7 +63,7 @@ def chain_of(edges: np.ndarray) -> list[int]:
 
 
 class ShapeBuilder:
-    """Collects patches; points closer than WELD_DISTANCE become one vertex."""
+    """Collects the patches of a surface. Points closer than WELD_DISTANCE become one vertex."""
 
     def __init__(self) -> None:
         self._points: list[np.ndarray] = []
@@ -75,9 +75,9 @@ class ShapeBuilder:
         self._groups: dict[str, np.ndarray] = {}
 
     def add_points(self, points: np.ndarray) -> np.ndarray:
-        """Return vertex indices of an array of points (..., 3), in shape (...)."""
+        """Return the vertex indices (...) of points (..., 3). Points without a vertex get new vertices."""
         flat = points.reshape(-1, 3)
-        # The offset keeps round coordinates (0, 0.05, ...) away from the borders of the welding cells.
+        # Without the offset, round coordinates (0, 0.05, ...) would be at borders of cells.
         cells = np.floor((flat + 0.3183 * WELD_DISTANCE) / WELD_DISTANCE).astype(np.int64)
         indices = []
         for point, cell in zip(flat, cells, strict=True):
@@ -88,9 +88,10 @@ class ShapeBuilder:
         return np.array(indices).reshape(points.shape[:-1])
 
     def add_grid(self, points: np.ndarray, flip: bool = False, holes: np.ndarray | None = None) -> np.ndarray:
-        """Add quads between the rows of points (r, c, 3), with rows upward and columns to the right unless flipped.
+        """Add quads between the rows of points (r, c, 3). Return the vertices (r, c).
 
-        holes (r - 1, c - 1) is true where there is no quad.
+        Seen from outside, rows run upward and columns to the right, or to the left if flip is true. holes (r - 1, c -
+        1): true for missing quads.
         """
         grid = self.add_points(points)
         for row, (lower, upper) in enumerate(zip(grid[:-1], grid[1:], strict=True)):
@@ -104,7 +105,7 @@ class ShapeBuilder:
         return np.array(self._points)[vertices]
 
     def add_face(self, corners: tuple[int, ...], flip: bool = False) -> None:
-        """Add one triangle or quad; a quad starts at an end of its shorter diagonal, which will divide it."""
+        """Add a triangle or a quad. A quad starts at an end of its shorter diagonal, along which it is divided."""
         corners = tuple(int(c) for c in (corners[::-1] if flip else corners))
         if len(corners) == 4:
             a, b, c, d = (self._points[v] for v in corners)
@@ -113,9 +114,9 @@ class ShapeBuilder:
         self._faces.append(corners)
 
     def relax(self, share: Callable[[np.ndarray], np.ndarray], rounds: int) -> None:
-        """Move every vertex by that share towards the mean of its neighbors along edges of quads and triangles.
+        """Move every vertex toward the mean of its neighbors along edges of faces, `rounds` times.
 
-        share(points) returns numbers (n,) from 0 to 1 for points (n, 3). Open edges do not move.
+        share(points) returns the share of the way (n,), from 0 to 1, for points (n, 3). Outlines do not move.
         """
         sides = np.concatenate([np.column_stack([face, np.roll(face, -1)]) for face in self._faces])
         edges, use = np.unique(np.sort(sides, axis=1), axis=0, return_counts=True)
@@ -139,11 +140,11 @@ class ShapeBuilder:
         self._wires.append(Wire([int(v) for v in chain], name, tolerance))
 
     def add_ease(self, chain: np.ndarray, ratio: float) -> None:
-        """Make the left side of a chain of vertices longer, as seen from outside along the chain."""
+        """Make the left side of a chain of vertices longer, as seen from outside in the direction of the chain."""
         self._eases.append(Ease(np.column_stack([chain[:-1], chain[1:]]), ratio))
 
     def add_group(self, vertices: np.ndarray, name: str) -> None:
-        """Name pieces with these vertices."""
+        """Give the pieces of these vertices a name."""
         self._groups[name] = np.unique(vertices)
 
     def build(
@@ -154,7 +155,7 @@ class ShapeBuilder:
         fairness: float = FAIRNESS,
         allowance: float = ALLOWANCE,
     ) -> Shape:
-        """Return the finished surface, without the points inside holes. The other arguments are fields of Shape."""
+        """Return the finished surface without unused points, such as points in holes. Arguments are fields of Shape."""
         used = np.unique(np.concatenate(self._faces))
         number = np.full(len(self._points), -1)
         number[used] = np.arange(len(used))

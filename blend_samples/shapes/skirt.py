@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A skirt gathered to its waistband: the tops of front and back are cut twice as wide as the band they are sewn to."""
+"""Makes a skirt gathered to its waistband: the upper edges of front and back are twice as long as the band."""
 
 from __future__ import annotations
 
@@ -17,14 +17,15 @@ PROFILE = np.array([
     [0.500, 0.154, 0.114],
     [0.520, 0.132, 0.094],  # the waist
 ])  # fmt: skip
-BAND = 0.035  # height
-GATHERS = 1.0  # ease of the top edge: two lengths of skirt for one of waistband
-FAIRNESS = 0.2  # a gathered edge is far too long for the fabric below it, and would become wavy with less
+BAND = 0.035  # meters: height of the waistband
+GATHERS = 1.0  # ease of the upper edge, which is twice as long as the waistband
+FAIRNESS = 0.2  # with less, the gathered edge would be wavy, because it is too long for the fabric below it
 
 
 def gathered_skirt(panel: int = 40, length: int = 20, band: int = 3) -> Shape:
-    """Return two panels and a band with its opening at the back. Counts are edges across a panel, down it and up the
-    band.
+    """Return two panels and a band, which is open at the back.
+
+    panel, length, band: numbers of edges across a panel, down a panel and up the band.
     """
     builder = ShapeBuilder()
     waist = PROFILE[-1, 0]
@@ -44,8 +45,9 @@ def gathered_skirt(panel: int = 40, length: int = 20, band: int = 3) -> Shape:
 
 
 def _rings(heights: np.ndarray, radii: np.ndarray, edges: int) -> np.ndarray:
-    """Return points (r, edges + 1, 3) of closed ellipses with radii (r, 2) at heights (r,), from the left over the
-    back.
+    """Return points (r, edges + 1, 3) of closed ellipses with radii (r, 2) at heights (r,).
+
+    Each ellipse begins at the left and runs over the back.
     """
     turn = np.linspace(0, 2 * np.pi, edges + 1)
     x, y = radii[:, :1] * np.cos(turn), radii[:, 1:] * np.sin(turn)

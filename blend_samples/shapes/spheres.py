@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The paper's quarter sphere with its two curves (Fig. 1), and a ball of six gores."""
+"""Makes the paper's quarter sphere with two wires (Fig. 1), and a ball of six gores."""
 
 from __future__ import annotations
 
@@ -11,12 +11,13 @@ from .fan import add_sector
 from .shape import Shape, ShapeBuilder
 
 QUARTER_SPHERE_RADIUS = 0.10
-BALL_RADIUS = 0.11  # a football
+BALL_RADIUS = 0.11  # of a football
 
 
 def quarter_sphere(segments: int = 28, cap: float = np.radians(20)) -> Shape:
-    """Return a quarter sphere without its tips (cap: their polar angle), with its middle meridian and the arc across
-    it.
+    """Return a quarter sphere without its tips, with two wires: the middle meridian and the arc across it.
+
+    cap: polar angle of the tips that are left out, in radians.
     """
     builder = ShapeBuilder()
     polar = np.linspace(np.pi - cap, cap, 2 * segments + 1)[:, None]
@@ -32,7 +33,7 @@ def quarter_sphere(segments: int = 28, cap: float = np.radians(20)) -> Shape:
 
 
 def ball(rows: int = 17, gores: int = 6) -> Shape:
-    """Return a ball sewn from gores; its equator is one closed wire through all of them."""
+    """Return a ball of gores. Its equator is a closed wire through all gores."""
     builder = ShapeBuilder()
     equator = []
     for gore in range(gores):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A one-piece swimsuit on the torso, front and back: swim knit, cut smaller because it is stretched when worn."""
+"""Makes a one-piece swimsuit on the torso: front and back of swim knit, which is stretched when worn."""
 
 from __future__ import annotations
 
@@ -9,26 +9,26 @@ from . import bodice, torso
 from .curves import chord_lengths, cubic_spline
 from .shape import Shape, ShapeBuilder
 
-NECK_DEPTH = {1: 0.80, -1: 0.95}  # depth of the neckline's middle, in v between shoulder line and underarm
-# Like bodice.ARMHOLE, but up to straps.
+NECK_DEPTH = {1: 0.80, -1: 0.95}  # of front (1) and back (-1): depth of bodice.neckline()
+# as bodice.ARMHOLE, with straps instead of shoulders
 ARMHOLE = np.array(
     [
         [0.1700, -1.0], [0.1660, -0.97], [0.1480, -0.88], [0.1280, -0.70], [0.1170, -0.45], [0.1150, -0.2],
         [0.1160, 0.0], [0.1160, 0.2], [0.1170, 0.45], [0.1230, 0.70], [0.1430, 0.88], [0.1640, 0.97], [0.1700, 1.0],
     ]
 )  # fmt: skip
-# Leg openings from the side seam to the crotch seam: longitude in degrees, and v.
+# Leg opening of front (1) and back (-1) from the side seam to the crotch seam: longitude in degrees, and v.
 LEG = {
     1: np.array([[90, 0.16], [66, 0.075], [45, -0.015], [27, -0.100], [16, -0.165], [12.5, torso.CROTCH_V]]),
     -1: np.array([[90, 0.16], [76, 0.05], [60, -0.045], [40, -0.120], [20, -0.175], [12.5, torso.CROTCH_V]]),
 }
-STRETCH = (0.15, 0.10)  # across and along the grain, of a swimwear knit when worn
+STRETCH = (0.15, 0.10)  # stretch of the fabric when worn, across and along the grain
 
 
 def swimsuit(
     strap: int = 4, neck: int = 20, leg: int = 20, waist: int = 5, ribs: int = 10, side: int = 4, armhole: int = 14
 ) -> Shape:
-    """Return the suit with rigid bust, waist and middle lines; the counts are edges along each section."""
+    """Return the suit with rigid bust, waist and middle lines. The arguments are numbers of edges along sections."""
     builder = ShapeBuilder()
     columns, hem, bust = 2 * strap + neck, leg + waist, leg + waist + ribs
     grids = {}
@@ -53,9 +53,7 @@ def swimsuit(
 
 
 def _lower_rows(body: torso.Half, leg: int, waist: int, ribs: int, columns: int) -> np.ndarray:
-    """Return longitudes and v (leg + waist + ribs + 1, columns + 1, 2) of level rows from the crotch to the bust
-    line.
-    """
+    """Return longitudes and v (leg + waist + ribs + 1, columns + 1, 2) of level rows, from crotch to bust line."""
     opening = LEG[body.side] * [np.pi / 180, 1]
     curve = cubic_spline(chord_lengths(opening), opening)(np.linspace(1, 0, 1601))
     edge = bodice.evenly(body, curve, leg)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A fitted top on the torso: front, back and two short sleeves."""
+"""Makes a fitted top on the torso: front, back and two short sleeves."""
 
 from __future__ import annotations
 
@@ -9,17 +9,20 @@ from . import bodice, torso
 from .curves import chord_lengths, hermite_curves
 from .shape import Shape, ShapeBuilder
 
-NECK_DEPTH = {1: 0.40, -1: 0.12}  # depth of the neckline's middle, in v between shoulder line and underarm
+NECK_DEPTH = {1: 0.40, -1: 0.12}  # of front (1) and back (-1): depth of bodice.neckline()
 CUFF_CENTER = np.array([0.285, 0.005, 0.385])
-CUFF_RADII = np.array([0.058, 0.064])  # along the sleeve's underarm-to-shoulder direction, and front to back
+CUFF_RADII = np.array([0.058, 0.064])  # meters: from the underarm to the shoulder side, and from front to back
 ARM = np.array([0.76, 0.0, -0.65]) / np.hypot(0.76, 0.65)  # direction of the left arm
-CAP_FULLNESS = 0.16  # distance over which the sleeve leaves the armhole straight before it bends to the arm
+CAP_FULLNESS = 0.16  # meters: distance from the armhole over which the sleeve is straight before it bends to the arm
 
 
 def fitted_top(
     shoulder: int = 8, neck: int = 16, hem: int = 11, ribs: int = 10, side: int = 4, armhole: int = 14, sleeve: int = 12
 ) -> Shape:
-    """Return the top with its bust, waist, upper-arm and middle lines; the counts are edges along each section."""
+    """Return the top with rigid bust, waist, upper-arm and middle lines.
+
+    The arguments are numbers of edges along the sections.
+    """
     builder = ShapeBuilder()
     bust, underarm, columns = hem + ribs, hem + ribs + side, 2 * shoulder + neck
     grids, armholes = {}, {}
@@ -28,7 +31,7 @@ def fitted_top(
         block = _upper_block(half, rows[-1], shoulder, neck, side, armhole)
         points = torso.Half(half).points(*np.moveaxis(np.concatenate([rows[:-1], block]), -1, 0))
         grids[half] = builder.add_grid(points, flip=half < 0)
-        armholes[half] = points[underarm:, -1]  # the left one
+        armholes[half] = points[underarm:, -1]  # of the left arm
         for edge in (0, -1):
             builder.add_seam(grids[half][:, edge])
         builder.add_seam(grids[half][-1, : shoulder + 1])
@@ -48,9 +51,7 @@ def fitted_top(
 
 
 def _lower_rows(half: int, hem: int, ribs: int, columns: int) -> np.ndarray:
-    """Return longitudes and v (hem + ribs + 1, columns + 1, 2) of level rows from the hip over the waist to the
-    bust.
-    """
+    """Return longitudes and v (hem + ribs + 1, columns + 1, 2) of level rows from the hip to the bust line."""
     heights = np.concatenate([np.linspace(0, torso.WAIST, hem + 1), np.linspace(torso.WAIST, torso.BUST, ribs + 1)[1:]])
     levels = [torso.v_at_height(z) for z in heights]
     return np.array([bodice.level_row(torso.Half(half), v, -np.pi / 2, np.pi / 2, columns) for v in levels])
@@ -65,7 +66,10 @@ def _upper_block(half: int, bust: np.ndarray, shoulder: int, neck: int, side: in
 
 
 def _sleeve(armhole: np.ndarray, rows: int) -> np.ndarray:
-    """Return points (rows + 1, c, 3) of the left sleeve from the armhole, closed at the underarm, to the cuff."""
+    """Return points (rows + 1, c, 3) of the left sleeve from the armhole to the cuff.
+
+    armhole (c, 3): a closed loop from the underarm.
+    """
     half = len(armhole) // 2
     angle = np.concatenate(
         [np.pi * chord_lengths(armhole[: half + 1]), np.pi * (1 + chord_lengths(armhole[half:])[1:])]

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The upper body of a dress form as a smooth surface: front and back halves that meet at the sides and shoulders.
+"""Describes the upper body of a dress form as a smooth surface: front and back, which meet at sides and shoulders.
 
-A point has a longitude phi (0 in the middle, +-pi/2 at the sides) and v (0 the hip, 1 the shoulder line, CROTCH_V the
-crotch). The front faces -y, the wearer's left is +x, z is up; meters.
+A point has a longitude phi (0 in the middle, +-pi/2 at the sides) and v (0 at the hip, 1 at the shoulder line, CROTCH_V
+at the crotch). The front faces -y, the wearer's left is +x, and z is up. Lengths are in meters.
 """
 
 from __future__ import annotations
@@ -25,17 +25,16 @@ PROFILE = np.array([
     [0.538, 0.081, 0.089, 0.194],
     [0.585, 0.048, 0.054, 0.199],
     [0.600, 0.000, 0.000, 0.200],
-    [0.585, -.048, -.054, 0.199],  # a row beyond the end, so that the end is round
+    [0.585, -.048, -.054, 0.199],  # a row beyond the shoulder line, so that the shoulder is round
 ])  # fmt: skip
 WAIST, BUST, UNDERARM = 0.20, 0.37, 0.42  # heights
 SHOULDER_DROP = 0.060  # drop of the shoulder line from the middle to the half width
 BUST_POINT = np.array([0.078, 0.37])  # |x| and z
-BUST_RISE, BUST_SIZE = 0.032, 0.058
-# Below the hip.
-CROTCH = np.array([-0.075, 0.0, 0.0, 0.165])  # as a row of PROFILE
-# derivative at CROTCH: the surface arrives level from front and back
+BUST_RISE, BUST_SIZE = 0.032, 0.058  # height and radius of the bust
+CROTCH = np.array([-0.075, 0.0, 0.0, 0.165])  # in the form of a row of PROFILE
+# derivative of the profile at CROTCH, at which front and back meet level
 CROTCH_ARRIVAL = np.array([0.0, -0.20, -0.22, 0.0])
-CROTCH_V = -0.22  # distance from the hip, over the distance from hip to shoulder
+CROTCH_V = -0.22  # v of the crotch
 
 _lengths = chord_lengths(PROFILE[:, :2])
 _above_hip = cubic_spline(_lengths / _lengths[-2], PROFILE)
@@ -44,7 +43,7 @@ _FINE = np.linspace(0, 1, 4001)
 
 
 def _profile(v: np.ndarray) -> np.ndarray:
-    """Return values (..., 4) like the columns of PROFILE; below the hip, one cubic that continues smoothly."""
+    """Return values (..., 4) in the form of the columns of PROFILE. Below the hip, a cubic continues it smoothly."""
     v = np.asarray(v, dtype=float)
     t = np.clip(v / CROTCH_V, 0, 1)[..., None]  # from the hip to the crotch
     below = hermite(t, PROFILE[0], CROTCH_V * _HIP_SLOPE, CROTCH, CROTCH_ARRIVAL)
@@ -52,7 +51,7 @@ def _profile(v: np.ndarray) -> np.ndarray:
 
 
 def v_at_height(z: float) -> float:
-    """Return the v whose profile has height z."""
+    """Return the v at which the profile has the height z."""
     return float(np.interp(z, _profile(_FINE)[:, 0], _FINE))
 
 
@@ -60,7 +59,7 @@ UNDERARM_V = v_at_height(UNDERARM)
 
 
 def longitude_at(x: np.ndarray, v: np.ndarray) -> np.ndarray:
-    """Return phi of the points at x; pi/2 if the body is not wider than that."""
+    """Return phi of the points at x and v. It is pi/2 if the body is not wider than x."""
     return np.arcsin(np.clip(x / _profile(v)[..., 3], -1, 1))
 
 
@@ -71,7 +70,7 @@ class Half:
     side: int
 
     def points(self, phi: np.ndarray, v: np.ndarray) -> np.ndarray:
-        """Return points (..., 3) at longitudes and v of one shape; phi > 0 is the wearer's left."""
+        """Return points (..., 3). phi, v: arrays of one shape (...). phi > 0 is the wearer's left."""
         z, front, back, width = np.moveaxis(_profile(v), -1, 0)
         drop = SHOULDER_DROP * np.clip((v - UNDERARM_V) / (1 - UNDERARM_V), 0, 1) ** 2
         x = width * np.sin(phi)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A plush bear of minky: body and head with darts, arms and legs with soles, and ears in halves (Fig. 11)."""
+"""Makes a plush bear: body and head with darts, arms with paws, legs with soles, and ears in halves (Fig. 11)."""
 
 from __future__ import annotations
 
@@ -10,19 +10,19 @@ from .fan import add_sector
 from .limbs import Hole, add_cap, tube
 from .shape import Shape, ShapeBuilder
 
-# Radius and height of the body from its bottom to the neck, and of the head from the neck to its top, meters.
+# Radius and height of the body from its bottom to the neck, and of the head from the neck to its top, in meters.
 BODY = np.array([
     [0.000, 0.000], [0.042, 0.005], [0.067, 0.028], [0.074, 0.058], [0.067, 0.092], [0.050, 0.118], [0.038, 0.130],
 ])  # fmt: skip
 HEAD = np.array([
     [0.038, 0.130], [0.053, 0.139], [0.067, 0.161], [0.072, 0.187], [0.064, 0.216], [0.040, 0.237], [0.000, 0.244],
 ])  # fmt: skip
-DEPTH = 0.94  # front to back over side to side
+DEPTH = 0.94  # size from front to back divided by size from side to side
 SNOUT = np.array([0.0, -0.072, 0.176])
 SNOUT_RISE, SNOUT_SIZE = 0.017, 0.034
 GORES, FAN_ROWS = 6, 8
 COLUMNS = GORES * FAN_ROWS
-FIRST_LONGITUDE = np.radians(150)  # longitude of column 0; 0 is the front and 90 degrees the left, with the arm's seam
+FIRST_LONGITUDE = np.radians(150)  # longitude of column 0; the front is at 0 and the seam of the left arm at 90 degrees
 FRONT, LEFT_LEG, LEFT_ARM, RIGHT_ARM, RIGHT_LEG = 28, 32, 40, 16, 24  # columns
 LEFT_BACK, MIDDLE_BACK, RIGHT_BACK = 0, 4, 8
 ARM_CENTER, ARM_AXIS, ARM_RADIUS = np.array([0.120, -0.020, 0.080]), np.array([0.90, -0.32, -0.28]), 0.020
@@ -72,9 +72,10 @@ def _add_trunk(
     back: range,
     pole_first: bool,
 ) -> np.ndarray:
-    """Add body or head. Return the grid (rows + 1, COLUMNS + 1) between the fan around its pole and the neck.
+    """Add body or head. Return the grid (rows + 1, COLUMNS + 1) between the fan around the pole and the neck.
 
-    front, back: rows without seams, which join three gores each. The remaining seams are darts.
+    front, back: rows in which two seams are left out, so that three gores are joined. The rest of these seams are
+    darts. pole_first: true for the body, whose grid begins at its pole.
     """
     if not pole_first:
         outline = outline[::-1]
@@ -106,7 +107,7 @@ def _add_trunk(
 
 
 def _around(profile_point: np.ndarray, longitudes: np.ndarray) -> np.ndarray:
-    """Return points at longitudes of one height, with the snout."""
+    """Return points (n, 3) at these longitudes (n,) and the height of the profile point. They include the snout."""
     radius, height = profile_point
     x, y = radius * np.sin(longitudes), -radius * DEPTH * np.cos(longitudes)
     points = np.stack([x, y, np.full_like(x, height)], axis=-1)
@@ -115,7 +116,7 @@ def _around(profile_point: np.ndarray, longitudes: np.ndarray) -> np.ndarray:
 
 
 def _add_ear(builder: ShapeBuilder, left_loop: np.ndarray, rows: int, mirror: int, name: str) -> None:
-    """Add two halves between the hole's border and a round edge along which they are sewn together."""
+    """Add two halves of an ear between the hole's border and a round edge, along which they are sewn together."""
     half = len(left_loop) // 2
     bottom, top = left_loop[0], left_loop[half]
     along = (top - bottom) / np.linalg.norm(top - bottom)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The upper body of a wetsuit: front, two backs with the zip between them, two side panels under the arms (Fig. 9)."""
+"""Makes the upper body of a wetsuit: front, two backs with a zip between them, and two side panels (Fig. 9)."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ from . import bodice, torso
 from .curves import coons_patch, cubic_spline
 from .shape import Shape, ShapeBuilder
 
-NECK_DEPTH = {1: 0.17, -1: 0.05}  # depth of the neckline's middle, in v between shoulder line and underarm
-# Longitudes of the side panels' seams at hem, waist and bust line; the seams end in the armhole.
+NECK_DEPTH = {1: 0.17, -1: 0.05}  # of front (1) and back (-1): depth of bodice.neckline()
+# Longitudes of the side panels' seams at hem, waist and bust line. The seams end at the armhole.
 SEAM_LONGITUDES = {1: np.radians([57, 55, 59]), -1: np.radians([59, 57, 61])}
 TOLERANCE = 0.05
 
@@ -18,10 +18,10 @@ TOLERANCE = 0.05
 def wetsuit_upper_body(
     shoulder: int = 7, neck: int = 14, hem: int = 12, ribs: int = 11, stub: int = 5, under: int = 5, armhole: int = 13
 ) -> Shape:
-    """Return the suit with rigid bust and waist lines and elastic lines down front and back and around the ribs.
+    """Return the suit with rigid bust and waist lines, and elastic lines down front and back and around the ribs.
 
-    The counts are edges along each section; an armhole has `under` of them below each side panel's seam, `armhole`
-    above.
+    The arguments are numbers of edges along the sections. On front and back, an armhole has `under` edges below the
+    side panel's seam and `armhole` edges above it.
     """
     builder = ShapeBuilder()
     columns, bust = 2 * shoulder + neck, hem + ribs
@@ -85,9 +85,7 @@ def _panel(
 
 
 def _side(half: int, seam: np.ndarray, bust: int, stub: int, under: int, armhole: int) -> np.ndarray:
-    """Return longitudes and v (bust + stub + 1, under + 1, 2) of a side panel's half, from its seam to under the
-    arm.
-    """
+    """Return longitudes and v (bust + stub + 1, under + 1, 2) of half a side panel, from its seam to the underarm."""
     body = torso.Half(half)
     rows = np.array([bodice.level_row(body, v, phi, np.pi / 2, under) for phi, v in seam[: bust + 1]])
     top = bodice.evenly(body, bodice.armhole(half), under + armhole)[under::-1]
