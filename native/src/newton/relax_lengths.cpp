@@ -16,13 +16,13 @@ constexpr double kWeightOfUnevenness = 100;  // W of wire parts over the square 
 constexpr double kWeightOfBoundary = 1000;   // W of boundary edges; much larger, so that outlines change last
 // Share of the tolerance that may be used, so that h stays within the tolerance in spite of smoothing.
 constexpr double kWithinTolerance = 0.99;
-constexpr double kSmoothing[] = {1e-2, 1e-3, 1e-4};  // values of σ; the last one separates strains of 1e-4 from 0
+constexpr double kSmoothing[] = {1e-2, 1e-3, 1e-4};  // σ; even the last one does not separate strains below 1e-4 from 0
 constexpr int kMaxRelaxSteps = kMaxRelaxFactorizations / 3;  // number of steps for each σ
 constexpr double kWorthwhile = 1e-5;                         // least predicted decrease over Φ
 constexpr double kShortestRelaxStep = 1e-3;                  // after ten halvings
 
-/// Returns the chart with all held wire parts elastic, whatever their tolerance, because the edges of a part share a
-/// variation. Parts with one edge are rigid, because their residual r is the variation.
+/// Returns the chart with all held wire parts elastic, whatever their tolerance, so that the edges of a part share a
+/// variation. Parts with one edge are rigid, because their residual r replaces the variation.
 Chart with_variations(Chart chart) {
   for (WirePart& part : chart.wire_parts) {
     if (part.kind != WireKind::elastic && part.kind != WireKind::rigid) continue;
@@ -59,7 +59,7 @@ class RelaxedLengths {
   NewtonSystem system_;
   const Eigen::SparseMatrix<double>& lengths_;  // T
   Eigen::VectorXd part_length_, tolerance_;     // L, ε of parts with a variation
-  Eigen::VectorXd slack_;                       // ε l of other edges
+  Eigen::VectorXd slack_;                       // ε l of wire edges without a variation; 0 for other edges
   std::vector<Group> groups_;
   std::vector<int> group_of_edge_;
   Iterate now_;
@@ -176,7 +176,8 @@ Step RelaxedLengths::step(double smoothing, const StopToken& stop) {
   return step;
 }
 
-/// Minimizes Φ for one σ. Returns false if the budget was spent before the minimum.
+/// Minimizes Φ for one σ, with at most kMaxRelaxSteps steps. Returns false if the minimum is not reached with them, or
+/// before the budget is spent.
 bool RelaxedLengths::minimize(double smoothing, const Control& control) {
   double now = value(now_, smoothing);
   for (int i = 0; i < kMaxRelaxSteps; ++i) {
@@ -196,7 +197,7 @@ bool RelaxedLengths::minimize(double smoothing, const Control& control) {
     now_ = std::move(trial);
     now = reached;
   }
-  return true;
+  return false;
 }
 
 RelaxedShape RelaxedLengths::shape() const {
@@ -229,8 +230,8 @@ RelaxedShape relax_lengths(const Problem& problem, const Positions2& start, cons
   const Chart varied = with_variations(problem.chart());
   const Problem varied_problem(varied, problem.network(), problem.fairness());
   RelaxedLengths lengths(varied_problem, start, control.stop);
-  bool is_minimum = true;
-  for (const double smoothing : kSmoothing) is_minimum = is_minimum && lengths.minimize(smoothing, control);
+  bool is_minimum = false;  // for the last σ; the others only lead there
+  for (const double smoothing : kSmoothing) is_minimum = lengths.minimize(smoothing, control);
   RelaxedShape shape = lengths.shape();
   shape.is_minimum = is_minimum;
   return shape;
