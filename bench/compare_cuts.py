@@ -64,7 +64,7 @@ def flat(vertices: np.ndarray, faces: np.ndarray, seams: np.ndarray) -> CutFigur
 
 
 def cut(vertices: np.ndarray, faces: np.ndarray, bound: float) -> tuple[CutFigures, float | None]:
-    """Return the shortest cuts found that keep the energy below the bound, and Outcome.set_length."""
+    """Return the figures of the shortest cuts found with an energy of at most `bound`, and Outcome.set_length."""
     nothing = np.zeros((0, 2), dtype=int)
     uncut = flat(vertices, faces, nothing)
     if uncut and (darts := with_darts(vertices, faces, (nothing, uncut), np.inf, bound)):
@@ -85,8 +85,11 @@ def cut(vertices: np.ndarray, faces: np.ndarray, bound: float) -> tuple[CutFigur
 def starts(
     vertices: np.ndarray, faces: np.ndarray, sets: list[Cuts], below: list[Cuts], bound: float
 ) -> Iterator[Cuts]:
-    """Return cuts below the bound from which seams may be removed, the most promising first. below: the sets that are
-    below the bound without darts.
+    """Yield cuts with an energy of at most `bound`. The caller then removes seams from them.
+
+    The shortest set of `below` is first, then sets with added darts, then the rest of `below`.
+
+    sets: all cut sets, the shortest first. below: the sets with an energy of at most `bound` without darts.
     """
     longest = below[0][1].length if below else np.inf
     yield from below[:1]
@@ -101,7 +104,7 @@ def is_late() -> bool:
 
 
 def simplified(vertices: np.ndarray, faces: np.ndarray, cuts: Cuts, bound: float) -> CutFigures:
-    """Remove seams with increasing limits of strain, as long as the energy keeps the bound. Return the figures."""
+    """Remove seams with increasing limits of strain, as long as the energy is at most `bound`. Return the figures."""
     limit, step = LEAST_LIMIT, LARGE_STEP
     while step >= SMALL_STEP and limit <= MOST_LIMIT and not is_late():
         found = wirewarp.simplify_seams(vertices, faces, seams=cuts[0], strain=limit)
@@ -115,7 +118,8 @@ def simplified(vertices: np.ndarray, faces: np.ndarray, cuts: Cuts, bound: float
 
 
 def flat_sets(vertices: np.ndarray, faces: np.ndarray) -> list[Cuts]:
-    """Return the different cut sets of all targets with which every piece is flat, the shortest first."""
+    """Return the different cut sets of all targets, the shortest first. With each set, every piece has a flat shape
+    without overlaps."""
     sets = {}
     for target in TARGETS:
         for proposal in wirewarp.propose_seams(vertices, faces, strain=target, count=LADDER):
@@ -128,7 +132,7 @@ def flat_sets(vertices: np.ndarray, faces: np.ndarray) -> list[Cuts]:
 
 
 def with_darts(vertices: np.ndarray, faces: np.ndarray, cuts: Cuts, longest: float, bound: float) -> Cuts | None:
-    """Return the cuts with added darts, each the one with the largest decrease of energy for its length.
+    """Return the cuts with added darts. Each added dart has the largest decrease of energy for its length.
 
     Returns None if the cuts would be longer than `longest`, or if the energy stays above the bound.
     """
@@ -236,16 +240,17 @@ def in_brief(rows: list[tuple[Outcome, Outcome]]) -> str:
     ratio = median(own.figures.length / peer.figures.length for peer, own in both)
     mismatch, strain, charts = middle("mismatch"), middle("strain"), middle("charts")
     seconds = [median(outcome[i].seconds for outcome in both) for i in (0, 1)]
-    return (
-        f"Of {len(rows)} surfaces, {len(both)} were cut below the bound within the time by both methods, "
-        f"{sum(bool(own.figures and not peer.figures) for peer, own in rows)} by WireWarp alone, and "
-        f"{sum(bool(peer.figures and not own.figures) for peer, own in rows)} by OptCuts alone. Of the {len(both)}, "
-        f"WireWarp has the shorter cuts on {won} and OptCuts on {len(both) - won}. WireWarp's cuts are {ratio:.2f} "
-        "times as long as OptCuts' in the median. The medians of OptCuts and of WireWarp, in this order, are "
-        f"{1000 * mismatch[0]:.3g} and {1000 * mismatch[1]:.2g} mm per m for the difference between the sides of a "
-        f"cut, {100 * strain[0]:.0f}% and {100 * strain[1]:.0f}% for the strain, {charts[0]:.3g} and {charts[1]:.3g} "
-        f"for the number of charts, and {seconds[0]:,.1f} and {seconds[1]:,.1f} s for the time."
-    )
+    return f"""Of {len(rows)} surfaces, {len(both)} were cut below the bound within the time by both methods,
+{sum(bool(own.figures and not peer.figures) for peer, own in rows)} by WireWarp alone, and
+{sum(bool(peer.figures and not own.figures) for peer, own in rows)} by OptCuts alone. Of the {len(both)}, WireWarp has
+the shorter cuts on {won} and OptCuts on {len(both) - won}. WireWarp's cuts are {ratio:.2f} times as long as OptCuts' in
+the median. These are the other medians:
+
+- difference between the sides of a cut, in mm per m: {1000 * mismatch[0]:.3g} for OptCuts, and
+  {1000 * mismatch[1]:.2g} for WireWarp
+- strain: {100 * strain[0]:.0f}% for OptCuts, and {100 * strain[1]:.0f}% for WireWarp
+- number of charts: {charts[0]:.3g} for OptCuts, and {charts[1]:.3g} for WireWarp
+- processor time: {seconds[0]:,.1f} s for OptCuts, and {seconds[1]:,.1f} s for WireWarp"""
 
 
 def page(
