@@ -19,7 +19,7 @@ FetchContent_Declare(
   GIT_REPOSITORY https://gitlab.vci.rwth-aachen.de:9000/OpenMesh/OpenMesh.git
   GIT_TAG OpenMesh-11.0
   GIT_SHALLOW ON
-  SOURCE_SUBDIR built-by-us  # does not exist either, because OpenMesh's own build makes much that we do not need
+  SOURCE_SUBDIR built-by-us  # does not exist, because OpenMesh's own build makes much that we do not need
 )
 set(inside ${CMAKE_CURRENT_SOURCE_DIR}/libraries)
 if(EXISTS ${inside})
@@ -49,6 +49,6 @@ else()
   set(core ${openmesh_SOURCE_DIR}/src/OpenMesh/Core)
   file(GLOB openmesh_sources ${core}/Mesh/*.cc ${core}/Utils/BaseProperty.cc ${core}/System/omstream.cc)
   set_source_files_properties(${openmesh_sources} PROPERTIES COMPILE_OPTIONS -w
-                              COMPILE_DEFINITIONS "NOMINMAX;_USE_MATH_DEFINES")  # as OpenMesh builds it for Windows
-  target_include_directories(wirewarp_openmesh SYSTEM INTERFACE ${core}/../..)  # SYSTEM: the headers cause warnings
+                              COMPILE_DEFINITIONS "NOMINMAX;_USE_MATH_DEFINES")  # as in OpenMesh's build for Windows
+  target_include_directories(wirewarp_openmesh SYSTEM INTERFACE ${core}/../..)  # SYSTEM hides warnings of the headers
 endif()

@@ -13,7 +13,8 @@ if(NOT openmesh_sources)
   target_link_libraries(wirewarp PRIVATE $<INSTALL_INTERFACE:OpenMeshCore>)
 endif()
 configure_file(cmake/wirewarp-config.cmake.in wirewarp-config.cmake @ONLY)
-write_basic_package_version_file(wirewarp-config-version.cmake COMPATIBILITY SameMinorVersion)  # while at 0.x
+# SameMinorVersion: as long as the version is 0.x, minor versions may change the API
+write_basic_package_version_file(wirewarp-config-version.cmake COMPATIBILITY SameMinorVersion)
 
 # Wheels only contain the component `wirewarp`.
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME development)

@@ -13,8 +13,9 @@ else()
   message(FATAL_ERROR "WIREWARP_TARGET=${WIREWARP_TARGET} is not a target of zig for Windows, macOS or Linux")
 endif()
 set(CMAKE_CXX_COMPILER "${WIREWARP_ZIG}" c++)
-# Linking would make zig compile its own libraries first, without optimization. Therefore, CMake must not link when it
-# identifies the compiler, which the target prevents, and not when it tests the compiler, which STATIC_LIBRARY prevents.
+# Linking would make zig compile its own libraries first, without optimization. Therefore, CMake must not link before
+# the build. With a target, it does not link to identify the compiler. With STATIC_LIBRARY, it does not link to test the
+# compiler.
 set(CMAKE_CXX_COMPILER_TARGET ${WIREWARP_TARGET})
 set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
 set(CMAKE_CXX_FLAGS_INIT -g0)  # otherwise zig adds debug information, which takes a fifth of the time

@@ -15,7 +15,7 @@ void bind_cache(py::module_& module) {
   cache.def_property_readonly("size", &Cache::size, "Number of pieces in the cache.");
   cache.def("clear", &Cache::clear, "Removes all pieces.");
   cache.def("__reduce_ex__", [](const Cache&, int) -> py::object {
-    throw py::type_error("a Cache cannot be copied or pickled: each process keeps one of its own");
+    throw py::type_error("a Cache cannot be copied or pickled: make a new Cache in each process");
   });
   cache.def("__repr__", [](const Cache& self) { return "Cache(size=" + std::to_string(self.size()) + ")"; });
 }

@@ -58,8 +58,8 @@ each edge once. With sources, a CutSources, the attributes of the new mesh are
     np.einsum("fij,fjk->fik", sources.corner_weights, of_corners[sources.faces]) for of_corners (m, 3, d).
 Seams and wires that a path crosses then run along the vertices in sources.divided_edges.
 
-Raises FlattenError "invalid_option" for a path that is not on the mesh, has two consecutive points without a
-common triangle, or is so short that its points snap together; and the errors of flatten() for vertices and faces.)";
+Raises the errors of flatten() for vertices and faces. Raises FlattenError "invalid_option" for a path that is not on
+the mesh, that has two consecutive points without a common triangle, or whose points all snap together.)";
 
 /// Returns lists of vertices as arrays.
 py::object as_arrays(const std::vector<std::vector<int>>& lists, py::handle owner) {

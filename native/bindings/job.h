@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Work of the core in its own thread, which is pure C++ and never needs the GIL.
+// Work of the core in its own thread. The work is pure C++ and never needs the GIL.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -43,7 +43,7 @@ class Job {
   std::pair<std::string, double> progress() const;
 
   /// Waits for the result. Throws the exceptions of the work. If a signal raises an exception in Python, cancels the
-  /// work and throws it.
+  /// work and throws this exception.
   py::object result();
 
  private:
@@ -56,7 +56,7 @@ class Job {
   const py::object used_;
   const int num_forks_ = num_forks();
   std::atomic<bool> cancelled_{false};
-  mutable std::mutex mutex_;  // guards is_done_, stage_ and fraction_; ended_ waits with it
+  mutable std::mutex mutex_;  // guards is_done_, stage_ and fraction_; ended_ waits with mutex_
   std::unique_ptr<std::condition_variable> ended_ = std::make_unique<std::condition_variable>();
   bool is_done_ = false;
   std::string stage_;

@@ -36,36 +36,38 @@ strain: accepted strain; None for 0.005. Pieces with at most this strain (DartPr
 longest: maximum length of a cut on the surface, scene units; None for any length.
 no_seam: (k, 2) vertex pairs, edges along which no cut may run.
 smooth: True for darts that are smooth lines across triangles without corners. They are straight unless a bend gains
-    clearly more. The best dart along edges is added if it leaves at least 5% less strain. A smooth dart has no edges.
-    To make them, call vertices, faces, edges, sources = cut_mesh(vertices, faces, proposal.paths). The figures are
-    those of flatten(vertices, faces, seams=[*seams, *edges]). Around the tip of a smooth dart, the mean strain is at
-    most 3%, or the strain of the piece without the dart if that is larger.
+    clearly more. The best dart along edges is added if it leaves at least 5% less strain than all smooth darts. A
+    smooth dart has no edges. To make edges, call vertices, faces, edges, sources = cut_mesh(vertices, faces,
+    proposal.paths). The figures are those of flatten(vertices, faces, seams=[*seams, *edges]). Around the tip of a
+    smooth dart, the mean strain is at most 3%, or the strain of the piece without the dart if that is larger.
 no_crossing: (k, 2) vertex pairs, edges that no smooth dart may cross or touch. Darts along edges may touch them.
 progress: called as progress("cuts", fraction). Returning False cancels the search and raises FlattenError "cancelled".
 The other arguments are those of flatten().
 
-Raises the errors of flatten(); the error of the requested piece if it has no flat shape, with seams that fix it; and
-FlattenError "no_proposal" if the piece is flat already, has no room for a cut, or gains nothing from a cut.)";
+Raises the errors of flatten(). If the requested piece has no flat shape, raises its error, with seams that fix the
+piece. Raises FlattenError "no_proposal" if the piece is flat already, has no room for a cut, or gains nothing from a
+cut.)";
 
 constexpr const char* kSeamsDoc =
-    R"(Returns seams across a piece, from outline to outline, that lower the stretch that it needs.
+    R"(Returns seams across a piece, from outline to outline, that lower the stretch that the piece needs.
 
 Arguments, figures and errors are those of propose_darts().
 
-Cut sets: a piece may have no flat shape because it lacks seams: it is closed (a ball), has handles, or its outline is
-too short (a tube). A flat shape with a strain of 1 or more counts as no flat shape, unless the piece has wires inside.
-Then each proposal is a set of seams and darts with which all parts have a flat shape. If no piece is requested, the
-largest piece that lacks seams is cut. The first set brings every part to the accepted strain (None for 0.05), unless
-more than forty cuts with their mirror images would be needed. Each later set is shorter and leaves more strain. Sets
-are symmetric if the piece is symmetric, and may cross wires.
+A piece may have no flat shape because it lacks seams: it is closed (a ball), has handles, or its outline is too short
+(a tube). A flat shape with a strain of 1 or more counts as no flat shape, unless the piece has wires inside. For a
+piece that lacks seams, each proposal is a cut set: seams and darts with which all parts have a flat shape. If no piece
+is requested, the largest piece that lacks seams is cut. The first set brings every part to the accepted strain (None
+for 0.05), unless more than forty cuts with their mirror images would be needed. Each later set is shorter and leaves
+more strain. Sets are symmetric if the piece is symmetric, and may cross wires.
 
 For a set, edges has one line after the other, energy is the energy of all parts, and strain is the strain of the worst
-part. energy_before and strain_before are infinite. longest limits the length of the whole set. Pieces are not joined to
-a piece that covers less than 60% of its convex hull, and a smaller share of its hull than each of the joined pieces.
+part. energy_before and strain_before are infinite. longest limits the length of the whole set. Two pieces are not
+joined if the joined piece would cover less than 60% of its convex hull, and a smaller share of its hull than each of
+the two.
 
-narrowest: least width of the flat pieces of a cut set, scene units; 0 for any width. Pieces are not joined to a piece
-    that is narrower than this, unless one of them is equally narrow. Use a little more than twice the allowance: see
-    pattern.piece_width() and pattern.has_room().
+narrowest: least width of the flat pieces of a cut set, scene units; 0 for any width. Two pieces are not joined if the
+    joined piece would be narrower than this, unless one of the two is equally narrow. Use a little more than twice the
+    allowance: see pattern.piece_width() and pattern.has_room().
 smooth: True for sets of smooth lines, which turn by less than 30 degrees at each vertex between their ends. Lines keep
     some bends, or stay on edges, if smoother lines would meet, make more pieces narrower than narrowest, or more than
     double the strain. The strain also stays within the accepted strain, or within the smallest of 2, 4, 8, ... times
@@ -77,9 +79,9 @@ no_crossing: (k, 2) vertex pairs, edges that no smooth line may cross. Smooth li
     no_seam either.
 
 If progress returns False, the cut sets found by then are returned, with their figures. Some may not be smooth yet.
-FlattenError "cancelled" is raised only before the first set.
+FlattenError "cancelled" is raised only before the first set is found.
 
-Raises "no_proposal" if no_seam or longest allow no set.)";
+Raises FlattenError "no_proposal" if no_seam or longest allow no set.)";
 
 constexpr const char* kStartDartsDoc =
     R"(Starts propose_darts() with these arguments and returns a Job immediately, like start().)";
@@ -98,7 +100,8 @@ most: maximum number of cuts, 1 or more; a cut set (see propose_seams()) counts 
 longest: maximum length of a cut on the surface, scene units; None for any length.
 total_length: maximum length of all cuts together on the surface, scene units; None for any length.
 piece: index of the only piece to cut, in the result of flatten(); None for any piece.
-twins: makes a cut together with its mirror image if both are better and allowed. They count as two consecutive cuts.
+twins: adds the mirror image of a cut if both leave less strain than one and are allowed. They count as two consecutive
+    cuts.
 no_seam: (k, 2) vertex pairs, edges along which no cut may run.
 The other arguments are those of flatten(); progress is called as in propose_darts().
 

@@ -97,7 +97,7 @@ class Record : public py::class_<T> {
  public:
   Record(py::module_& module, const char* name)
       : py::class_<T>(module, name, py::module_local(), doc_of(name)), name_(name) {
-    // The class belongs to the package; the extension module is private.
+    // The class names the package as its module, because the extension module is private.
     const std::string module_name = py::str(module.attr("__name__"));
     this->attr("__module__") = module_name.substr(0, module_name.rfind('.'));
     this->attr("_fields") = py::list();

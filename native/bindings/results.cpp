@@ -16,7 +16,7 @@ py::object tuple_of(const std::vector<Value>& values) {
   return py::tuple(py::cast(values));
 }
 
-/// Returns the error of a piece, or None. Each piece has one error object as long as it lives.
+/// Returns the error of a piece, or None. As long as a piece lives, calls return the same error object.
 py::object error_or_none(const Piece& piece, py::handle owner, const py::object& errors) {
   if (!piece.error) return py::none();
   if (!errors.contains(owner)) errors[owner] = to_python_error(*piece.error);
@@ -158,8 +158,8 @@ void bind_results(py::module_& module) {
       .field("wires", &FlattenResult::wires)
       .field(
           "report", [](const FlattenResult& result, py::handle) { return run_report(result); }, &read_run_report,
-          "A dict with the method, the numbers pieces, failed_pieces, reused_pieces (taken from the cache) and faces, "
-          "and the seconds per stage, summed over pieces that are solved in parallel.")
+          "A dict with method, seconds, and the numbers pieces, failed_pieces, reused_pieces (taken from the cache) "
+          "and faces. seconds is a dict with the time of each stage, summed over pieces that are solved in parallel.")
       .picklable();
 }
 

@@ -37,8 +37,8 @@ class RunningCall {
 /// end, if possible without the GIL.
 bool python_is_ending();
 
-/// Returns the number of forks between the process that loaded the module and this process. A fork does not copy
-/// threads.
+/// Returns the number of forks between the process that loaded the module and this process. After a fork, the new
+/// process has none of the earlier threads.
 int num_forks();
 
 /// Makes the end of Python wait for the running calls.

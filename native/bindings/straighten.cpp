@@ -31,7 +31,7 @@ py::tuple run_straighten(const py::object& vertices, const py::object& faces, co
 }
 
 constexpr const char* kStraightenDoc =
-    R"(Returns the shortest line through the triangles that touch a path of edges, with the same ends, to smooth darts.
+    R"(Returns the shortest line through the triangles that touch a path of edges, with the same ends. Use it for darts.
 
 path: vertices, each joined to the next by an edge that is not on a seam or outline. A future seam must not be among the
     seams yet.

@@ -15,7 +15,7 @@
 namespace wirewarp {
 namespace {
 
-/// Distance, over the piece's size, above which flat corners of one vertex count as separate.
+/// Distance divided by the piece's size above which flat corners of one vertex count as separate.
 constexpr double kSamePoint = 1e-6;
 
 /// The flat corners of a chart's faces: one position per half-edge with a face, at its start.

@@ -28,7 +28,7 @@ constexpr int kPiece = 3'000, kNet = 40'000, kCached = 10'000, kSmallNet = 360; 
 struct Comparison {
   std::string name;
   std::function<void()> run;
-  std::function<void()> plain;  // may be empty
+  std::function<void()> plain;  // run to compare with; empty: only `run` is measured
 };
 
 double user_seconds() {
@@ -88,7 +88,7 @@ FlattenInput every_edge_a_wire() {
     Wire wire;
     wire.vertices = {a, b};
     wire.tolerance = kTolerance;
-    wire.ease = 0.1 * std::sin(static_cast<double>(input.wires.size()));  // irregular
+    wire.ease = 0.1 * std::sin(static_cast<double>(input.wires.size()));  // irregular: eases contradict
     input.wires.push_back(wire);
   }
   return input;

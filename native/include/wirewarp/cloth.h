@@ -13,8 +13,8 @@ namespace wirewarp {
 ///   weft (f_weft − 1)² + warp (f_warp − 1)² + shear (f_weft f_warp sin γ)²
 ///
 /// where f is the worn length of a thread divided by its flat length, and γ is the angle by which weft and warp differ
-/// from a right angle. Only ratios of the stiffnesses count. With weft 1, warp 1 and shear ½, the energy of small
-/// strains equals the isotropic energy of a run without a cloth.
+/// from a right angle. The shape depends only on the ratios of the stiffnesses. With weft 1, warp 1 and shear ½, the
+/// energy of small strains equals the isotropic energy of a run without a cloth.
 struct Cloth {
   double weft = 1;     // stiffness of the threads across the grain; positive
   double warp = 1;     // stiffness of the threads along the grain; positive
@@ -27,8 +27,8 @@ struct Cloth {
   static constexpr double most_squeeze = 100;
 
   /// Negative ease: relative stretch of the cloth when worn, along weft and warp. 0.2 is 20%. The energy measures the
-  /// deviation from the worn state. Flat lengths are shorter according to the stretch in their direction. All sides of
-  /// a seam become shorter by the same factor. Dimensionless, in [-0.5, 4].
+  /// deviation from the worn state. An edge of the flat piece is shorter by the stretch in the direction of the edge.
+  /// All sides of a seam become shorter by the same factor. Dimensionless, in [-0.5, 4].
   std::array<double, 2> stretch = {0, 0};
   static constexpr double least_stretch = -0.5;
   static constexpr double most_stretch = 4;
@@ -41,7 +41,7 @@ struct Cloth {
   /// gets a warning. None: the strain is not checked.
   std::optional<std::array<double, 2>> limits;
 
-  /// Largest ratio of two stiffnesses. Real fabrics stay below 300.
+  /// Largest allowed ratio of two stiffnesses. Real fabrics stay below 300.
   static constexpr double most_anisotropy = 1e4;
 };
 
@@ -51,7 +51,7 @@ struct ClothPreset {
   std::string name;         // name for scripts: "woven"
   std::string label;        // name for users: "Woven Cotton"
   std::string description;  // one sentence
-  Cloth cloth;              // with limits: its maximum stretch across and along the grain
+  Cloth cloth;              // its limits are the maximum stretch across and along the grain
   std::string source;       // source of the figures
 };
 

@@ -13,7 +13,7 @@ using CornerWeights = Eigen::Matrix<double, Eigen::Dynamic, 9, Eigen::RowMajor>;
 /// The input elements from which each element of a cut mesh was made. Use them to transfer attributes of any kind.
 struct CutSources {
   Triangles vertices;            // (n, 3) input vertices from which each vertex is interpolated
-  Positions3 vertex_weights;     // (n, 3) their weights, which sum to 1
+  Positions3 vertex_weights;     // (n, 3) weights of the vertices in each row of `vertices`; they sum to 1
   std::vector<int> faces;        // (m,) input face that contains each face
   CornerWeights corner_weights;  // (m, 3, 3) for each corner of a face, the weights of the input face's corners
   std::vector<int> edge_paths;   // (k,) index of the path to which each edge belongs
@@ -22,14 +22,14 @@ struct CutSources {
 
 struct CutMesh {
   Positions3 vertices;            // (n, 3) vertices of the input, then the new vertices
-  Triangles faces;                // (m, 3) faces without a path keep their index; parts of divided faces come last
+  Triangles faces;                // (m, 3) each input face or one part of it, in the same order, then the other parts
   std::vector<VertexPair> edges;  // (k, 2) edges of the paths in order, one path after the other, each edge once
   CutSources sources;
 };
 
 /// Divides triangles so that paths become edges. The surface does not change: each new vertex is on an edge or in a
 /// triangle of the input, and vertices keep their numbers. Faces keep their orientation, and a manifold mesh remains a
-/// manifold. Paths may cross, touch and follow each other and edges. A crossing becomes a vertex.
+/// manifold. Paths may cross, touch or follow each other, and may follow edges. A crossing becomes a vertex.
 ///
 /// To avoid slivers, points move in three cases. A point moves to an edge if the barycentric coordinate of the opposite
 /// corner is less than `snap`. A point on an edge moves to an end if the weight of the other end is less than `snap`. A
@@ -37,12 +37,12 @@ struct CutMesh {
 /// half of `snap` leads through this point.
 ///
 /// snap is from 0.0001 to 0.25. With snap 0.05 and edges of 10 mm, a line moves by 1 mm at most. If a straight line
-/// crosses a triangle, the parts have at least snap (1 - snap) times the height of the triangle. Lines that meet at
-/// small angles leave smaller parts. A line that is cut again does not move.
+/// crosses a triangle, the heights of the parts are at least snap (1 - snap) times the height of the triangle. Lines
+/// that meet at small angles leave smaller parts. A line that is cut again does not move.
 ///
-/// Throws empty_mesh, vertex_out_of_range, non_finite_coordinates, repeated_vertex_in_face, and invalid_option for a
-/// path that is not on the mesh, has two consecutive points without a common triangle, or is so short that its points
-/// snap together.
+/// Throws empty_mesh, vertex_out_of_range, non_finite_coordinates or repeated_vertex_in_face for a faulty mesh. Throws
+/// invalid_option if snap is out of its range, or if a path is not on the mesh. Also throws invalid_option if two
+/// consecutive points of a path have no common triangle, or if all its points snap together.
 CutMesh cut_mesh(const Positions3& vertices, const Triangles& faces, const std::vector<SurfacePath>& paths,
                  double snap = 0.05);
 

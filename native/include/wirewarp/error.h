@@ -49,7 +49,7 @@ enum class ErrorCode {
   lengths_not_kept,
   flipped_faces,
   overlapping_faces,
-  // Raised by propose_darts() and propose_seams().
+  // Raised by the functions that propose cuts.
   no_proposal,
 };
 
@@ -85,14 +85,14 @@ struct ErrorElements {
   std::vector<VertexPair> edges;  // vertex pairs
   std::vector<int> faces;
   std::vector<VertexPair> proposed_seams{};              // edges to add to the input's seams; empty without a proposal
-  std::vector<ProposedTolerance> proposed_tolerances{};  // one per wire; empty without a proposal
+  std::vector<ProposedTolerance> proposed_tolerances{};  // one per contradicting wire; empty without a proposal
 };
 
-/// Invalid input, or a piece that cannot be flattened. what() is one English sentence for users of the library: fault,
-/// place and remedy. A program for other users makes its own sentence from the code, arguments and elements.
+/// Invalid input, or a piece that cannot be flattened. For users of the library, what() says in English what the fault
+/// is, where it is and how to fix it. A program for other users makes its own text from code, arguments and elements.
 class FlattenError : public std::runtime_error {
  public:
-  /// Makes an error whose sentence describes the other arguments. with_layout: see has_layout.
+  /// Makes an error and its sentence from the arguments. with_layout: see has_layout.
   FlattenError(ErrorCode error_code, ErrorArguments details, ErrorElements named = {}, bool with_layout = false);
 
   /// Makes an error with a given sentence, for example the sentence of a stored error.

@@ -25,8 +25,8 @@ enum class NodeWeight {
 /// Planar angles that the inner problem, Eq. (1), returns.
 enum class Inner {
   minimum,     // the local minimizer of Eq. (1) reached from the surface angles
-  least_norm,  // for comparison: the first feasible point of the paper's least-norm steps, with all wires rigid;
-               // depends on the mesh
+  least_norm,  // for comparison: the first feasible point of the paper's least-norm steps, with all wires rigid; the
+               // result depends on the mesh
 };
 
 /// How the pieces are placed.
@@ -37,9 +37,9 @@ enum class PieceLayout {
 
 /// Direction that is up in each piece.
 enum class Orientation {
-  wire,      // the wire Options::grain; without wires, the longest chain of the outline
+  wire,      // the wire Options::grain or else the piece's first wire; without wires, the longest chain of the outline
   boundary,  // the longest straight section of the outline, with the piece on its left
-  up,        // Options::up: the direction in which the surface rises most on average; for level pieces, as for wire
+  up,        // the direction in which the surface rises most toward Options::up; for level pieces, as for wire
   best,      // the direction with the least energy of the cloth; needs a cloth
   grain,     // as for wire in pieces that the wire Options::grain crosses, as for up in other pieces
 };
@@ -63,10 +63,10 @@ struct Options {
   static constexpr double least_fairness = 0.001;
   static constexpr double most_fairness = 10;
 
-  /// For the refined method: maximum number of Newton factorizations for a piece. A piece that reaches this number
-  /// keeps its current shape. All starts and stages count: a coarser mesh, closed slits and elastic seams. A
+  /// For the refined method: maximum number of Newton factorizations for a piece, >= 1. A piece that reaches this
+  /// number keeps its current shape. All starts and stages count: a coarser mesh, closed slits and elastic seams. A
   /// factorization of pieces coupled by elastic seams counts for each of these pieces. The search for contradicting
-  /// wires has its own limits. >= 1.
+  /// wires has its own limits.
   ///
   /// For a fabric that is stretched when worn, each piece is solved without the stretch first. The count starts again:
   ///
@@ -76,8 +76,8 @@ struct Options {
   int max_factorizations = 200;
 
   /// For the refined method: fabric that the pieces are cut from, with x along its weft and y along its warp. None: an
-  /// isotropic material, Eq. (4). Each piece is first turned as Options::orientation says, and then keeps this
-  /// direction. Two vertices of the piece define the direction, except for Orientation::best.
+  /// isotropic material, Eq. (4). Each piece is first turned as Options::orientation says. While it is solved, the line
+  /// between two of its vertices keeps this direction, except for Orientation::best.
   std::optional<Cloth> cloth;
 
   /// Thickness of the material in scene units, finite and at least 0. Bent material keeps its length in the middle of

@@ -16,8 +16,9 @@ namespace wirewarp {
 /// without a flat shape needs. Every figure comes from flatten() with the edges of the cut as seams, or with the edges
 /// that cut_mesh() makes of its paths. The energy is that of all parts together.
 ///
-/// Strain is the stretch in reports and verdicts: the value that 99% of the area of a part does not exceed. Without a
-/// cloth, it is max(sigma_1, 1/sigma_2) - 1 beyond intended eases. With a cloth, it is the stretch of the threads.
+/// Strain is the stretch in reports and verdicts. In 99% of the area of a part, the fabric stretches by at most this
+/// value. Without a cloth, the stretch is max(sigma_1, 1/sigma_2) - 1, without the effect of intended eases. With a
+/// cloth, it is the stretch of the threads.
 struct DartProposal {
   int piece = -1;                  // index of the piece to cut, in the result of flatten() without the cut
   std::vector<VertexPair> edges;   // (k, 2) in order from the outline, to be added to the input's seams; for a cut
@@ -30,8 +31,8 @@ struct DartProposal {
   double strain = 0;               // strain of the worst part with the cut: how far the fabric must stretch
   double strain_before = 0;        // strain without the cut; infinite for a cut set
   std::optional<int> twin;         // index of the mirror image in the list; none if the cut has no mirror image
-  std::optional<double> energy_with_twin;  // energy with the cut and its mirror image; none if both meet or are
-                                           // no better than one
+  std::optional<double> energy_with_twin;  // energy with the cut and its mirror image; none if the two meet, or are
+                                           // no better than the cut alone
   std::optional<double> strain_with_twin;  // strain with the cut and its mirror image
   std::optional<double> strain_left;  // in a plan: largest strain, after this step and all earlier steps, of the flat
                                       // parts that may be cut; a step is a cut, or a cut and its mirror image
@@ -46,8 +47,9 @@ struct CutOptions {
   double longest = std::numeric_limits<double>::infinity();  // maximum length of a cut or set, scene units; > 0
   double narrowest = 0;  // least width of the flat pieces of a cut set, scene units; >= 0; 0: any width
   VertexPairs no_seam = VertexPairs(0, 2);      // (k, 2) edges along which no cut may run
-  bool is_smooth = false;                       // darts and cut sets may be smooth lines across triangles
-  VertexPairs no_crossing = VertexPairs(0, 2);  // (k, 2) edges that no smooth line may cross, and no dart may touch
+  bool is_smooth = false;                       // whether darts and cut sets may be smooth lines across triangles
+  VertexPairs no_crossing = VertexPairs(0, 2);  // (k, 2) edges that no smooth line may cross, and that no smooth dart
+                                                // may touch
 };
 
 /// Returns darts that lower the energy and the strain of a piece by at least 2%, to a strain below 1. Darts are sorted
@@ -59,11 +61,12 @@ struct CutOptions {
 /// With is_smooth, darts are smooth lines across triangles without corners. They are straight unless a bend gains
 /// clearly more. cut_mesh() turns the lines into edges, and the figures are those of flatten() with these edges as
 /// seams. Around the tip of a smooth dart, the mean strain is at most 3%, or the strain of the piece without the dart
-/// if that is larger. A smooth dart comes with its mirror image if both are better than one. The best dart along edges
-/// is added if it leaves at least 5% less strain than all smooth darts.
+/// if that is larger. A smooth dart comes with its mirror image if the two darts are better than one of them. The best
+/// dart along edges is added if it leaves at least 5% less strain than all smooth darts.
 ///
-/// Throws the errors of flatten(), the error of the requested piece if it has no flat shape, cancelled, and no_proposal
-/// if the piece is flat already, has no room for a cut, or gains nothing from a cut.
+/// Throws the errors of flatten(), and cancelled if progress returns false. Throws the error of the requested piece if
+/// it has no flat shape. Throws no_proposal if the piece is flat already, has no room for a cut, or gains nothing from
+/// a cut.
 std::vector<DartProposal> propose_darts(const FlattenInput& input, const Options& options = {},
                                         const CutOptions& cut_options = {}, const Progress& progress = {});
 
@@ -78,29 +81,29 @@ std::vector<DartProposal> propose_darts(const FlattenInput& input, const Options
 /// wires, but follow neither edges of no_seam nor mirror images of these edges. Sets that leave a strain of 1 or more
 /// are not returned.
 ///
-/// The width of a flat piece is the diameter of the largest disk that can move through it. Parts of the piece with less
-/// than a tenth of its area do not count. Two pieces are not joined if the joined piece would be narrower than
-/// `narrowest`, unless one of the two is equally narrow. Pieces that are narrow from the beginning stay if they cannot
-/// be joined to others. Pieces are not joined to a piece with long arms either: a piece that covers less than 60% of
-/// its convex hull, and a smaller share of its hull than each of the joined pieces.
+/// The width of a flat piece is the diameter of the largest disk that can move through it. The disk need not reach
+/// parts with less than a tenth of the piece's area. Two pieces are not joined if the joined piece would be narrower
+/// than `narrowest`, unless one of the two is equally narrow. Pieces that are narrow from the beginning stay if they
+/// cannot be joined to other pieces. Two pieces are not joined either if the joined piece would have long arms. Such a
+/// piece covers less than 45% of its convex hull, and a smaller share of its hull than each of the two pieces.
 ///
 /// With is_smooth, a closed piece is first divided at its necks and along planes through its parts. This search needs
 /// an input without wires, eases and thickness, and a piece with necks or without long sharp edges. Sets that cross or
 /// follow edges of no_seam or no_crossing are left out. Parts are joined again as long as their strain stays within a
 /// limit: 1, 2 or 4 times the accepted strain, but at most 20%, or the accepted strain if that is larger. Without an
 /// accepted strain, the limits are 5%, 10% and 20%. Limits below 2% are not used. A joined part covers at least 85% of
-/// its convex hull, or the share that one of its parts covers. Then the lines are smoothed. Sets have at most 30
-/// pieces. The search ends if one set has at most 12 pieces, all wide enough, within the accepted strain (20% if none
-/// is given). Otherwise, the sets described below are added. All sets are sorted by length, the longest first. A
-/// shorter set with more pieces may leave less strain.
+/// its convex hull, or at least as large a share as one of the parts that it is made of. Then the lines are smoothed.
+/// Sets have at most 30 pieces. The search ends if one set has at most 12 pieces, all wide enough, within the accepted
+/// strain (20% if none is given). Otherwise, the sets of the next paragraph are added. All sets are sorted by length,
+/// the longest first. A shorter set with more pieces may leave less strain.
 ///
 /// With is_smooth, the lines of all other cut sets are smoothed until they turn by less than 30 degrees at each vertex
 /// between their ends. Junctions move with the lines. Smooth lines do not cross wires or edges of no_seam and
 /// no_crossing, and vertices on these edges do not move. Pieces are joined after their lines were smoothed, because
-/// zigzags along edges work like many small darts. They are joined for 1, 2, 4, 8, … times the accepted strain. Then
-/// the lines are smoothed again within this strain, or within the strain of the set if that is larger. The first set
-/// may therefore leave more than the accepted strain. Lines keep some of their bends, or stay on edges, if smoother
-/// lines would need too much strain or would meet.
+/// zigzags along edges work like many small darts. For each limit of 1, 2, 4, 8, … times the accepted strain, pieces
+/// are joined up to this strain. Then the lines are smoothed again within the limit, or within the strain of the set if
+/// that is larger. The first set may therefore leave more than the accepted strain. Lines keep some of their bends, or
+/// stay on edges, if smoother lines would need too much strain or would meet.
 ///
 /// Sets with few cuts and no joined pieces are smoothed at the end. A smooth set has at most twice the strain of the
 /// set along edges. It also stays within the smallest of 1, 2, 4, 8, … times the accepted strain that is not below the
@@ -108,7 +111,7 @@ std::vector<DartProposal> propose_darts(const FlattenInput& input, const Options
 /// all its edges if more than half of its bends would remain. The sets keep their order, so a smooth set may leave less
 /// strain than an earlier set. Seams across one piece always follow edges.
 ///
-/// If progress stops a search for cut sets, the sets found by then are returned, in the same order and with their
+/// If progress returns false during a search for cut sets, the sets found by then are returned, in order and with their
 /// figures. Some of them may not be smooth yet. Throws cancelled if no set was found by then.
 std::vector<DartProposal> propose_seams(const FlattenInput& input, const Options& options = {},
                                         const CutOptions& cut_options = {}, const Progress& progress = {});
@@ -118,9 +121,11 @@ struct CutTarget {
   double strain = 0.05;  // accepted strain (see DartProposal): pieces with at most this strain are ignored; >= 0
   int most = 2;          // maximum number of cuts; a cut set counts as one; >= 1
   double longest = std::numeric_limits<double>::infinity();       // maximum length of a cut or set, scene units; > 0
-  double total_length = std::numeric_limits<double>::infinity();  // maximum length of all cuts together; > 0
+  double total_length = std::numeric_limits<double>::infinity();  // maximum total length, scene units; > 0
   std::optional<int> piece;  // index of the only piece to cut, in the result of flatten(); none: any piece
-  bool twins = false;        // makes a cut together with its mirror image if both are better and allowed; counts as two
+  /// Whether to make a cut together with its mirror image if the two leave less strain than one and are allowed. They
+  /// count as two cuts.
+  bool twins = false;
   VertexPairs no_seam = VertexPairs(0, 2);  // (k, 2) edges along which no cut may run
 };
 
@@ -166,8 +171,8 @@ struct SeamProposal {
 /// Seams with an ease on one side and seams with three sides or more remain. So do all seams of a part of the model
 /// that has no flat shape for other reasons than missing seams, such as a Moebius strip. The result does not depend on
 /// how the input is turned, mirrored or numbered. If progress returns false, the search ends with the seams that remain
-/// by then, and with their figures. Throws the errors of flatten(), invalid_option for a strain below 0, and cancelled
-/// if progress returns false before the pieces of the input have been flattened.
+/// by then, and with their figures. Throws cancelled if progress returns false before the pieces of the input have been
+/// flattened. Throws the errors of flatten(), and invalid_option for a strain below 0.
 SeamProposal simplify_seams(const FlattenInput& input, const Options& options = {}, double strain = 0.05,
                             const Progress& progress = {});
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The result of a flattening. Indices refer to the input mesh unless a comment says "piece". Lengths are in scene
-// units. They are NaN for a piece without a layout (flat shape). These comments are also the docstrings of the Python
-// package.
+// units. Flat lengths are NaN for a piece without a layout (flat shape). These comments are also the docstrings of the
+// Python package.
 #pragma once
 
 #include <limits>
@@ -33,7 +33,8 @@ struct WireReport {
   double length_3d = 0;             // on the surface, scene units
   double length_2d = 0;             // in the piece, scene units
   double variation = 0;       // h, the chosen relative change of length: flat lengths are (1+h) times the 3D lengths
-  double max_edge_error = 0;  // largest |l2 - (1+r)(1+h) l| / l of its edges, where r is the ease of their side
+  double max_edge_error = 0;  // largest |l2 - (1+r)(1+h) l| / l of its edges; l: length on the surface, l2: length in
+                              // the piece, r: ease of the side
   std::vector<int> vertices;  // (n,) in order along the wire; a closed wire repeats its first vertex
 };
 
@@ -65,7 +66,8 @@ struct SeamReport {
   double variation = 0;  // h, the same for all sides: the mean over the seam if a wire runs along a part of the seam;
                          // NaN if no side has a layout
   std::vector<double> eases;  // r, one per side: relative excess over (1+h) length_3d; NaN without a layout
-  double mismatch = 0;  // largest difference of l2 / (1+r) between sides with a layout; NaN if fewer than two have one
+  double mismatch = 0;  // largest difference of the flat length over 1+r between sides with a layout, scene units; NaN
+                        // for fewer than two such sides
 };
 
 /// Distortion of a piece (paper IV-A), on the triangles and edges of the input. Without a layout, only area_3d is
@@ -95,15 +97,15 @@ enum class Termination {
   stalled,    // lengths are exact, but the method's criterion is not met: see warnings
   failed,     // no layout: see error
   cancelled,  // the caller stopped before the piece was flat
-  measured,   // by measure(): nothing was solved
+  measured,   // the piece was measured by measure(), and nothing was solved
 };
 
 /// The solver's work on one piece, even if the solver failed.
 struct PieceReport {
-  Termination termination = Termination::failed;  // how it ended
-  std::string message;                            // one sentence
+  Termination termination = Termination::failed;  // how the work ended
+  std::string message;                            // text of the error, or that all guarantees hold
   std::vector<std::string> warnings;              // sentences
-  std::string start;     // refined: start of the shape: "unfolded", "sewn" (slits closed first), "coarse", "free" (ARAP
+  std::string start;     // start that led to the shape: "unfolded", "sewn" (slits closed first), "coarse", "free" (ARAP
                          // without wires), "wires" (wires flattened first), "injective" (nothing flipped at any
                          // step). Empty: no shape was found, or the method is not refined
   int inner_solves = 0;  // factorizations of the inner problem (Eq. 1); refined: 0
@@ -115,14 +117,14 @@ struct PieceReport {
   /// counts them.
   int factorizations = 0;
 
-  /// Largest gap of a wire loop divided by its length. Refined: largest relative error of an edge's length, where 1e-5
+  /// Largest gap of a wire loop over the loop's length. Refined: largest relative error of an edge's length, where 1e-5
   /// times the square root of the piece's area is added to each length. NaN: no shape was found, or nothing was solved.
   double constraint_residual = std::numeric_limits<double>::quiet_NaN();
 
   /// Largest entry of the projected gradient at the end. For Eq. (1), nodes of mean length have weight 1; NaN for
   /// Inner::least_norm. Refined: gradient of f + λᵀc for all pieces coupled by elastic seams. Entries for vertices are
   /// divided by the square root of the 3D area, and entries for h by the 3D area. At bounds, only the part that points
-  /// inside counts. NaN otherwise.
+  /// inside counts. NaN if no gradient was computed.
   double projected_gradient = std::numeric_limits<double>::quiet_NaN();
 
   /// Refined: arap_energy, or cloth_energy with a cloth, plus the angle term and the barriers against flipped triangles
@@ -146,7 +148,7 @@ struct Piece {
   std::optional<FlattenError> error;       // the broken guarantee; none: all guarantees hold
 };
 
-/// All pieces of a flattening, and the seams and wires that join them.
+/// All pieces of a flattening, and the seams and wires of the whole input.
 struct FlattenResult {
   std::vector<Piece> pieces;              // one per region between seams
   CornerUv corner_uv;                     // (m, 3 corners, u and v) in scene units; NaN without a layout

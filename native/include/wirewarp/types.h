@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Array types of the public API. Row-major, so that numpy arrays pass without a copy.
+// Array types of the public API. They are row-major, so that numpy can view them without a copy.
 #pragma once
 
 #include <Eigen/Core>

@@ -40,7 +40,8 @@ Cores quota_of_group(const Folder& group) {
 }
 
 /// Returns the smallest quota of a group and of the groups above it, up to the folder where the tree is mounted. In a
-/// container, the group's own folder may be missing, because the mounted tree begins with this group.
+/// container, the mounted folder can be the group itself. The path of the group below this folder is then missing,
+/// which counts as no quota.
 Cores quota_in_tree(const Folder& mount, Folder group) {
   Cores least = quota_of_group(mount);
   for (; group.has_relative_path(); group = group.parent_path()) {

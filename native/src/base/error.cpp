@@ -15,8 +15,9 @@ struct Entry {
 // Arguments that several codes share.
 #define WIREWARP_NAMED_WIRES \
   "wires: indices of the wires; wire_names: their names, an empty string for a wire without a name"
-#define WIREWARP_WRONG_ARRAY \
-  "name: name of the array or value; wanted: what it must be, missing if numpy cannot read it; found: what it is"
+#define WIREWARP_WRONG_ARRAY                                                                                        \
+  "name: name of the array or value; wanted: what it must be, missing if numpy cannot read it; found: what it is, " \
+  "or numpy's message if numpy cannot read it"
 
 // In declaration order of ErrorCode.
 constexpr Entry kEntries[] = {
@@ -28,8 +29,7 @@ constexpr Entry kEntries[] = {
      {"invalid_type", "A value has the wrong type.",
       "Pass numbers for coordinates, whole numbers for indices and Wire objects for wires.", WIREWARP_WRONG_ARRAY}},
     {ErrorCode::invalid_option,
-     {"invalid_option", "The value of an option is unknown or out of range.",
-      "Use one of the values that the message lists.",
+     {"invalid_option", "The value of an option is unknown or out of range.", "Use a value that the message allows.",
       "name: the option; value: its value as text; allowed: the words after \"must\" in the message; wires: indices "
       "of the wires that do not fit the option, if there are any; wire_names: their names"}},
     {ErrorCode::empty_mesh,
@@ -70,7 +70,7 @@ constexpr Entry kEntries[] = {
       "Use a fraction above -1, such as 0.05 for a side that is 5% longer.",
       WIREWARP_NAMED_WIRES ", both missing for the ease of a side; ease: the ease"}},
     {ErrorCode::ease_without_side,
-     {"ease_without_side", "An ease names no side of a seam and no edge of the surface.",
+     {"ease_without_side", "An ease names two vertices that are not a side of a seam or of the outline.",
       "Name each side by an edge of the outline, with its vertices in the order of the triangle there.", ""}},
     {ErrorCode::side_in_two_eases,
      {"side_in_two_eases", "A side of an edge is in two eases, or twice in one ease.",
@@ -119,10 +119,9 @@ constexpr Entry kEntries[] = {
       "improving"}},
     {ErrorCode::not_solvable,
      {"not_solvable",
-      "The equations of a piece cannot be solved in double precision: its faces differ in size by too many powers "
-      "of ten, or WireWarping cannot place its helper wires.",
-      "Merge vertices of the named faces that are very close together, remesh the piece more evenly, or use the "
-      "refined method.",
+      "WireWarp cannot calculate the shape of a piece, because rounding errors are too large, for example if its faces "
+      "differ too much in size.",
+      "Merge very close vertices of the named faces, remesh the piece more evenly, or use the refined method.",
       "reason: \"sizes\", \"precision\" or \"helper_wires\"; face: a face of the piece"}},
     {ErrorCode::cancelled, {"cancelled", "The work was canceled before it ended.", "Start the work again.", ""}},
     {ErrorCode::uv_discontinuous,
@@ -134,7 +133,7 @@ constexpr Entry kEntries[] = {
       "limit: coordinates must be below this magnitude"}},
     {ErrorCode::lengths_not_kept,
      {"lengths_not_kept", "An edge of the outline or of a wire is longer or shorter in the flat piece than allowed.",
-      "Do not cut this piece as it is: add a seam where it curves most, or give its wires a tolerance.",
+      "Do not cut this piece as it is: add a seam where the piece curves most, or give its wires a tolerance.",
       WIREWARP_NAMED_WIRES
       ", both empty if the worst edge is on the outline; difference: fraction by which the first "
       "named edge is too long (above 0) or too short; tolerance: the tolerance that the wire exceeds, instead of "

@@ -119,7 +119,7 @@ std::string wrong_ease(const Parts& parts) {
 
 std::string ease_without_side(const Parts& parts) {
   return "An ease names " + parts.edges() +
-         ", but no seam or outline has a side there: give the vertices of each edge in the order of the triangle on "
+         ", but no seam or outline has a side there. Pass the vertices of each edge in the order of the triangle on "
          "that side.";
 }
 
@@ -132,7 +132,7 @@ std::string side_in_two_eases(const Parts& parts) {
 std::string inconsistent_orientation(const Parts& parts) {
   const bool is_one_sided = parts.is("is_one_sided");
   return "The faces on the two sides of " + parts.edges() + " point to opposite sides of the surface" +
-         (is_one_sided ? ", which is one-sided like a Mobius strip: mark these edges as seams."
+         (is_one_sided ? ". The surface is one-sided like a Mobius strip: mark these edges as seams."
                        : ": recalculate the normals, or mark these edges as seams.");
 }
 
@@ -156,8 +156,8 @@ std::string boundary_too_short(const Parts& parts) {
   for (std::size_t i = 0; i < std::min(lengths.size(), kMostNamed); ++i) {
     loops.push_back(rounded(lengths[i]) + " units long at vertex " + std::to_string(parts.elements.vertices[i]));
   }
-  return introduce_piece(parts.elements.faces) + " " + fault_of_outlines(lengths.size()) + parts.seams() +
-         ", because its " + chosen(lengths.size(), "outline, ", "outlines, ") + listed(loops, lengths.size()) +
+  return introduce_piece(parts.elements.faces) + " " + fault_of_outlines(lengths.size()) + parts.seams() + ". Its " +
+         chosen(lengths.size(), "outline, ", "outlines, ") + listed(loops, lengths.size()) +
          ", can enclose no more than " + percent(parts.real("share")) + " of its area in the plane.";
 }
 
@@ -196,7 +196,7 @@ std::string infeasible_lengths(const Parts& parts) {
   std::string remedy;
   if (reason == "wires") {
     remedy =
-        "it can be flattened " + with_tolerances(parts) + (parts.is("is_refined") ? "." : ", by the refined method.");
+        "flatten the piece " + with_tolerances(parts) + (parts.is("is_refined") ? "." : ", by the refined method.");
     if (!parts.has("max_factorizations")) {
       return "Not all wires of " + parts.piece() + " can keep their lengths in the plane: " + remedy;
     }
@@ -220,15 +220,15 @@ std::string not_solvable(const Parts& parts) {
   const std::string piece = "the piece around face " + std::to_string(parts.number("face"));
   const std::string& reason = parts.text("reason");
   if (reason == "helper_wires") {
-    return "No helper wires can be laid between " + parts.edges() + " of " + piece +
-           " in double precision: use the refined method, which needs none, or remesh the piece.";
+    return "Rounding errors leave no room for helper wires between " + parts.edges() + " of " + piece +
+           ". Remesh the piece, or use the refined method, which needs no helper wires.";
   }
   if (reason == "sizes") {
-    return capitalized(piece) +
-           " cannot be solved in double precision, because its faces differ too much in size: merge vertices of " +
-           parts.faces() + " that are very close together, or remesh the piece.";
+    return "WireWarp cannot calculate the shape of " + piece +
+           ", because its faces differ too much in size. Merge very close vertices of " + parts.faces() +
+           ", or remesh the piece.";
   }
-  return capitalized(piece) + " cannot be solved in double precision: remesh it, or cut it in two with a seam.";
+  return "WireWarp cannot calculate the shape of " + piece + ". Remesh it, or cut it in two with a seam.";
 }
 
 // Errors of flat shapes that break a guarantee.
@@ -254,7 +254,7 @@ std::string lengths_not_kept(const Parts& parts) {
           : "The piece does not keep the length of " + parts.edges() + " (the worst, on " + line + ", is " +
                 percent(parts.real("difference")) + " too " + (parts.real("difference") > 0 ? "long)" : "short)");
   return fault + also(parts.number("num_flipped"), parts.number("num_overlapping")) +
-         ": add a seam where the piece curves most" +
+         ". Add a seam where the piece curves most" +
          (parts.is("has_wires") ? ", or give its wires more tolerance." : ".");
 }
 
@@ -284,24 +284,24 @@ std::string no_proposal(const Parts& parts) {
   }
   if (reason == "no_gain") {
     const std::string& kind = parts.text("kind");
-    return piece + " gains nothing from a " + kind + ": none that was tried lowers the stretch of " +
+    return piece + " gains nothing from a " + kind + ": no " + kind + " that was tried lowers the stretch of " +
            percent(parts.real("strain")) + " that the piece needs. " +
-           (kind == "dart" ? "Divide it by a seam" : "Move one of its seams to where it curves most") +
+           (kind == "dart" ? "Divide it by a seam" : "Move one of its seams to the place where the piece curves most") +
            (parts.get<std::vector<int>>("wires").empty() ? "." : ", or give its wires more tolerance.");
   }
   if (reason == "too_strained") {
-    return piece + " needs fabric that stretches by over 100% with every set of seams that was found: mark a first " +
+    return piece + " needs fabric that stretches by over 100% with every set of seams that was found. Mark a first " +
            "seam by hand.";
   }
   const std::string along = parts.is("is_restricted") ? "edges that may have a seam" : "edges";
   if (reason == "no_set") {
-    return piece + " cannot be flattened, and no set of seams along " + along +
-           " was found that flattens all of it: mark a first seam by hand.";
+    return "No set of seams along " + along + " was found that flattens all of " + name_piece(parts.elements.faces) +
+           ". Mark a first seam by hand.";
   }
   const bool is_dart = parts.text("kind") == "dart";
-  return piece + " has no room for a " + parts.text("kind") + ": no line along " + along + " leads " +
+  return piece + " has no room for a " + parts.text("kind") + ". No line along " + along + " leads " +
          (is_dart ? "from its outline to a point inside" : "across it") +
-         " without meeting a wire or the outline. Subdivide it, or mark a seam by hand.";
+         " without meeting a wire or the outline on the way. Subdivide the piece, or mark a seam by hand.";
 }
 
 }  // namespace

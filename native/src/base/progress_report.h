@@ -12,7 +12,7 @@
 
 namespace wirewarp {
 
-/// Passes progress to the caller, and remembers if the caller canceled or threw.
+/// Passes progress to the caller, and remembers whether the caller canceled or threw an exception.
 class ProgressReport {
  public:
   explicit ProgressReport(const Progress& progress) : progress_(progress) {}

@@ -20,7 +20,7 @@ std::string listed(const std::vector<std::string>& names, std::size_t count);
 /// or "face".
 std::string name_elements(const std::string& noun, const std::vector<int>& indices);
 
-/// Returns such text for edges, each named by its two vertices, such as "edge 3-7".
+/// Returns text such as "edge 3-7" or "edges 3-7 and 7-9". Each edge is named by its two vertices.
 std::string name_elements(const std::string& noun, const std::vector<VertexPair>& edges);
 
 /// Returns text such as ", such as along edges 3-7 and 7-9"; "" without edges.

@@ -24,7 +24,7 @@ class StopToken {
   StopToken() = default;  // never stops
   explicit StopToken(Question may_go_on) : state_(std::make_shared<State>(std::move(may_go_on))) {}
 
-  /// Returns the same token for another stage.
+  /// Returns a copy of this token that names another stage to the caller.
   StopToken in(const char* stage) const {
     StopToken token = *this;
     token.stage_ = stage;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The fairness term of wires: the difference between the corner angles of the flat wire network and of the surface.
 //
-//   node  a → b → c, the surface on its left; α its surface angle, l the target lengths, ℓ their mean
+//   node  a → b → c, the surface on its left; α: surface angle at b, l: target lengths, ℓ: mean of l_ab and l_bc
 //   r     = (u_c − u_b) / l_bc − R(π − α) (u_b − u_a) / l_ab
 //   F(u)  = ½ Σ w |r|²,  w about D³/ℓ as shown below,  D = fairness · √area
 //
@@ -10,13 +10,13 @@
 // longer than D.
 //
 // Along a line (a wire or a boundary loop), the deviation is proportional to ℓ, and the sum becomes an integral as the
-// mesh is refined. But the angle between two lines that meet deviates equally on every mesh: a weight proportional to
-// 1/ℓ would constrain this angle more on finer meshes and make the piece worse. Therefore a corner between lines has at
-// most the weight of a corner with edges of length D/8. The rest of the weight acts on the line itself, divided by k,
-// the number of corners on this side of the line:
+// mesh is refined. But the angle between two lines that meet deviates equally on every mesh. A weight proportional to
+// 1/ℓ would constrain this angle more on finer meshes, and make the piece worse. Therefore a corner between lines has
+// at most the weight of a corner with edges of length D/8. The rest of the weight acts on the line itself, divided by
+// k, the number of corners on this side of the line:
 //
 //   corner   w = D³ / max(ℓ, D/8)
-//   line     w = (D³/ℓ − D³ / max(ℓ, D/8)) / k,  ℓ the mean of these corners;  D³/ℓ if there are no corners
+//   line     w = (D³/ℓ − D³ / max(ℓ, D/8)) / k,  ℓ: mean over these corners;  D³/ℓ if there are no corners
 //
 // If all edges are at least D/8 long, every corner has weight D³/ℓ and the lines have weight 0.
 #pragma once

@@ -29,13 +29,13 @@ Cloth fabric(std::array<double, 3> stiffness, std::array<double, 2> stretch, dou
 
 }  // namespace
 
-// The first three numbers are stiffnesses against stretch across the grain, along the grain and against shear; only
-// their ratios matter. The next two are the maximum stretch across and along. The number for a family of fabrics is a
-// middle value. Measured stiffnesses across, along and against shear, in N/m: stiff plain weaves 2,100, 2,100 and 25 to
-// 100; 11 oz denim 225, 1,055 and 70; knits such as swimwear 40, 138 and 10 to 36; double knit 67, 182 and 30. A plain
-// weave locks at about 45° (trellis tests on dry fabrics). An isotropic material has shear ½. Foam and leather buckle
-// instead of compressing; no measurements are published, so their squeeze factors are chosen. The maximum stretch is
-// the stretch that a hand can pull and from which the fabric recovers.
+// The first three numbers are stiffnesses against stretch across the grain, along the grain and against shear. Only
+// their ratios matter. The next two are the maximum stretch across and along the grain. The number for a family of
+// fabrics is a middle value. Measured stiffnesses across the grain, along the grain and against shear, in N/m: stiff
+// plain weaves 2,100, 2,100 and 25 to 100; 11 oz denim 225, 1,055 and 70; knits such as swimwear 40, 138 and 10 to 36;
+// double knit 67, 182 and 30. A plain weave locks at about 45° (trellis tests on dry fabrics). An isotropic material
+// has shear ½. Foam and leather buckle instead of compressing; no measurements are published, so their squeeze factors
+// are chosen. The maximum stretch is the stretch that a hand can pull and from which the fabric recovers.
 const std::vector<ClothPreset>& cloth_presets() {
   static const std::string wang = "Stiffness: Wang, O'Brien, Ramamoorthi: Data-driven elastic models for cloth (2011)";
   static const std::vector<ClothPreset> all = {
@@ -43,7 +43,7 @@ const std::vector<ClothPreset>& cloth_presets() {
        fabric({1, 1, 0.05}, {0.03, 0.03}, 1, kPi / 4),
        wang + ", stiff plain weaves. Stretch: chosen for the crimp of the yarns"},
       {"denim", "Denim", "Denim and twill without elastane", fabric({0.21, 1, 0.06}, {0.03, 0.03}),
-       wang + ", denim of 11 oz. Stretch: chosen as for other wovens"},
+       wang + ", denim of 11 oz. Stretch: chosen, the same as for other wovens"},
       {"jersey", "Jersey", "Jersey and T-shirt fabric", fabric({0.3, 0.6, 0.15}, {0.5, 0.25}),
        wang + ", a little softer than their double knit. Stretch: stretch guides, 25 to 50%"},
       {"swim", "Swim Knit", "Swim and activewear knit with elastane", fabric({0.29, 1, 0.17}, {1.0, 0.75}),
@@ -57,9 +57,12 @@ const std::vector<ClothPreset>& cloth_presets() {
       {"felt", "Felt", "Felt of wool or acrylic, with no grain", fabric({1, 1, 0.5}, {0.05, 0.05}),
        "Stiffness: the same in all directions, because felt has no threads. Stretch: chosen. More stretch tears felt"},
       {"fleece", "Fleece", "Polar fleece and sweatshirt fabric", fabric({0.4, 1, 0.17}, {0.2, 0.1}),
-       wang + ", their double knit. Stretch: across as stable knits in stretch guides, 18 to 25%, along half, chosen"},
+       wang +
+           ", double knit. Stretch: chosen. Across the grain, it is that of stable knits in stretch guides, 18 to 25%. "
+           "Along the grain, it is half of that"},
       {"minky", "Minky", "Minky and other short plush on a knit backing", fabric({0.3, 1, 0.15}, {0.2, 0.05}),
-       "Stiffness: about as swim knit. Stretch: chosen, across as for stable knits, along hardly any"},
+       "Stiffness: about that of swim knit. Stretch: chosen. Across the grain, it is that of stable knits. Along the "
+       "grain, it is small"},
       {"vinyl", "Vinyl", "Vinyl and faux leather on a knit backing", fabric({1, 1, 0.5}, {0.05, 0.03}, 4),
        "Stiffness: the same in all directions. Stretch: chosen for an ordinary backing. Many vinyls stretch further"},
       {"foam", "EVA Foam", "EVA foam for costumes and armor, shaped with heat", fabric({1, 1, 0.5}, {0.1, 0.1}, 2),

@@ -10,13 +10,13 @@
 namespace wirewarp {
 namespace {
 
-// Stiffness beyond locking, relative to the stiffer threads. 15° beyond locking, a woven fabric has as much energy as
-// with a thread strain of 50%, and the Newton systems are as well conditioned as without locking.
+// Stiffness beyond locking, relative to the stiffer threads. With this value, a woven fabric has as much energy 15°
+// beyond locking as with a thread strain of 50%. The Newton systems are as well conditioned as without locking.
 constexpr double kLockingStiffness = 10;
 
 enum Index { kP, kQ, kG, kD };
 
-/// Returns ∂(p, q, g, D)/∂(a, b), one row each.
+/// Returns ∂(p, q, g, D)/∂(a, b): one row for each of p, q, g and D.
 Eigen::Matrix4d jacobian(const Eigen::Matrix2d& map, const ClothLaw::Invariants& of) {
   const double a1 = map(0, 0), a2 = map(0, 1), b1 = map(1, 0), b2 = map(1, 1);
   Eigen::Matrix4d rows;

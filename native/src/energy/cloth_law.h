@@ -12,12 +12,12 @@
 //   φ = D W = weft (p − D)²/D + warp (q − D)²/D + shear g²/D³ + 10 D max(0, |g|/(pq) − sin γ₀)²     per worn area
 //
 // The threads and the shear of woven cloth are independent springs, as in D. E. Breen, D. H. House, M. J. Wozny (1994)
-// and J. McCartney et al. (2000). φ stays finite as a and b approach 0 together, and a mirror image has the same W, so
-// W is not a barrier by itself. For D <= 0, φ is defined as infinite.
+// and J. McCartney et al. (2000). W is not a barrier by itself: φ stays finite as a and b approach 0 together, and a
+// mirror image has the same W. Therefore φ is defined as infinite for D <= 0.
 //
-// For a fabric that is stretched by S = diag(1 + c_weft, 1 + c_warp) when worn, J is the map to the stretched fabric, S
-// times the map to the flat piece. The energy then measures the deviation from this stretch, and the flat area is 1 /
-// det S times the area that W refers to here.
+// A fabric may be stretched by S = diag(1 + c_weft, 1 + c_warp) when worn. J is then the map to the stretched fabric: S
+// times the map to the flat piece. The energy measures the deviation from this stretch, and the flat area is 1 / det S
+// times the area that W refers to here.
 #pragma once
 
 #include <Eigen/Core>
@@ -29,8 +29,7 @@ namespace wirewarp {
 
 class ClothLaw {
  public:
-  /// Divides all stiffnesses by the larger of weft and warp, so that their scale relative to other terms does not
-  /// matter.
+  /// Divides all stiffnesses by the larger of weft and warp, so that only the ratios of the stiffnesses matter.
   explicit ClothLaw(const Cloth& cloth);
 
   /// The invariants p, q, g and D of a map.

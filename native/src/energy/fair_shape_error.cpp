@@ -15,8 +15,9 @@ using HatGradients = Eigen::Matrix<double, 2, 3>;
 using PerCorner = Eigen::Matrix<double, 2, 3>;
 
 constexpr double kSmallestDeterminant = 0.1;  // below this, the barrier acts; good pieces have larger determinants
-constexpr double kFiniteWeight = 10;     // ω: a triangle of zero area costs as much as a triangle shrunk by a third
-constexpr double kInfiniteWeight = 0.1;  // κ = ω ⅒², so that both barriers start with the same curvature
+// ω: at zero area, the barrier is about as large as the E of a triangle that is shrunk by a third in one direction.
+constexpr double kFiniteWeight = 10;
+constexpr double kInfiniteWeight = 0.1;  // κ = ω ⅒²: both barriers have the same curvature at a determinant of 0.075
 
 double kappa(double norm_z, Curvature curvature) {
   const double exact = norm_z > 0 ? 2 / norm_z : 1;  // norm_z is 2 |z|
@@ -127,7 +128,8 @@ double FairShapeError::value_of_rounding(double error) const {
   return error * error * sum + bending_.value_of_rounding(error);
 }
 
-/// The area of each triangle is a quadratic function a + bt + ct² of the share t of the step, positive at t = 0.
+/// The area of each triangle is a quadratic function a + bt + ct² of the share t of the step, positive at t = 0. The
+/// smallest positive root limits the step.
 double FairShapeError::longest_step(const Positions2& uv, const Positions2& d) const {
   if (injectivity_ == Injectivity::none) return 1;
   double longest = outline_barrier_ ? outline_barrier_->longest_step(uv, d) : 1;
@@ -197,7 +199,8 @@ void FairShapeError::add_constant_hessian(VertexMatrix& hessian) const {
   bending_.add_hessian(hessian);
 }
 
-/// Adds the Hessian of φ with a cloth. Without a cloth, adds the Hessian of E without its Laplacian.
+/// With a cloth, adds the Hessian of φ, or the Laplacian in its place for Curvature::none. Without a cloth, adds the
+/// Hessian of E without its Laplacian.
 void FairShapeError::add_energy_curvature(std::size_t i, const ShapeError::LinearMap& map, Curvature curvature,
                                           VertexMatrix& hessian) const {
   const ShapeError::Triangle& t = shape_error_.triangles()[i];

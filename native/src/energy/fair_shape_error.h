@@ -13,14 +13,16 @@
 //                                first triangle flips (J. Smith, S. Schaefer, Bijective parameterization with
 //                                free boundaries, ACM Transactions on Graphics 34 (2015), article 70)
 //
+// For Injectivity::global, f also contains the barrier B of the outline (energy/outline_barrier.h).
+//
 // Hessian of E, with the hat gradients g_i of a triangle as complex numbers and s_i = g_i · i ẑ:
 //
 //   H_ij = 2A g_i·g_j I − A κ s_i s_jᵀ,   κ = 1/|z|
 //
 // If a triangle is compressed, κ > 1, and its H may be indefinite. The first term is the constant Laplacian; a fabric
-// has no such term. With det J = |z|² − |w|² the barrier has ∇_i det = g_i z − ḡ_i w, and its Hessian, without the
-// possibly indefinite term, is A β″ ∇det ∇detᵀ − ½ A β′ M(ḡ_i g_j), where M(a + ib) is the matrix of multiplication by
-// a + ib.
+// has no such term. With det J = |z|² − |w|², the gradient of the determinant is ∇_i det = g_i z − ḡ_i w. The Hessian
+// of the barrier, without the possibly indefinite term, is A β″ ∇det ∇detᵀ − ½ A β′ M(ḡ_i g_j). M(a + ib) is the matrix
+// of multiplication by a + ib.
 #pragma once
 
 #include <optional>

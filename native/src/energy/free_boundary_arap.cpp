@@ -28,8 +28,8 @@ constexpr double kRegularization = 1e-12;
 
 class GlobalStep {
  public:
-  /// Doubles one diagonal entry of K, which fixes its vertex, because the entries of a gradient sum to 0. positions:
-  /// positions that determine the elimination order.
+  /// Doubles one diagonal entry of K. This fixes the vertex of the entry at 0, because the entries of a gradient sum to
+  /// 0. positions: positions that determine the elimination order.
   GlobalStep(Eigen::SparseMatrix<double> hessian, const Positions2& positions, const StopToken& stop)
       : cholesky_(hessian, nested_dissection(graph_of(hessian, 1), positions), 1, has_second_core()) {
     hessian.coeffRef(0, 0) *= 2;
@@ -53,8 +53,8 @@ class GlobalStep {
 
 double dot(const Positions2& a, const Positions2& b) { return (a.array() * b.array()).sum(); }
 
-/// Returns the step length along the direction: the minimum of the parabola with the value and slope of E at the start
-/// and the value of E at the direction's end.
+/// Returns the step length along the direction: the place where a parabola has its minimum. The parabola has the value
+/// and slope of E at the start, and the value of E at the end of the direction.
 double step_length(const ShapeError& shape_error, const FreeBoundaryArap& flat, const Positions2& direction,
                    double slope) {
   const double curvature = 2 * (shape_error.energy(flat.uv + direction) - flat.energy - slope);

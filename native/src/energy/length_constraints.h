@@ -4,7 +4,7 @@
 // constraints come last.
 //
 //   c_e(u, h) = |d| − (1 + h) l,   d = u_b − u_a      h is 0 except on elastic parts, whose edges share one h;
-//                                                     h is the solver's g (surface/charts/chart.h), l the
+//                                                     h is called g in surface/charts/chart.h, l is the
 //                                                     target length
 //   J = ∂c/∂u   row e: d̂ at b, −d̂ at a
 //   T = −∂c/∂h  column w: l at the edges of the elastic parts with h_w

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kWeight = 1;  // κ: at about d = d̂/2, the force is as large as that of a strain of 1
 constexpr double kReach = 0.1;  // d̂ over the edge's length; the two sides of a corner of more than 6° are not a contact
-constexpr double kCovered = 8;  // contacts nearer than this times d̂ are in the Hessian, which lasts for some steps
+constexpr double kCovered = 8;  // the Hessian has contacts nearer than this times d̂, so it lasts for several steps
 // Distance over an edge's length. A vertex that passes the edge's end at a smaller distance touches the edge.
 constexpr double kAside = 1e-9;
 
@@ -70,7 +70,7 @@ OutlineBarrier::Distance OutlineBarrier::distance(const Positions2& uv, const Co
   return {apart.norm(), apart.normalized(), along};
 }
 
-/// Returns the contacts nearer than `reaches` times d̂, in order.
+/// Returns the contacts nearer than `reaches` times d̂, sorted by comes_before().
 std::vector<OutlineBarrier::Contact> OutlineBarrier::find_contacts(const Positions2& uv, double reaches) const {
   std::vector<Box2> boxes;
   boxes.reserve(edges_.size());
@@ -142,8 +142,8 @@ bool OutlineBarrier::covers_contacts(const Positions2& uv) const {
   return std::includes(covered_.begin(), covered_.end(), contacts.begin(), contacts.end(), comes_before);
 }
 
-/// p reaches the line through a and b when p − a and b − a span zero area: at the roots of a quadratic in the step's
-/// share.
+/// p reaches the line through a and b when p − a and b − a span zero area. This happens at the roots of a quadratic in
+/// the share of the step.
 double OutlineBarrier::longest_step(const Positions2& uv, const Positions2& d) const {
   const Positions2 end = uv + d;
   const auto swept = [&](int v) { return box_around(uv.row(v), end.row(v), 0); };

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A barrier that prevents the outline of a flat shape from crossing itself: infinite if a vertex touches an edge.
+// A barrier B that prevents the outline of a flat shape from crossing itself. It is infinite if a vertex touches an
+// edge.
 //
 //   B(u) = Σ_c κ w_p d̂_c b(d_c / d̂_c)    over contacts c = (vertex p, edge ab) of the outline, b: log_barrier.h
 //
-//   d    distance of p from the segment from a to b; ∇d = n at p, −(1 − s) n at a, −s n at b, if the nearest point is
-//        (1 − s) a + s b and n the direction from this point to p
+//   κ    constant weight
+//   d    distance of p from the nearest point (1 − s) a + s b of the segment from a to b. n is the direction from this
+//        point to p, and ∇d is n at p, −(1 − s) n at a, and −s n at b
 //   d̂    distance at which the barrier begins: ⅒ of the shortest outline edge that meets p, a or b
 //   w_p  half the length of the outline edges at p, so that the sum over p is an integral along the outline
 //
@@ -41,8 +43,9 @@ class OutlineBarrier {
 
  private:
   struct Edge {
-    int a, b;      // chart vertices
-    double reach;  // d̂, unless the edges at p are shorter
+    int a, b;  // chart vertices
+    // ⅒ of the shortest outline edge at a or b. The d̂ of a contact is smaller if an edge at its vertex p is shorter.
+    double reach;
   };
   struct Contact {
     int p, edge;   // chart vertex, index into edges_
@@ -60,8 +63,8 @@ class OutlineBarrier {
 
   std::vector<Edge> edges_;
   std::vector<int> vertices_;                   // vertices of the outline
-  std::vector<double> reach_, outline_length_;  // d̂ of the edges at p, and w; one per chart vertex
-  std::vector<Contact> covered_;                // contacts in the Hessian, in order
+  std::vector<double> reach_, outline_length_;  // largest d̂ of contacts of a vertex, and w; one per chart vertex
+  std::vector<Contact> covered_;                // contacts in the Hessian, sorted
 };
 
 }  // namespace wirewarp

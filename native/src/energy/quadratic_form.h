@@ -56,7 +56,7 @@ class QuadraticForm {
     return sum / 2;
   }
 
-  /// Returns Q of a layout with Q = 0 if all coordinates have errors of about `error`.
+  /// Returns the Q that rounding causes in a layout with Q = 0. error: about the error of each coordinate.
   double value_of_rounding(double error) const {
     double sum = 0;
     for (const Term& term : terms_) {

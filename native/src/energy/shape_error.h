@@ -37,15 +37,15 @@ class ShapeError {
   /// semidefinite. Unlike fixed_rotation_hessian(), G has no cost for rotating triangles.
   Positions2 times_gauss_newton(const Positions2& uv, const Positions2& d) const;
 
-  /// Returns the lower triangle of K = Σ_t 2A GᵀG, with G the gradients of the hat functions: twice the cotangent
-  /// Laplacian, positive semidefinite on every mesh. K is the Hessian of E in each coordinate for fixed rotations. With
-  /// g = ∂E/∂uv it bounds E everywhere:
+  /// Returns the lower triangle of K = Σ_t 2A GᵀG, with G the gradients of the hat functions. K is twice the cotangent
+  /// Laplacian, and positive semidefinite on every mesh. It is the Hessian of E in each coordinate for fixed rotations.
+  /// With g = ∂E/∂uv, K bounds E everywhere:
   ///
   ///   E(u + d) ≤ E(u) + g·d + ½ d·Kd
   Eigen::SparseMatrix<double> fixed_rotation_hessian() const;
 
-  /// A triangle p0 p1 p2, unfolded to (0, 0), (x1, 0), (x2, y2). The map from there to u0 u1 u2 has the columns J₁ =
-  /// a (u1 - u0) and J₂ = b (u1 - u0) + c (u2 - u0).
+  /// A triangle p0 p1 p2, unfolded to (0, 0), (x1, 0), (x2, y2). The map from the unfolded triangle to u0 u1 u2 has the
+  /// columns J₁ = a (u1 - u0) and J₂ = b (u1 - u0) + c (u2 - u0).
   struct Triangle {
     int vertices[3];
     double area;  // in 3D

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A penalty on shear that zigzags from triangle to triangle. A thread that is compressed by more than shear/(shear +
-// weft), a few percent for a woven fabric, can shorten further by zigzagging at the cost of a little shear. The energy
-// of a fabric is not convex then, and its minima become rougher with every refinement of the mesh. Real threads resist
-// by their bending stiffness; here, the jump of the map's derivative across an edge costs
+// weft) can shorten further by zigzagging, at the cost of a little shear. For a woven fabric, this limit is a few
+// percent. Beyond the limit, the energy of a fabric is not convex, and its minima become rougher with every refinement
+// of the mesh. Real threads resist zigzags by their bending stiffness. Here, the jump of the map's derivative across an
+// edge costs
 //
 //   Z(u) = ½ (δ √A)² Σ (l/d) |[∂u/∂ν]|²    over the inner edges
 //
-// with [∂u/∂ν] the jump of the derivative across the edge, l its length, d the distance of the centroids of its
-// unfolded triangles, A the area of the connected part. Z is the interior penalty of discontinuous Galerkin methods on
+// [∂u/∂ν]: jump of the derivative across the edge. l: length of the edge. d: distance between the centroids of its two
+// triangles, unfolded. A: area of the connected part. Z is the interior penalty of discontinuous Galerkin methods on
 // plates (J. Douglas, T. Dupont, Interior penalty procedures, 1976): quadratic, independent of refinement, and zero
 // where the chart is unfolded.
 #pragma once

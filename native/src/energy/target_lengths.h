@@ -15,7 +15,7 @@ struct GrainRow {
 };
 
 /// The flat lengths of a chart in a layout that is not free to rotate: x is the weft of a fabric, y its warp. For a
-/// fabric that is stretched when worn, the layout of a flat piece u is S u, the shape of the stretched fabric, with S =
+/// fabric that is stretched when worn, the layout of a flat piece u is S u, the shape of the stretched fabric. S is
 /// diag(1 + c_weft, 1 + c_warp). Energies do not change, and flat lengths are |S⁻¹ d|.
 struct TargetLengths {
   std::vector<GrainRow> grains;         // one for each connected part

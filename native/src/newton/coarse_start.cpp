@@ -15,7 +15,7 @@ constexpr double kCoarsening = 4;       // coarse edge length over fine edge len
 constexpr double kLeastCoarsening = 2;  // leaves a quarter of the faces; more faces would save no time
 // Largest ratio of coarse edge length to the shortest wavelength of the wires. Longer edges cannot follow the wires.
 constexpr double kPerWiggle = 0.9;
-constexpr int kMaxCoarseFactorizations = 30;  // at most half of the budget; the chart itself needs the rest
+constexpr int kMaxCoarseFactorizations = 30;  // but at most half of the budget: the chart itself needs the rest
 
 }  // namespace
 

@@ -13,7 +13,7 @@ class Budget {
  public:
   explicit Budget(int max_factorizations) : left_(max_factorizations) {}
 
-  /// Makes a budget that is a part of another budget, with at most this size. Spending counts in both. The whole must
+  /// Makes a part of another budget, for at most max_factorizations. Spending counts in both budgets. The whole must
   /// outlive the part.
   Budget(Budget& whole, int max_factorizations) : whole_(&whole), left_(std::min(max_factorizations, whole.left_)) {}
 
@@ -23,8 +23,8 @@ class Budget {
   int left() const { return left_; }
   int spent() const { return spent_; }
 
-  /// Returns whether this number of factorizations may be spent. If not, ran_out() is true from then on, for this
-  /// budget and the whole budget.
+  /// Returns whether this number of factorizations may be spent. If not, ran_out() is true from then on. Also asks the
+  /// whole budget, so that its ran_out() is true if the whole has too few left.
   bool allows(int factorizations = 1) {
     if (whole_) whole_->allows(factorizations);
     ran_out_ = ran_out_ || left_ < factorizations;
@@ -52,7 +52,7 @@ struct Control {
   Budget& budget;
   StopToken stop = {};  // polled before each factorization
 
-  /// Returns the same control for another stage of progress.
+  /// Returns a control with the same two limits that names another stage of progress.
   Control in(const char* stage) const { return {budget, stop.in(stage)}; }
 
   bool may_go_on() const { return budget.allows() && stop.may_go_on(); }

@@ -19,7 +19,7 @@ namespace {
 // Strains up to which a length counts as kept; smoothing leaves strains of 1e-4. Wires with a strain above the first
 // bound are freed; if that does not help, also wires with a strain above the second bound.
 constexpr double kKept = 5e-4, kPerhapsKept = 3e-5;
-constexpr double kUneven = 5e-3;  // a smaller strain_rms may vanish if other wires change more
+constexpr double kUneven = 5e-3;  // strain_rms above which a wire is freed; less may vanish if other wires change more
 // Proposed tolerances are multiples of 0.1%, and above 0.5% multiples of 0.5%, rounded up, because people type them.
 constexpr double kFineStep = 1e-3, kStep = 5e-3;
 constexpr double kLargest = 0.5;  // a wire that needs a larger tolerance is freed
@@ -29,7 +29,8 @@ constexpr double kMostTrials = 30;          // limit for trials with fewer wires
 constexpr std::size_t kFewWires = 8;  // up to 8 wires get individual tolerances; more wires share a tolerance, which
                                       // is faster to find and to type
 /// No tolerance is tried on more wires than this, because a trial on n wires solves dense problems of size n in n³
-/// operations: a trial on 569 wires costs as much as 23 trials on 200. Nets of 168 wires get one tolerance of 5%.
+/// operations. A trial on 569 wires costs as much as 23 trials on 200 wires. The limit is high enough for nets of 168
+/// wires, which get one tolerance of 5%.
 constexpr std::size_t kMostElasticWires = 200;
 
 /// Tolerances to try, 0.1% to 50%: each is 1.3 to 2 times the tolerance before.
@@ -103,8 +104,8 @@ class ToleranceSearch {
     });
   }
 
-  /// Returns tolerances that work, on as few wires as possible and as small as possible. More than kFewWires wires stay
-  /// free. tolerances: free wires that work.
+  /// Returns tolerances that work, on as few wires as possible and as small as possible. If more than kFewWires wires
+  /// remain, they stay free. tolerances: free wires that work.
   Tolerances on_few_wires(Tolerances tolerances) {
     trials_ = 0;
     drop_wires(tolerances);
@@ -245,7 +246,7 @@ std::vector<ProposedTolerance> propose_tolerances(const Chart& chart, const Inte
   if (are_few_elastic) proposed = first_flat({few, doubled(few)});
   if (proposed.empty()) {
     proposed = search.lowest_shared(freed, kFreeTolerance, are_sufficient);
-    // Proposing more wires is worthwhile if it more than halves their tolerance.
+    // A proposal with more wires is worthwhile if it more than halves the tolerance.
     const double below = proposed.empty() ? kFreeTolerance : proposed.begin()->second / 2;
     const Tolerances of_many = search.lowest_shared(free_wires_that_change(chart, free), below, are_sufficient);
     if (!of_many.empty()) proposed = of_many;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Finds exact lengths without flipping a triangle: starts from a flat shape that is injective and has wrong lengths,
+// Finds exact lengths without flipping a triangle. Starts from a flat shape that is injective and has wrong lengths,
 // and uses the method of multipliers (M. J. D. Powell, A method for nonlinear constraints in minimization problems,
 // 1969).
 //
@@ -19,8 +19,8 @@
 namespace wirewarp {
 
 /// Returns a shape with exact lengths, h within the tolerances, and λ. Every shape on the way has the injectivity of
-/// the stage. Returns nullopt if exact lengths are not reached. map: first shape, one row per chart vertex; if not
-/// given, the free ARAP map, or the Tutte embedding in a circle if the ARAP map is not injective enough. The token is
+/// the stage. Returns nullopt if exact lengths are not reached. map: first shape, one row per chart vertex. The default
+/// is the free ARAP map, or the Tutte embedding in a circle if the ARAP map is not injective enough. The token is
 /// polled in the stages "start" and "shape". Throws Stopped and FactorizationFailed.
 std::optional<Shape> injective_start(Problem& problem, const Stage& stage, const Control& control,
                                      std::optional<Positions2> map = {});

@@ -4,7 +4,7 @@
 //
 //   q(d) = g·d + ½ d·H d   over J d = 0, |d|_G <= Δ
 //
-// H is the exact Hessian, perhaps indefinite. G is the convex part of H, which is factored.
+// H is the exact Hessian, perhaps indefinite. G, the convex part of H, has a Cholesky factor.
 //
 // The method is the generalized Lanczos method (N. I. M. Gould, S. Lucidi, M. Roma, Ph. L. Toint, Solving the
 // trust-region subproblem using the Lanczos method, SIAM J. Optimization 9 (1999), 504-525). In a basis v_1 … v_k that

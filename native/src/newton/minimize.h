@@ -3,8 +3,8 @@
 //
 //   min f(u)   subject to   c(u, h) = 0,   |h| <= ε on elastic parts
 //
-// f is the shape error and the fairness of the wires (energy/fair_shape_error.h), c the length errors
-// (energy/length_constraints.h). minimize() is a Newton method on the feasible set: its first step reaches exact
+// f is the shape error and the fairness of the wires (energy/fair_shape_error.h). c: the length errors
+// (energy/length_constraints.h). minimize() is a Newton method on the feasible set. Its first step reaches exact
 // lengths from a start near them. Every later iterate has exact lengths, so minimize() can stop at any time.
 #pragma once
 

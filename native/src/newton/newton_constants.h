@@ -11,10 +11,9 @@ struct NewtonConstants {
   /// Smallest predicted decrease of a step, relative to f. Lengths are exact at every step, so more digits improve only
   /// the shape, and f has rounding errors of 1e-13 on a million triangles.
   static constexpr double worthwhile = 1e-9;
-  /// Smallest predicted decrease of a step for intermediate shapes, relative to f. Such shapes are, for example, the
-  /// shape without the fabric, from which the shape with the fabric is found, and the shape with fixed seams, from
-  /// which the shape with elastic seams is found. With 1e-2, all samples together take a tenth more factorizations.
-  /// With 1, a quarter sphere takes 16 factorizations instead of 10.
+  /// Smallest predicted decrease of a step for intermediate shapes, relative to f. Later stages start from these
+  /// shapes, for example from the shape without the fabric, and from the shape with fixed seams. With 1e-2, all samples
+  /// together take a tenth more factorizations. With 1, a quarter sphere takes 16 factorizations instead of 10.
   static constexpr double worthwhile_on_the_way = 0.1;
   /// A shape counts as isometric if f over the area is below this value. This means strains of 1e-11, a hundredth of
   /// the guaranteed precision of lengths.

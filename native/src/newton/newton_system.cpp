@@ -20,7 +20,7 @@ constexpr double kMass = 1e-4;
 // Stiffness of the pins: far above the stiffness at a vertex, a few units (cotangents of angles), and far below the
 // stiffness of edges. The pins cause rounding errors of 1e-10.
 constexpr double kPin = 1e6;
-// Smallest ρ of an edge: far above any curvature of f + λᵀc along a wire, so that a factorization fails only for
+// Smallest ρ of an edge. It is far above any curvature of f + λᵀc along a wire, so that a factorization fails only for
 // directions in the null space of J. Each step of the method of multipliers divides the errors by ρ over the stiffness
 // of the surface, which gains about seven digits.
 constexpr double kSmallestStiffness = 1e8;
@@ -28,10 +28,10 @@ constexpr double kSmallestStiffness = 1e8;
 // fairness can make stiffer than 1e8. A larger ratio would cause rounding errors near the stiffness of the surface.
 constexpr double kStiffness = 10;
 constexpr int kMultiplierSteps = 3;  // usually one step is enough; after three, rounding errors prevent further gains
-// Relative error of length changes tolerated in a Newton step; the retraction to exact lengths corrects it afterwards.
+// Largest relative error of the length changes of a Newton step. The retraction to exact lengths corrects this error.
 constexpr double kAccuracy = 1e-9;
-// Least pivot of a clearly positive definite matrix over its largest diagonal entry: ten times the relative error of S
-// if ρ keeps the lengths to five digits.
+// Least pivot of a clearly positive definite matrix over its largest diagonal entry. This is ten times the relative
+// error of S if ρ keeps the lengths to five digits.
 constexpr double kWellPositive = 1e-4;
 constexpr int kManyVariations = 200;  // with more rows, eigenvalues cost more than the Newton system
 
@@ -51,7 +51,7 @@ std::vector<VertexPair> coupled_vertices(const FairShapeError& objective, const 
                                          int num_vertices) {
   std::vector<VertexPair> pairs;
   objective.list_pairs(pairs);
-  for (int e = 0; e < constraints.size(); ++e) {  // all other pairs are edges of triangles
+  for (int e = 0; e < constraints.size(); ++e) {  // others couple the ends of edges, which are listed already
     const LengthConstraints::Edge& edge = constraints.edges()[e];
     if (constraints.is_linear(e)) pairs.push_back({edge.a, edge.b});
     if (edge.elastic < 0) continue;

@@ -6,11 +6,11 @@
 //
 // in the positive definite form A = H + 10⁻⁴ M + Jᵀ ρ J + pins. The pins are springs against rigid motions. M has the
 // lumped vertex areas of each connected part, relative to the area of that part. For large ρ, A has a Cholesky factor
-// if and only if H is positive on the null space of J, so the factorization also tests the inertia. The method of
+// if and only if H is positive on the null space of J. So the factorization also tests the inertia. The method of
 // multipliers (M. J. D. Powell, A method for nonlinear constraints in minimization problems, 1969) needs two or three
 // solves with A to find the solution for infinite ρ.
 //
-// All solves except the last need d only on the wires; finish() then completes the back substitution.
+// All solves except the last need d only on the wires. finish() completes the back substitution of the last solve.
 //
 // The length variations h of elastic parts are unknowns, too; the springs ρ connect J d with T h. The h come last and
 // are not eliminated, because a quadratic program chooses them within their tolerances. With d eliminated, its
@@ -39,9 +39,9 @@ inline constexpr Convexity kExactHessian{Curvature::exact, true};
 inline constexpr Convexity kConvexHessian{Curvature::convex, false};
 inline constexpr Convexity kLaplacian{Curvature::none, false};
 
-/// Returns a positive definite matrix near a symmetric one, so that the quadratic model has a minimum. Returns a matrix
-/// that is clearly positive definite unchanged. Otherwise, replaces the eigenvalues with their magnitudes, at least
-/// 1e-6 of the largest. If the matrix has more than 200 rows, increases its diagonal instead.
+/// Returns a positive definite matrix near a symmetric matrix, so that the quadratic model has a minimum. Returns a
+/// matrix that is clearly positive definite unchanged. Otherwise, replaces the eigenvalues with their magnitudes, at
+/// least 1e-6 of the largest. If the matrix has more than 200 rows, increases its diagonal instead.
 Eigen::MatrixXd make_positive(const Eigen::MatrixXd& symmetric);
 
 class NewtonSystem {
@@ -70,13 +70,13 @@ class NewtonSystem {
 
   /// A right-hand side after forward substitution, before h is chosen.
   struct Reduced {
-    Eigen::VectorXd d;     // after forward substitution; x of each vertex, then its y
+    Eigen::VectorXd d;     // after forward substitution; x and y of each vertex in turn
     Eigen::VectorXd pull;  // Tᵀλ for h = 0, one per elastic part
     Eigen::VectorXd r2;
   };
 
-  /// A solution of A d = r₁ + Jᵀ τ on the wires. d has x of each vertex, then its y. Off the wires, d has intermediate
-  /// values, from which finish() computes the solution; sums of several d work, too.
+  /// A solution of A d = r₁ + Jᵀ τ on the wires. d has x and y of each vertex in turn. Off the wires, d has
+  /// intermediate values, from which finish() computes the solution; sums of several d work, too.
   struct Solution {
     Eigen::VectorXd d;
     Eigen::VectorXd tensions;     // τ
@@ -133,9 +133,9 @@ class NewtonSystem {
   std::vector<VertexPair> pinned_;  // per connected part, against rigid motions: the first vertex cannot move, the
                                     // second cannot turn about the first
   std::vector<VertexMatrix::Block> edge_blocks_;
-  std::vector<std::array<VertexMatrix::Block, 2>> elastic_blocks_;  // h with the ends a, b of each elastic edge
+  std::vector<std::array<VertexMatrix::Block, 2>> elastic_blocks_;  // for h and the ends of each elastic edge
   Eigen::Index num_positions_;                                      // number of unknowns before h
-  Eigen::ArrayXd constant_;      // the matrix values that do not depend on uv: L + Hessian of F + 10⁻⁴ M + pins
+  Eigen::ArrayXd constant_;      // the matrix values that do not depend on uv, with 10⁻⁴ M and some of the pins
   Eigen::VectorXd stiffness_;    // ρ
   Eigen::MatrixXd stiffness_h_;  // S
   Positions2 directions_;        // d̂

@@ -19,7 +19,9 @@ namespace {
 constexpr double kOpening = 0.1;  // slope of an opened rim against the shut slit, far less than the angles of triangles
 // Largest share of a face's height by which a rim moves into the face, so that no face flips.
 constexpr double kOfHeight = 1.0 / 3;
-constexpr double kOverlapDepth = 1e-10;  // a tenth of the depth that counts as overlap in the rotated result
+// Depth that counts as overlap, over the diagonal of the piece. Later checks use ten times this depth. So a shape
+// without overlaps here passes them even if it is rotated and therefore has a shorter diagonal.
+constexpr double kOverlapDepth = 1e-10;
 
 /// Returns the distance along the rims to the nearest tip, for the vertex where each half-edge begins.
 std::vector<double> distances_from_tips(const Chart& chart, const Slit& slit) {

@@ -21,8 +21,8 @@ struct Projected {
 };
 
 /// Reduces the strain of springs ρ along the edges by Gauss-Newton steps. If several steps minimize the linearized
-/// strain, takes the shortest one in the metric H. With d eliminated, a quadratic program in Δh remains, which keeps h
-/// + Δh within its tolerance.
+/// strain, takes the shortest one in the metric H. With d eliminated, a quadratic program in Δh remains. It keeps h +
+/// Δh within the tolerances.
 class Projection {
  public:
   Projection(const Problem& problem, const Positions2& uv, const StopToken& stop)

@@ -55,7 +55,8 @@ Shape combine_starts(const CombinedCharts& combined, const std::vector<CoupledCh
   return all;
 }
 
-/// Returns the residual of the first-order conditions.
+/// Returns the largest residual of the first-order conditions, dimensionless. Forces at vertices are divided by the
+/// root of the area. Pulls on elastic lengths are divided by the area, and count unless the length is at a bound.
 double projected_gradient(const Problem& problem, const Stage& stage, const Shape& shape) {
   const LengthConstraints constraints = problem.constraints(stage, shape.uv);
   Positions2 gradient;

@@ -13,7 +13,7 @@ namespace wirewarp {
 struct Shape {
   Positions2 uv;                     // one row per chart vertex, scene units
   Eigen::VectorXd variation = {};    // h, one per wire part of the chart (for free parts, a result); empty: unknown
-  Eigen::VectorXd multipliers = {};  // λ, one per row of the length constraints, near the minimum; empty: unknown
+  Eigen::VectorXd multipliers = {};  // λ, one per row of the length constraints; empty: unknown or inaccurate
 };
 
 /// How an attempt at a flat shape with exact lengths ended.

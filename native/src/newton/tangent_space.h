@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The changes of shape (d, Δh) that keep the lengths to first order: J d = T Δh, where h changes only on elastic parts
-// that are not at a bound. A vector of this space has x of every vertex, then y, then Δh of these parts.
+// that are not at a bound. A vector of this space has x and y of each vertex in turn, then Δh of these parts.
 #pragma once
 
 #include <Eigen/Cholesky>

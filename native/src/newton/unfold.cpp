@@ -16,7 +16,7 @@ namespace {
 constexpr double kMostStrain = 1e-4;
 
 /// A side at which a face can be placed. Longer sides come first. Sides of about the same length come in the order in
-/// which they were found, so that few faces are between the first face and any other face.
+/// which they were found. So there are few faces between the first face and any other face.
 struct OpenSide {
   OpenSide(double length, int place, HalfedgeHandle h) : magnitude(std::ilogb(length)), rank(place), half_edge(h) {}
   bool operator<(const OpenSide& other) const {

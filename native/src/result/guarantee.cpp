@@ -36,7 +36,7 @@ std::vector<WrongEdge> find_wrong_edges(const Chart& chart, const WireNetwork& n
     if (std::abs(difference) <= kRelativeLengthError * length_3d + rounding) continue;
     wrong.push_back({source_edge(chart, h), part, difference / length_3d});
   }
-  // The worst edge comes first, so that a message with a few names contains it.
+  // The worst edge comes first, because a message names only the first few edges.
   std::stable_sort(wrong.begin(), wrong.end(), [](const WrongEdge& a, const WrongEdge& b) {
     return std::abs(a.difference) > std::abs(b.difference);
   });

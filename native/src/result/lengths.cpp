@@ -21,7 +21,8 @@ struct ChainLength {
   double max_edge_error = 0;
 };
 
-/// Returns (1 + r)(1 + h) l of each edge of the chart. variation: h, one per wire part.
+/// Returns the guaranteed flat length (1 + r)(1 + h) l of each edge of the chart, where l is the length on the surface
+/// and r the ease of the side. variation: h, one per wire part.
 std::vector<double> guaranteed_lengths(const Chart& chart, const std::vector<double>& variation) {
   std::vector<double> lengths;
   for (const EdgeHandle e : chart.mesh.edges()) {
@@ -60,7 +61,8 @@ std::map<VertexPair, double> list_side_eases(const std::vector<Ease>& eases) {
   return ratios;
 }
 
-/// The lengths of one side of a seam: sums over its edges.
+/// The lengths of one side of a seam: sums over its edges. l: length on the surface; l2: flat length; h, r: as in
+/// SeamReport.
 struct SideLength {
   double unstretched = 0;   // l
   double shared = 0;        // (1 + h) l

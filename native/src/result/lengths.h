@@ -28,8 +28,8 @@ std::vector<WireReport> measure_whole_wires(const FlattenInput& input, const Cha
                                             const std::vector<Piece>& pieces);
 
 /// Returns the length variation h, one per wire part, that fits a layout from any program. For rigid parts, h is the
-/// ease. For other parts, it is the variation of the total length over all sides in the chart, clamped to the
-/// tolerance.
+/// ease. For other parts, it is the relative change of the total length over all sides in the chart, clamped to the
+/// tolerance around the ease.
 std::vector<double> fit_variation(const Chart& chart, const Positions2& uv);
 
 }  // namespace wirewarp

@@ -58,7 +58,8 @@ void measure_wire_edges(const Chart& chart, const WireNetwork& network, const Po
   }
 }
 
-/// Computes θ − α at every node except tails, which have no angle.
+/// Computes the deviation θ − α of the planar angle from the surface angle at every node except tails, which have no
+/// angle.
 void measure_angles(const Chart& chart, const WireNetwork& network, const Positions2& uv, Metrics& metrics) {
   double sum_of_squares = 0;
   int count = 0;
@@ -95,7 +96,7 @@ double measure_cloth_energy(const Chart& chart, const Positions2& flat, const Cl
     energy += t.area * law.density(ShapeError::map_of(t, uv).matrix());
     area += t.area;
   }
-  return energy / area / stretched.prod();  // per flat area
+  return energy / area / stretched.prod();  // the density is per flat area, which is smaller by the stretch
 }
 
 std::optional<std::string> warn_of_limits(const Chart& chart, const Metrics& metrics, const Cloth& cloth) {

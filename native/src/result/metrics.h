@@ -21,7 +21,7 @@ Metrics measure_metrics(const Chart& chart, const WireNetwork& network, const Po
 double measure_cloth_energy(const Chart& chart, const Positions2& flat, const Cloth& cloth);
 
 /// Returns a warning if the strain of the fabric exceeds the limits of the cloth, otherwise nullopt. For each
-/// direction, uses the strain that 99% of the area does not exceed, because single slivers do not matter.
+/// direction, ignores the most strained 1% of the area, because single slivers do not matter.
 std::optional<std::string> warn_of_limits(const Chart& chart, const Metrics& metrics, const Cloth& cloth);
 
 /// Returns the planar angle θ of a wire-node's sector, radians, on the branch nearest to its surface angle.

@@ -11,7 +11,8 @@
 namespace wirewarp {
 namespace {
 
-// Lengths that differ by less than this fraction of the whole count as equal, so that rounding errors do not decide.
+// Lengths count as equal if they differ by less than this fraction of the side of a square with the area of all boxes.
+// Therefore, rounding errors do not decide where boxes are placed.
 constexpr double kSameLength = 1e-6;
 
 /// A step of the skyline, the upper outline of the boxes placed so far. Steps are listed from left to right.
@@ -92,7 +93,7 @@ Positions2 pack_boxes(const Positions2& sizes, double gap, const StopToken& stop
   std::stable_sort(order.begin(), order.end(), [&](Eigen::Index a, Eigen::Index b) { return height(a) > height(b); });
 
   // Tries several strip widths and keeps the packing nearest to a square. The widths are 0.8 to 1.55 times the side of
-  // a square with the area of all boxes, including `gap`. So more than half of a packing may be empty.
+  // a square with the area of all boxes, including `gap`, but at least the width of the widest box.
   constexpr int kStrips = 16;
   WorkMeter work(stop);
   Packing best;

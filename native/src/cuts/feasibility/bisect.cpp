@@ -15,7 +15,8 @@ namespace {
 
 using Sides = std::vector<char>;  // 0 or 1 per face
 
-/// The cost of a border along each edge: the edge's length in scene units; infinite if the edge is forbidden.
+/// The cost of each edge if it is on the border between the sides: its length in scene units; infinite if the edge is
+/// forbidden.
 using Prices = std::vector<double>;
 
 Prices prices_of(const HalfEdgeMesh& mesh, const CutMask& forbidden) {
@@ -42,7 +43,7 @@ bool is_border(const HalfEdgeMesh& mesh, const Sides& side, HalfedgeHandle h) {
   return side[mesh.face_handle(h).idx()] != side[mesh.opposite_face_handle(h).idx()];
 }
 
-/// Returns the increase of the border's cost if all faces around a vertex move to one side; infinite if the border
+/// Returns the increase of the border's cost if all faces around a vertex move to the side `to`; infinite if the border
 /// would run along a forbidden edge.
 double growth_of_border(const HalfEdgeMesh& mesh, const Prices& prices, const Sides& side, VertexHandle v, char to) {
   const auto price = [&](HalfedgeHandle h) { return prices[mesh.edge_handle(h).idx()]; };
@@ -59,7 +60,7 @@ double growth_of_border(const HalfEdgeMesh& mesh, const Prices& prices, const Si
 
 /// Straightens the border: moves it over single vertices as long as this makes it shorter.
 void shorten_border(const HalfEdgeMesh& mesh, const Prices& prices, Sides& side) {
-  constexpr double kRounding = 1e-12;  // relative to the vertex's longest edge
+  constexpr double kRounding = 1e-12;  // smaller gains, over the vertex's longest edge, are rounding errors
   std::vector<VertexHandle> queue(mesh.vertices_begin(), mesh.vertices_end());
   while (!queue.empty()) {
     const VertexHandle v = queue.back();
@@ -78,7 +79,8 @@ void shorten_border(const HalfEdgeMesh& mesh, const Prices& prices, Sides& side)
 /// errors do not choose sides.
 constexpr double kSameDistance = 1e-9;
 
-/// Returns 1 for faces that are nearer to the second vertex than to the first, by more than rounding errors.
+/// Returns 1 for each face that is nearer to the second vertex than to the first, by more than rounding errors;
+/// otherwise 0.
 Sides nearer_to(const HalfEdgeMesh& mesh, VertexHandle first, VertexHandle second) {
   const std::vector<double> from_first = shortest_paths(mesh, {first}).distance;
   const std::vector<double> from_second = shortest_paths(mesh, {second}).distance;
@@ -110,8 +112,9 @@ struct FaceGeometry {
   Positions3 middle, area;
 };
 
-/// Divides faces by their values along an axis. Faces with values near 0 are always put on the same side, even if the
-/// axis is reversed. The tolerance covers the small rotation of axes that principal_axes() allows.
+/// Returns 1 for each face whose value along an axis is clearly above 0, and otherwise 0. The axis gets the direction
+/// in which the first value that is clearly not 0 is positive. So the sides stay the same if the caller reverses the
+/// axis. The tolerance covers the small rotation of axes that principal_axes() allows.
 Sides sides_along(Eigen::VectorXd along) {
   const double middle = 1e-5 * along.cwiseAbs().maxCoeff();
   const auto first = std::find_if(along.begin(), along.end(), [&](double place) { return std::abs(place) > middle; });
@@ -121,8 +124,8 @@ Sides sides_along(Eigen::VectorXd along) {
   return side;
 }
 
-/// Divides the faces by planes through the center, perpendicular to the principal axes, and by the direction of their
-/// normals along these axes.
+/// Returns six divisions of the faces. Three use planes through the center, perpendicular to the principal axes. The
+/// other three separate the faces whose normals point along a principal axis from the other faces.
 std::vector<Sides> sides_of_axes(const HalfEdgeMesh& mesh) {
   const FaceGeometry faces(mesh);
   const Eigen::VectorXd areas = faces.area.rowwise().norm();
@@ -139,8 +142,8 @@ std::vector<Sides> sides_of_axes(const HalfEdgeMesh& mesh) {
   return result;
 }
 
-/// Returns two divisions. In each, a face belongs to the nearer of two far ends of the surface. The ends of the second
-/// division are far from the ends of the first.
+/// Returns two divisions. In each, a face belongs to the nearer of two far ends of the surface. For the second
+/// division, one end is far from both ends of the first division. The other end is the vertex farthest from this end.
 std::vector<Sides> sides_of_ends(const HalfEdgeMesh& mesh) {
   const VertexHandle first = far_end(mesh);
   const VertexHandle second = farthest_from(mesh, {first});
@@ -183,8 +186,8 @@ std::vector<CutMask> bisections(const HalfEdgeMesh& mesh, const CutMask& forbidd
     if (!is_known && length_of_cut(mesh, cut) > 0) cuts.push_back(std::move(cut));
   };
   // On a box with few faces, shortening may reduce a border to nothing, so the original border is a candidate, too. On
-  // fine meshes, original borders are jagged: without the limit kCoarse, 43 garments, shoes, cushions and toys are cut
-  // into 154 pieces instead of 93.
+  // fine meshes, original borders are jagged. Without the limit kCoarse, 43 garments, shoes, cushions and toys are cut
+  // into 154 pieces in total instead of 93.
   constexpr std::size_t kCoarse = 1000;
   for (Sides& side : all_sides) {
     keep_together(mesh, forbidden, side);

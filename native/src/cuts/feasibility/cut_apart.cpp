@@ -11,8 +11,8 @@
 namespace wirewarp {
 namespace {
 
-/// Returns the cut edges and the outline. Without the outline, the two sides of a slit of one edge would be merged,
-/// because they have the same ends.
+/// Returns the cut edges and the outline. Without the outline, the two sides of a slit of one edge inside the chart
+/// would be merged, because both sides have the same ends.
 VertexPairs cut_and_outline(const HalfEdgeMesh& mesh, const CutMask& cut) {
   std::vector<VertexPair> edges;
   for (const EdgeHandle e : mesh.edges()) {

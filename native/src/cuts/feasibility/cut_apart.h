@@ -12,7 +12,8 @@ namespace wirewarp {
 /// charts are the vertices, faces and wire parts of the given chart.
 std::vector<Chart> cut_apart(const Chart& chart, const CutMask& cut);
 
-/// Returns the chart with its vertices and faces in the given order.
+/// Returns a connected chart with its vertices and faces in the given order. The sources of the result are the
+/// vertices, faces and wire parts of the given chart.
 Chart renumbered(const Chart& chart, const std::vector<VertexHandle>& vertices, const std::vector<FaceHandle>& faces);
 
 }  // namespace wirewarp

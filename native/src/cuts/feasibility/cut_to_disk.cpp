@@ -25,8 +25,8 @@ constexpr double kTie = 1e-9;
 /// Returns the edges that are neither crossed by the tree of faces nor in the tree of paths. There are two such edges
 /// for each handle, and one for each boundary loop except one. The detour of an edge is the path from the sources to
 /// one end, along the edge, and back from the other end. The tree of faces crosses edges with long detours first, so
-/// that edges with short detours remain. It crosses forbidden and unreachable edges before all others, so that these
-/// are never returned.
+/// that edges with short detours remain. It crosses forbidden and unreachable edges before all others. If such edges
+/// remain, they are not returned.
 std::vector<EdgeHandle> edges_left_over(const HalfEdgeMesh& mesh, const CutMask& forbidden,
                                         const ShortestPaths& paths) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();

@@ -25,25 +25,25 @@ namespace wirewarp {
 namespace {
 
 /// Number of times that parts may be cut again. Of 64 meshes of garments, shoes, cushions, toys and figures, 41 were
-/// flat after one cut, and 8 after their parts were cut once more. None needed a third cut.
+/// flat after one cut, and 8 after their parts were cut once more. No mesh needed a third cut.
 constexpr int kMostDepth = 3;
 
 /// Number of cuts of one chart that lies_flat() judges. With 2, garments are cut into more pieces. With 5, the cuts are
 /// no better.
 constexpr int kMostJudged = 3;
 
-/// Cost of distortion over area, beside a cost of 1 for the length of cuts over √area. With this value, a cushion is
-/// cut around its edge (length 2.8, distortion 0.02), not along one line (1.2, 0.3). A skirt is cut along one line
-/// (0.7, 0.014), not into two pieces (1.3, 0.01). With each of the values 3, 10, 30 and 100, all 43 garments, shoes,
-/// cushions and toys become flat. The cuts of all models together have the length 86, 97, 100 and 103, over √area, and
-/// the distortion 3.5, 0.9, 0.6 and 0.5.
+/// Price of distortion over area; the price of cut length over √area is 1. With this value, a cushion is cut around its
+/// edge (length 2.8, distortion 0.02), not along one line (1.2, 0.3). A skirt is cut along one line (0.7, 0.014), not
+/// into two pieces (1.3, 0.01). With each of the values 3, 10, 30 and 100, all 43 garments, shoes, cushions and toys
+/// become flat. The total length of their cuts is then 86, 97, 100 and 103, and the total distortion 3.5, 0.9, 0.6 and
+/// 0.5.
 constexpr double kPriceOfDistortion = 10;
 
 /// Two shares of the area, or two costs, count as equal if they differ by less than this value. Free maps have errors
 /// of about this size.
 constexpr double kSamePrice = 1e-6;
 
-/// Quality of the free map of a chart, in which no lengths are fixed.
+/// Quality of a chart's free map, which is its flat shape without fixed lengths.
 struct Proxy {
   double covered = 0;     // area of faces that are flipped or overlap others, scene units squared
   double distortion = 0;  // E of Eq. (4), scene units squared
@@ -63,7 +63,7 @@ Proxy evaluate_proxy(const Chart& chart, const StopToken& stop) {
   return proxy.value_or(nothing);
 }
 
-/// A cut and its parts.
+/// A cut of a piece, and the pieces that result from the cut.
 struct Division {
   CutMask cut;
   std::vector<Chart> pieces;
@@ -73,7 +73,7 @@ struct Division {
 };
 
 /// Returns the cut along the shortest path from the boundary to the vertex farthest from the boundary. On a closed
-/// surface, the path starts at a far end.
+/// surface, the path starts at the vertex farthest from the first vertex.
 CutMask slit_to_far_end(const HalfEdgeMesh& mesh, const CutMask& forbidden) {
   std::vector<VertexHandle> starts = boundary_vertices(mesh);
   const bool is_closed = starts.empty();
@@ -81,14 +81,15 @@ CutMask slit_to_far_end(const HalfEdgeMesh& mesh, const CutMask& forbidden) {
   const ShortestPaths paths = shortest_paths(mesh, starts, around(mesh, forbidden));
   const std::vector<HalfedgeHandle> path = path_back(mesh, paths, farthest_vertex(paths));
   CutMask cut(mesh.n_edges(), 0);
-  // Cutting a single edge of a closed surface would leave a loop of two edges between the same vertices.
+  // After a cut along a single edge, a closed surface would have an outline of two edges, which cannot enclose any
+  // area.
   if (is_closed && path.size() == 1) return cut;
   for (const HalfedgeHandle h : path) cut[mesh.edge_handle(h).idx()] = 1;
   return cut;
 }
 
-/// Searches for a cut of a chart. Each cut is a mask of the whole chart's edges. The sources of parts are in the input,
-/// like the sources of the whole chart.
+/// Searches for a cut of a chart. Each cut is a mask of edges of the whole chart. The sources of parts are vertices and
+/// faces of the input, like the sources of the whole chart.
 class OpeningSearch {
  public:
   OpeningSearch(const Chart& whole, const std::function<bool(const Chart&)>& lies_flat, const StopToken& stop,
@@ -159,7 +160,7 @@ Division OpeningSearch::divide(const Chart& piece, CutMask cut) const {
   return division;
 }
 
-/// Returns candidates for cuts. The cuts are symmetric if the whole chart is symmetric.
+/// Returns candidates for cuts of a piece. The cuts are symmetric if the whole chart is symmetric.
 std::vector<CutMask> OpeningSearch::cuts_through(const Chart& piece) const {
   const CutMask forbidden = map_.on_part(piece, places_.forbidden);
   std::vector<CutMask> drawn = bisections(piece.mesh, forbidden);
@@ -182,7 +183,7 @@ std::vector<CutMask> OpeningSearch::cuts_through(const Chart& piece) const {
   return cuts;
 }
 
-/// Returns the divisions of a piece, the best first.
+/// Returns the divisions of a piece, the best first: the least flipped or overlapping area, then the lowest price.
 std::vector<Division> OpeningSearch::divisions(const Chart& piece) const {
   std::vector<Division> found;
   std::vector<double> covered, prices;

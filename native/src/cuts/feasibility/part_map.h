@@ -9,7 +9,7 @@
 
 namespace wirewarp {
 
-/// Converts cuts between a chart, its parts, and their common source vertices.
+/// Converts cuts between a chart and its parts. Edges between the same source vertices are the same edge.
 class PartMap {
  public:
   explicit PartMap(const Chart& chart);

@@ -14,16 +14,16 @@
 namespace wirewarp {
 namespace {
 
-/// Distances of the band's two ends from the loop, in radii of the loop. A limb whose axis meets the body at 45 degrees
-/// has its crease within two radii.
+/// The band around a loop reaches this far from the loop, in radii of the loop: towards the limb's tip and towards the
+/// body. If the limb's axis meets the body at 45 degrees, the whole crease is within two radii.
 constexpr double kTowardsTip = 1, kTowardsBody = 2;
 
-/// A concave curvature of kConcave / radius halves the conductance. For much larger curvatures, the conductance falls
-/// with the square of the curvature.
+/// A concave curvature of kConcave over the loop's radius halves the conductance of an edge. For much larger
+/// curvatures, the conductance falls with the square of the curvature.
 constexpr double kConcave = 0.5;
 
-/// Number of times that each normal is averaged with the normals of the neighboring vertices. Without this, lines in
-/// the shallow creases of a star follow single edges.
+/// Number of times that each normal is averaged with the normals of the neighboring vertices. Without averaging, lines
+/// in the shallow creases of a star follow single edges.
 constexpr int kSmoothings = 2;
 
 using Point = HalfEdgeMesh::Point;

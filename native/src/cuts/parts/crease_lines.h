@@ -5,9 +5,10 @@
 //   u      potential: 0 at the limb's end of a band, 1 at the body's end
 //   w_ij   conductance of the edge from vertex i to vertex j, low where the surface is concave along the edge
 //
-// Σ_j w_ij (u_i - u_j) = 0 inside the band. u changes most at the crease, so lines of equal u follow the crease. The
-// method is from O. K.-C. Au, Y. Zheng, M. Chen, P. Xu, C.-L. Tai, Mesh segmentation with concavity-aware fields, IEEE
-// Transactions on Visualization and Computer Graphics 18, 2012. The conductances are WireWarp's own.
+// At each vertex i inside the band, Σ_j w_ij (u_i - u_j) = 0. u changes most at the crease, so lines of equal u follow
+// the crease. The method is from O. K.-C. Au, Y. Zheng, M. Chen, P. Xu, C.-L. Tai, Mesh segmentation with
+// concavity-aware fields, IEEE Transactions on Visualization and Computer Graphics 18, 2012. The conductances are
+// WireWarp's own.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,8 +17,9 @@
 
 namespace wirewarp {
 
-/// Returns u at each vertex for the band around a loop. distance: distance of each vertex from the tip of the limb.
-/// level: distance of the loop from the tip. length: length of the loop. All are in scene units.
+/// Returns u at each vertex. Outside of the band around a loop, u is 0 on the limb's side and 1 on the body's side.
+/// distance: distance of each vertex from the tip of the limb. level: distance of the loop from the tip. length: length
+/// of the loop. All are in scene units. Throws FactorizationFailed.
 Eigen::VectorXd potential_across(const HalfEdgeMesh& mesh, const Eigen::VectorXd& distance, double level,
                                  double length);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Finds lines on a mesh along which a function equals a value, the level. The function has one value per vertex and is
-// linear in each triangle. A value equal to the level counts as above the level.
+// Finds the level lines of a function on a mesh: along these lines, the function equals a given value, the level. The
+// function has one value per vertex, and is linear in each triangle. A value equal to the level counts as above the
+// level.
 #pragma once
 
 #include <Eigen/Core>

@@ -16,8 +16,8 @@
 namespace wirewarp {
 namespace {
 
-/// Number of points over which the average distance is taken. With 40, the result differs from the average over all
-/// vertices by about 1%. The difference between a tip and its surroundings is larger.
+/// Number of sample points for the average distance of a vertex from the surface. With 40 samples, the result differs
+/// by about 1% from the average over all vertices. A tip differs more from its surroundings, so 40 samples are enough.
 constexpr std::size_t kSamples = 40;
 
 /// kAroundTip: radius around a tip in which no other vertex has a larger average distance. kBetweenTips: least distance
@@ -27,34 +27,35 @@ constexpr double kAroundTip = 0.12, kBetweenTips = 0.06;
 /// Largest number of tips. A figure with ten fingers has fewer.
 constexpr std::size_t kMostTips = 24;
 
-/// kLevels: number of distances from a tip at which lines are measured. At a neck, L / √A is the least among kAround of
-/// these distances on each side.
+/// kLevels: number of distances from a tip at which lines are measured. At a neck, L / √A (see necks.h) is the least
+/// among kAround of these distances on each side.
 constexpr int kLevels = 120, kAround = 6;
 
 /// Least and largest area of the part at a tip, as a share of the surface's area. A bear's ear has 0.024, its head 0.4.
 constexpr double kSmallest = 0.006, kLargest = 0.55;
 
 /// At a neck, L / √A is at most kShort. A bear's ears have 2.27, and the arms of a star 2. If the part at the tip has
-/// more than the share kLarge of the area, L / √A is at most kShortIfLarge. A bear's head has 1.16, a rabbit's head
-/// 1.46, but a loop around the middle of a star has 2.3.
+/// more than the share kLarge of the area, L / √A is at most kShortIfLarge. A bear's head has 1.16, and a rabbit's head
+/// 1.46. A loop around the middle of a star has 2.3, so it is not a neck.
 constexpr double kShort = 2.4, kShortIfLarge = 1.5, kLarge = 0.25;
 
-/// Beyond a neck, L grows by a factor kWidens before the area grows by a factor kSoon. On a cone, L grows by a factor
-/// 1.34 while the area grows by a factor 1.8, but L / √A is constant.
+/// Beyond a neck, L grows by a factor kWidens before the area grows by a factor kSoon. This alone does not make a neck:
+/// on a cone, L grows by a factor 1.34 while the area grows by a factor 1.8.
 constexpr double kWidens = 1.12, kSoon = 1.8;
 
 /// Two parts are the same if their common area is more than the share kSame of their union. They are nested if the
-/// common area is more than the share kNested of the smaller part. They are disjoint if it is less than the share
-/// kDisjoint of the smaller part.
+/// common area is more than the share kNested of the smaller part. They are disjoint if the common area is less than
+/// the share kDisjoint of the smaller part.
 constexpr double kSame = 0.6, kNested = 0.97, kDisjoint = 0.03;
 
-/// Two parts have the same neck if more than this share of the surface is in exactly one of them.
+/// Two parts have the same neck if more than this share of the surface is in exactly one of them. The neck then
+/// separates one part from the other.
 constexpr double kWhole = 0.75;
 
 /// Distances that differ by less than this share are equal except for rounding errors.
 constexpr double kRounding = 1e-9;
 
-/// Potential along a crease: the mean of the potentials at both ends of the band.
+/// Potential along a crease: the mean of the potentials at the ends of the band, 0 and 1.
 constexpr double kCrease = 0.5;
 
 using Distances = Eigen::VectorXd;
@@ -196,7 +197,8 @@ Eigen::VectorXd NeckSearch::of_faces(const Distances& distance) const {
   return means;
 }
 
-/// Adds a candidate for each distance from a tip at which the surface is narrower than before and beyond this distance.
+/// Adds a candidate for each distance from a tip that is a narrow place: the surface is wider before and beyond this
+/// distance. distance: distance of each vertex from the tip.
 void NeckSearch::add_candidates(const Distances& distance, std::vector<Candidate>& found) const {
   const double farthest = distance.maxCoeff(), first = kBetweenTips * std::sqrt(area_);
   const Eigen::VectorXd face_distance = of_faces(distance);

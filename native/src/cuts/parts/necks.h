@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Finds the necks of a closed surface: short loops that separate ears, limbs, a head or a tail from the rest.
 //
-//   tip       a vertex that is farther from the rest of the surface, averaged over the area, than all vertices nearby
-//   d, L, A   distance from a tip; length of the line at this distance; area of the surface within this distance
+//   tip   a vertex with a larger average distance from all points of the surface than all vertices nearby
+//   L     length of the line at some distance from a tip
+//   A     area of the smaller of the two parts that this line separates
 //
-// Beyond a neck, the surface widens, so L increases. At a neck, L / √A is least, where A is the smaller of the areas on
-// both sides. L / √A is 2.5 at the equator of a ball. Tips are found by their average distance, as in E. Zhang, K.
+// Beyond a neck, the surface widens, so L increases. At a neck, L / √A is less than at the distances nearby. At the
+// equator of a ball, which is not a neck, L / √A is 2.5. Tips are found by their average distance, as in E. Zhang, K.
 // Mischaikow, G. Turk, Feature-based surface parameterization and texture mapping, ACM Transactions on Graphics 24,
 // 2005.
 #pragma once
@@ -19,7 +20,7 @@
 namespace wirewarp {
 
 /// A loop along which a function has one value. The function is the distance from a tip, or the potential of
-/// crease_lines.h. It is smaller in the part at the tip.
+/// crease_lines.h. The function is smaller in the part at the tip than beyond the loop.
 struct Neck {
   Eigen::VectorXd distance;  // value of the function per vertex
   double level = 0;          // value of the function at the loop

@@ -109,8 +109,8 @@ std::vector<DartProposal> search_piece(const FlatPieces& pieces, int piece, CutK
   return darts;
 }
 
-/// Searches the pieces for cuts, the most strained piece first. Ends when no cut of the remaining pieces can gain more
-/// than the cuts found so far.
+/// Searches the pieces for cuts, the most strained piece first. Ends when enough cuts are found, and no cut of the
+/// remaining pieces can gain more than these cuts.
 std::vector<DartProposal> search_pieces(const FlatPieces& pieces, CutKind kind, const CutOptions& cut_options,
                                         const ExactEvaluation& exact) {
   std::vector<int> order(pieces.size());
@@ -143,7 +143,7 @@ std::vector<DartProposal> search_pieces(const FlatPieces& pieces, CutKind kind, 
   throw *first_refusal;
 }
 
-/// Returns the largest piece (or the requested one) that lacks seams.
+/// Returns the index of the largest piece that lacks seams. If a piece is requested, tests only this piece.
 std::optional<std::size_t> without_shape(const FlatPieces& pieces, const CutOptions& cut_options) {
   std::optional<std::size_t> largest;
   double most = 0;

@@ -97,8 +97,8 @@ class SurfaceWalk {
   SurfaceWalk(const SurfaceWalk&) = delete;
   SurfaceWalk& operator=(const SurfaceWalk&) = delete;
 
-  /// Returns the next half-edge of the walk around one vertex after the other, or an invalid one at the end of the
-  /// walk.
+  /// Returns the next half-edge of the walk around one vertex after the other. Returns an invalid handle at the end of
+  /// the walk.
   HalfedgeHandle step() {
     if (!next_.is_valid()) {
       if (at_ == order_.size()) return next_;

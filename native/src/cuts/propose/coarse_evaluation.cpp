@@ -22,9 +22,9 @@ constexpr double kHasNoFlatShape = std::numeric_limits<double>::infinity();
 /// contradict one another.
 constexpr int kMaxFactorizations = 20;
 
-/// Cut pieces start from the uncut shape if its energy over its area is below this value. This start takes half the
-/// time of refine_chart(). On a hat (value 0.04) and a cushion (0.26), it leads to folds in every third evaluation. On
-/// seven panels of garments (0.0006 to 0.01), the best cuts lead to no folds.
+/// Cut pieces start from the uncut shape if the energy of this shape over its area is below this value. This start
+/// takes half the time of refine_chart(). On a hat (value 0.04) and a cushion (0.26), it leads to folds in every third
+/// evaluation. On seven panels of garments (0.0006 to 0.01), the best cuts lead to no folds.
 constexpr double kNearFlat = 0.02;
 
 InternalOptions brief(InternalOptions options) {
@@ -73,7 +73,7 @@ double CoarseEvaluation::energy_when_cut(const CutMask& cut, const StopToken& st
     if (start_) {
       const Problem problem(piece, options_.fairness);
       const auto num_rows = static_cast<Eigen::Index>(problem.network().edges.size());
-      // Without multipliers, the first step opens the cut.
+      // The multipliers start at 0, so that the first step opens the cut.
       const Shape start{(*start_)(piece.source_vertex, Eigen::all), {}, Eigen::VectorXd::Zero(num_rows)};
       Budget budget(options_.max_factorizations);
       flat = minimize(problem, {nullptr, nullptr, Injectivity::none, options_.target}, start, {budget, stop});

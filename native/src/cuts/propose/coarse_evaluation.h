@@ -11,7 +11,7 @@
 
 namespace wirewarp {
 
-/// A chart with few faces, for quick evaluations of cuts. It has no super-elastic wires.
+/// A chart with few faces, for quick evaluations of cuts. Coarsening drops super-elastic wires.
 struct CoarseCopy {
   Chart chart;
   std::vector<VertexHandle> fine_vertex;  // vertex of the original chart at each coarse vertex
@@ -21,7 +21,7 @@ struct CoarseCopy {
 /// coarsened. faces: requested number. Throws Stopped.
 CoarseCopy coarse_copy(const Chart& chart, double faces, const StopToken& stop);
 
-/// Evaluates cuts of a chart, which is usually a coarse copy, by a few Newton steps. May be used in any thread.
+/// Evaluates cuts of a chart by a few Newton steps. The chart is usually a coarse copy. May be used in any thread.
 class CoarseEvaluation {
  public:
   /// The chart must outlive this object. Throws Stopped.

@@ -14,7 +14,7 @@
 namespace wirewarp {
 namespace {
 
-/// Default of the parameter `snap` of cut_mesh(). Callers use it to cut along the lines of a set.
+/// The default of the parameter `snap` of cut_mesh(), because users of a set cut along its lines with the default.
 constexpr double kCutSnap = 0.05;
 
 }  // namespace

@@ -13,7 +13,8 @@ namespace wirewarp {
 CutMesh uncut(const FlattenInput& input);
 
 /// Returns a cut mesh with more cuts along paths on it. Paths that collapse are left out. The edges include the edges
-/// of earlier cuts. The sources of faces and corners are in the first mesh. The other sources are in the mesh `before`.
+/// of earlier cuts. The sources of faces and corners are in the first mesh. The sources of vertices and the divided
+/// edges are in the mesh `before`. Do not use CutSources::edge_paths: it does not list all edges.
 CutMesh cut_again(const CutMesh& before, const std::vector<SurfacePath>& paths);
 
 /// Returns one flag per path: 0 if cut_mesh() refuses the path because all its points move to one point. Other paths

@@ -14,20 +14,20 @@
 namespace wirewarp {
 namespace {
 
-/// A landing must have a shorter path than all points within this share of the outline on each side. Both sides
+/// A landing must have a cheaper path than all points within this share of the outline on each side. Both sides
 /// together are about as long as the distance between two of the points spread along the outline.
 constexpr double kWindow = 1.0 / 24;
 
 /// The outline has a corner at a vertex if it turns there by more than this angle, in radians. A ring of twelve edges
-/// turns by this much at each vertex.
+/// turns by this much at each vertex, so a finer ring has no corners.
 constexpr double kCorner = kPi / 6;
 
 /// A value counts as larger only if it exceeds the other value by this factor, so that rounding errors in rotated input
 /// do not decide.
 constexpr double kClearly = 1 + 1e-9;
 
-/// Largest distance, over √area, between ends of cuts that count as near each other. It is slightly less than 0.2, the
-/// typical distance between the points spread over the inside.
+/// Largest distance, over √area, between ends of cuts that count as near each other. The points spread over the inside
+/// are typically 0.2 apart, so cuts that end at different points are not near each other.
 constexpr double kApart = 0.15;
 
 struct OutlinePoint {
@@ -49,7 +49,7 @@ OutlineLoop measure_loop(const Chart& chart, const HalfEdgeChain& half_edges) {
   return loop;
 }
 
-/// Adds the landings on a loop: the points with a shorter path than all points of the loop nearby.
+/// Adds the landings on a loop: the points with a cheaper path than all points of the loop nearby.
 void add_landings(const OutlineLoop& loop, double length, const SmoothPaths& paths, std::vector<VertexHandle>& taken) {
   const auto cost_at = [&](std::size_t i) {
     const HalfedgeHandle h = paths.arrival[loop[i].vertex.idx()];
@@ -68,7 +68,8 @@ void add_landings(const OutlineLoop& loop, double length, const SmoothPaths& pat
   }
 }
 
-/// Returns at most `count` vertices, each as far as possible from the sources and from the vertices before it.
+/// Returns at most `count` of the allowed vertices, each as far as possible from the sources and from the vertices
+/// before it. may_take: one flag per vertex.
 std::vector<VertexHandle> spread(const Chart& chart, std::vector<VertexHandle> sources,
                                  const std::vector<char>& may_take, int count) {
   std::vector<VertexHandle> taken;

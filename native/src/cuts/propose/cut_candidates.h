@@ -29,15 +29,15 @@ struct CandidatePoints {
 };
 
 /// Returns candidates for cuts. Darts connect points spread over the inside with points spread along the outline, and
-/// with landings. A landing is a point of the outline with a shorter path than all points nearby. Seams connect points
-/// spread along the outline with each other, and with landings.
+/// with landings. A landing is a point of the outline that has a cheaper path to the other end than all points nearby.
+/// Seams connect points spread along the outline with each other, and with landings.
 std::vector<CutEnds> list_candidates(const Chart& chart, const SmoothPathFinder& paths, CutKind kind,
                                      CandidatePoints count);
 
 /// Returns variants of a cut, each with one end moved to a neighboring vertex.
 std::vector<CutEnds> neighbors_of(const Chart& chart, const SmoothPathFinder& paths, CutEnds cut);
 
-/// Returns whether both ends of two cuts are so near each other that a tailor would see one cut. size: √area of the
+/// Returns whether the ends of two cuts are so near each other that a tailor would see one cut. size: √area of the
 /// chart, in scene units.
 bool are_beside(const HalfEdgeMesh& mesh, double size, CutEnds a, CutEnds b);
 

@@ -67,7 +67,7 @@ class PartOfInput {
     part_.faces = whole_.faces(faces_, Eigen::all).unaryExpr([&](int v) { return place_of(v); });
   }
 
-  /// Adds each run of the wire's edges that is in the part. The run of a closed wire may pass the vertex at which the
+  /// Adds each run of the wire's edges that is in the part. A run of a closed wire may pass the vertex at which the
   /// wire's list starts.
   void take_wire(int index) {
     const Wire& wire = whole_.wires[index];

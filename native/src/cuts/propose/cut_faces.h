@@ -9,8 +9,8 @@
 namespace wirewarp {
 
 /// Cuts some faces of an input along seams and along the outline of these faces, as cut_into_charts() does for the
-/// whole input. The sources of the charts are the input's vertices, faces and wires; wire parts get new numbers. faces:
-/// sorted. Throws Stopped.
+/// whole input. The sources of the charts are the input's vertices, faces and wires. The numbers of wire parts differ
+/// from those for the whole input. faces: sorted. Throws Stopped.
 Charts cut_faces(const FlattenInput& input, const std::vector<int>& faces, const std::vector<VertexPair>& seams,
                  const StopToken& stop);
 

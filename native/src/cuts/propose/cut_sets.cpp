@@ -45,8 +45,8 @@ constexpr double kFlat = 1e-4;
 /// penguin.
 constexpr double kOpened = 0.1, kCut = 0.5;
 
-/// kStrainStep: ratio of the strains for which sets are merged. With the default target, these are 5%, 10% and 20%.
-/// kMergedSets: largest number of merged sets. This limit matters for low targets.
+/// kStrainStep: ratio of the strains for which sets are merged. With the default target, these strains are 5%, 10% and
+/// 20%. kMergedSets: largest number of merged sets. This limit matters for low targets.
 constexpr double kStrainStep = 2;
 constexpr std::size_t kMergedSets = 3;
 
@@ -57,7 +57,8 @@ constexpr double kMergeShare = 0.85;
 
 /// Cuts that remove at least this share of the energy are tried first, even if shorter cuts remove more per length.
 /// Many small darts would be slow to sew and to find. With 0 to 0.5, the sets of a ball, a head and a penguin differ
-/// little in strain. With 0.5, the search takes two thirds of the time of 0, but the sets are 10% longer.
+/// little in strain. With 0.5, the search takes two thirds of the time that it takes with 0, but the sets are 10%
+/// longer.
 constexpr double kLargeGain = 0.25;
 
 /// Least solidity of a joined piece. With 0, arms, ears and half a body became one piece of a toy rabbit. With 0.6
@@ -138,7 +139,7 @@ CutSetSearch::CutSet CutSetSearch::with_figures(CutMask cut, FlatPieces pieces) 
   return set;
 }
 
-/// Returns the set for this cut, with exact figures. before: the pieces with some edges of the cut.
+/// Returns the set for this cut, with exact figures. before: pieces that are already cut along some edges of the cut.
 CutSetSearch::CutSet CutSetSearch::evaluate(const FlatPieces& before, const CutMask& cut) const {
   return with_figures(cut, exact_.with_cut(before, edges_by_section(chart_, cut)));
 }
@@ -169,9 +170,10 @@ void CutSetSearch::add_lines(const CutSet& set, std::size_t part, std::vector<Ca
   }
 }
 
-/// Adds bisections of one part as candidates, which help if no single line does. part: index in set.pieces. If the part
-/// folds in the coarse evaluation, its energy without a cut is unknown. Then bisections without folds come first, the
-/// shortest before the others, and bisections with folds follow. Exact evaluations measure their gain.
+/// Adds bisections of one part as candidates, because they help if no single line helps. part: index in set.pieces. If
+/// the part folds in the coarse evaluation, its energy without a cut is unknown. Then bisections without folds come
+/// first, the shortest before the others, and bisections with folds follow. Exact evaluations measure the gain of these
+/// bisections later.
 void CutSetSearch::add_bisections(const CutSet& set, std::size_t part, std::vector<Candidate>& found) const {
   const Chart& chart = set.pieces[part]->chart;
   const CoarseEvaluation trials(chart, exact_.options(), exact_.stop());
@@ -302,8 +304,8 @@ void CutSetSearch::add_merged(std::vector<CutSet>& sets) {
 }
 
 /// Adds sets with smooth lines and fewer sections than the last set. Drops earlier sets with more pieces than the first
-/// added set. Returns false if the lines cannot be smooth, or if the last smooth set needs too much strain. In this
-/// case, the former last set is at the end again. Throws Stopped; sets added by then remain.
+/// added set. Returns false if the lines cannot be smooth, or if the last smooth set needs too much strain. If the
+/// result is false, the former last set is at the end. Throws Stopped; sets added by then remain.
 bool CutSetSearch::add_smooth(std::vector<CutSet>& sets) {
   const CutSet fine = sets.back();
   double least = std::max(target_, kFlat);

@@ -17,12 +17,13 @@ namespace wirewarp {
 /// The largest strain that woven fabric allows. By default, pieces with at most this strain are not cut again.
 constexpr double kTargetStrain = 0.05;
 
-/// The largest strain of plush. Sets along edges are merged up to about this strain, or to twice a larger target. Sets
-/// for more strain, which only stretchy knits allow, are the slowest to find.
+/// The largest strain that plush allows. Sets along edges are merged up to about this strain, or up to twice the target
+/// if that is larger. Sets for more strain, which only stretchy knits allow, are the slowest to find.
 constexpr double kSoftStrain = 0.2;
 
 /// Returns the allowed strains of up to three merged sets, each twice the strain before. If three sets are enough, the
-/// ratio of the last strain to the largest useful strain is near 1. least: the first strain. target: accepted strain.
+/// last strain is as near as possible to kSoftStrain, or to twice the target if that is larger. least: the first
+/// strain. target: accepted strain.
 std::vector<double> allowed_strains(double least, double target);
 
 /// Drops each set if a shorter set has at most as many pieces and at most as much strain. Returns the other sets, the
@@ -36,8 +37,8 @@ double limit_of_set(const DartProposal& set, const CutOptions& cut_options);
 
 /// Searches for sets of cuts of one piece whose flat shape is missing or needs too much strain. First it finds a cut
 /// that makes the whole piece flat. Then it cuts the part with the most strain, one cut after the other. Candidates are
-/// lines and bisections. Among the candidates that remove much of the distortion, it takes the candidate that removes
-/// most distortion for its length.
+/// lines and bisections. It tries candidates that remove much of the energy first, and among them the candidates that
+/// remove the most energy for their length. At the end, it merges pieces.
 class CutSetSearch {
  public:
   /// piece: index of the piece to cut. Keeps all references.

@@ -33,8 +33,8 @@ std::shared_ptr<const FlatPiece> as_flat_piece(Chart chart, const Piece& piece, 
     flat.strain = needed.of(piece);
     flat.uv = piece.vertices;
     flat.face_strain = needed.of_faces(piece);
-    // More factorizations may change the shape of a large chart, because its coarse start gets half of them. They may
-    // also continue the comparison of directions.
+    // A higher limit of factorizations may change the shape of a large chart, because its coarse start gets half of
+    // this limit. With a higher limit, the comparison of a fabric's directions may also continue.
     const bool is_large = flat.chart.mesh.n_faces() >= options.large_chart;
     const bool may_turn = options.cloth && options.orientation == Orientation::best;
     flat.is_final = piece.report.termination == Termination::converged && !is_large && !may_turn;
@@ -62,7 +62,7 @@ std::vector<int> faces_of(const FlatPieces& pieces, const Selection& chosen) {
   return faces;
 }
 
-/// Adds all pieces that elastic seams couple with the chosen pieces.
+/// Returns the chosen pieces and all pieces that elastic seams couple with them.
 Selection coupled(const FlatPieces& pieces, Selection chosen) {
   std::set<std::pair<int, int>> shared;  // wire and part
   for (bool has_grown = true; has_grown;) {
@@ -82,8 +82,8 @@ Selection coupled(const FlatPieces& pieces, Selection chosen) {
   return chosen;
 }
 
-/// Adds all pieces that share an edge of their outline with the chosen pieces, and all pieces coupled with these
-/// neighbors.
+/// Returns the chosen pieces, all pieces that share an edge of their outline with them, and all pieces coupled with
+/// these neighbors.
 Selection with_neighbors(const FlatPieces& pieces, const Selection& chosen) {
   std::set<VertexPair> outline;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
@@ -199,7 +199,7 @@ double most_strain(const FlatPieces& pieces) {
 }
 
 bool spoils_others(const FlatPieces& before, const FlatPieces& after, const Chart& chart) {
-  constexpr double kRounding = 1e-6;  // precision of shapes
+  constexpr double kRounding = 1e-6;  // smaller increases of strain are below the precision of shapes
   const double most = most_strain(before);
   return std::any_of(after.begin(), after.end(), [&](const std::shared_ptr<const FlatPiece>& piece) {
     if (is_part_of(piece->chart, chart) || std::find(before.begin(), before.end(), piece) != before.end()) return false;

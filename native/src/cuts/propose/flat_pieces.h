@@ -26,7 +26,7 @@ struct FlatPiece {
   double strain = 0;              // as in DartProposal::strain
   Eigen::VectorXd face_strain{};  // strain of each face of the chart
   Positions2 uv{};                // the flat shape, one row per vertex of the chart
-  bool is_final = false;          // whether a higher limit of factorizations leads to the same shape
+  bool is_final = false;          // whether the shape is certain to stay the same with more factorizations
 };
 
 /// All pieces of an input, in flatten()'s order. States of a search share the pieces that a cut does not change.
@@ -50,7 +50,7 @@ FlatPieces parts_of(const FlatPieces& pieces, const Chart& chart);
 /// Returns the figures of all pieces together. If a piece has no flat shape, energy and strain are infinite.
 PieceFigures figures_of(const FlatPieces& pieces);
 
-/// Returns the figures of the pieces that consist of faces of a chart.
+/// Returns the figures of the pieces that are parts of a chart.
 PieceFigures figures_of(const FlatPieces& pieces, const Chart& chart);
 
 /// Returns whether a cut of a chart leaves another piece without a flat shape, or with more strain than any piece had
@@ -65,15 +65,15 @@ struct PiecesOnMesh {
 };
 
 /// Compares pieces on two meshes of one surface. Each piece `there` belongs to the piece `here` with which it shares
-/// most area. Returns the pieces `here` that failed. A piece has failed if not exactly one piece `there` belongs to it,
-/// or if that piece has no flat shape or too much strain.
+/// most area. Returns the pieces `here` that failed. A piece has failed if not exactly one piece `there` belongs to it.
+/// It has also failed if a piece that belongs to it has no flat shape or too much strain.
 FlatPieces failed_on_mesh(const PiecesOnMesh& here, const PiecesOnMesh& there, double most_strain);
 
 /// Returns the largest strain of the pieces with a flat shape; 0 if there are none.
 double most_strain(const FlatPieces& pieces);
 
-/// Returns whether a chart consists of faces of another chart. The sources of both are in the input, in increasing
-/// order.
+/// Returns whether the faces of `part` are in `chart`. Tests only the first face, so either all or none must be there.
+/// The source faces of both charts must be faces of the same input, in increasing order.
 bool is_part_of(const Chart& part, const Chart& chart);
 
 /// Returns whether the outline of a chart runs through a piece.
@@ -82,7 +82,7 @@ bool cuts_inside(const FlatPiece& piece, const Chart& chart);
 /// Returns the pieces with one of these edges on their outline.
 FlatPieces pieces_beside(const FlatPieces& pieces, const std::vector<VertexPair>& edges);
 
-/// A checked input, moved to the middle of its material.
+/// A checked input, and its surface moved to the middle of the material.
 class SurfaceToCut {
  public:
   /// input: kept by reference. Throws the errors of flatten().
@@ -107,8 +107,9 @@ class ExactEvaluation {
   FlatPieces uncut() const;
 
   /// Returns the pieces with more seams along `edges`, and without the seams `opened`. Flattens only the pieces that
-  /// these edges run through or along, and the pieces that elastic seams couple with them. If the fabric is stretched,
-  /// also flattens their neighbors, which share the lengths of seams. May be called in any thread. Throws Stopped.
+  /// `edges` run through, the pieces beside `opened`, and the pieces that elastic seams couple with them. If the fabric
+  /// is stretched, also flattens the neighbors of these pieces, because neighbors share the lengths of seams. May be
+  /// called in any thread. Throws Stopped.
   FlatPieces with_cut(const FlatPieces& before, const std::vector<VertexPair>& edges,
                       const std::vector<VertexPair>& opened = {}) const;
 
@@ -135,8 +136,8 @@ class ExactEvaluation {
   StopToken stop_;
 };
 
-/// Calls a search for cuts with an evaluation of the input, and returns its result. Throws the errors of flatten(), and
-/// cancelled if the caller cancels.
+/// Calls a search for cuts with an evaluation of the input, and returns the result of the search. Throws the errors of
+/// flatten(), and cancelled if the caller cancels.
 template <typename Search>
 auto search_cuts(const FlattenInput& input, const Options& options, const StopToken& stop, const Search& search) {
   const SurfaceToCut surface(input, options);

@@ -17,15 +17,15 @@ namespace wirewarp {
 namespace {
 
 /// Number of grid points along the largest requested radius. The error in the radius at which two points become
-/// disconnected is at most 0.7 of the distance between grid points.
+/// disconnected is at most 0.7 of the distance between grid points. This is 7% of the largest radius: see kWidthError.
 constexpr double kPointsPerRadius = 10;
 
 /// A shape that is more than this many grid points long gets a coarser grid, so that huge shapes do not fill the
 /// memory.
 constexpr double kMostPoints = 1500;
 
-/// Parts below kScrap of the shape's area do not count, and the largest part has at least kMostArea of it.
-/// wirewarp.pattern uses the same shares.
+/// Disks of one radius cover one or several parts of the shape. Parts below kScrap of the shape's area are ignored. One
+/// part must remain, with at least kMostArea of the shape's area. wirewarp.pattern uses the same shares.
 constexpr double kScrap = 0.1, kMostArea = 0.5;
 
 /// kSteps: number of radii that are tried, up to the largest radius. kHalvings: number of bisections between two radii.
@@ -51,7 +51,7 @@ class DistanceGrid {
     }
   }
 
-  /// Returns whether disks of this radius cover one part of the shape that is large enough, and otherwise only scraps.
+  /// Returns whether the parts that disks of this radius cover are one large part and only scraps: see kScrap.
   bool is_whole(double radius) const {
     const std::vector<Run> runs = runs_inside(radius);
     int num_parts = 0, num_kept = 0;
@@ -80,8 +80,8 @@ class DistanceGrid {
     int y, begin, end;
   };
 
-  /// Sets the area, and returns the points with the centroid at the origin and the vertex farthest from it on the first
-  /// axis. So the grid turns with the shape and is mirrored with it.
+  /// Sets the area, and returns the points in a frame of the shape. Its origin is the centroid, and its first axis
+  /// leads to the farthest vertex. So the grid turns with the shape and is mirrored with it.
   Eigen::Matrix<double, Eigen::Dynamic, 2> in_own_frame(const HalfEdgeMesh& mesh, const Positions2& uv) {
     Point center = Point::Zero();
     for (const FaceHandle f : mesh.faces()) {
@@ -190,7 +190,7 @@ class DistanceGrid {
     return count * step_ * step_;
   }
 
-  /// Returns the area outside a part that disks around the part's points cover. runs: the part.
+  /// Returns the area outside of a part that disks around the points of this part cover. runs: the part.
   double area_around(const std::vector<Run>& runs, double radius) const {
     std::vector<char> is_covered(distances_.size(), 0);
     for (const Run& run : runs)

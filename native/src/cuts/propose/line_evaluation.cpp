@@ -14,8 +14,8 @@
 namespace wirewarp {
 namespace {
 
-/// Radius around a tip in which the strain is measured, over √area of the piece. It is about 10 mm on a front of 30 by
-/// 40 cm. A puckered tip shows in this radius.
+/// The strain around a tip is measured within this radius, a multiple of √area of the piece. The radius is about 10 mm
+/// on a front of 30 by 40 cm. Within this radius, the strain shows a puckered tip.
 constexpr double kAroundTip = 0.03;
 
 /// Returns the mean strain of the area around a tip; nullopt if the piece does not contain the tip.
@@ -41,7 +41,7 @@ std::optional<double> mean_strain_around(const FlatPiece& piece, int tip, double
   return strained / area;
 }
 
-/// Returns the last vertices of the paths; none if paths meet.
+/// Returns the last vertex of each path; nothing if paths meet.
 std::vector<int> tips_of(const CutMesh& cut) {
   std::map<int, int> count;
   for (const VertexPair& edge : cut.edges) {
@@ -64,8 +64,8 @@ FlattenInput with_mesh_of(const FlattenInput& input, const CutMesh& cut) {
   return {cut.vertices, cut.faces, input.seams, input.wires, input.eases};
 }
 
-/// Returns the uncut piece on the cut mesh, as the start of a cut. Its energy and strain are the values on the original
-/// mesh.
+/// Returns the piece before the cut, with the vertices and faces of the cut mesh, for with_cut(). Its energy and strain
+/// are those on the original mesh.
 FlatPiece on_cut_mesh(const FlatPiece& piece, const FlattenInput& input, const CutMesh& cut, const StopToken& stop) {
   const std::vector<int>& faces_before = piece.chart.source_face;
   std::vector<int> faces;

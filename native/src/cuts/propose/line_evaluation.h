@@ -24,7 +24,7 @@ struct LineFigures {
   std::vector<VertexPair> edges;  // edges of the lines; empty if a line crosses a triangle
 };
 
-/// The surface on the mesh of cut_mesh(), with the pieces that the cut makes.
+/// A surface that cut_mesh() has divided along the lines of a cut, with its pieces before and after the cut.
 class CutSurface {
  public:
   /// piece: index of the piece that is cut. exact: evaluates the surface without the cut. Keeps all references. Throws
@@ -38,7 +38,7 @@ class CutSurface {
   /// Returns the chart of the piece before the cut.
   const Chart& chart() const { return before_[piece_]->chart; }
 
-  /// Returns the edges of the cut if they are all edges of the surface, otherwise none.
+  /// Returns the edges of the cut if they are all edges of the input, otherwise none.
   std::vector<VertexPair> edges() const;
 
   /// Returns the length of the cut in the middle of the material, scene units.

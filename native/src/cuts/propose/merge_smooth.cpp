@@ -16,8 +16,8 @@
 namespace wirewarp {
 namespace {
 
-/// Pieces of the fine set may need this many times the strain for which they are merged. With less, many of their lines
-/// keep their zigzags.
+/// Pieces of the fine set may need this many times the strain for which they are merged. With a smaller factor, many
+/// lines of the set keep their zigzags.
 constexpr double kFineGrowth = 2;
 
 /// Strains that differ by less than this factor count as equal.

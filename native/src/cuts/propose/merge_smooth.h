@@ -11,20 +11,22 @@
 
 namespace wirewarp {
 
-/// Smooths the lines of a finely cut set, then merges its pieces. Zigzags along edges work like many small darts, so
-/// pieces that are merged along edges often need too much strain when their outlines are smoothed.
+/// Smooths the lines of a finely cut set, then merges its pieces. Merging along edges first would be worse: zigzags
+/// along edges work like many small darts. Therefore, merged pieces often need too much strain when their outlines are
+/// smoothed.
 class SmoothMerger {
  public:
   /// least_solidity: as in MergeRules. Keeps all references.
   SmoothMerger(const PieceToCut& piece, double least_solidity, const CutOptions& cut_options,
                const ExactEvaluation& exact);
 
-  /// Smooths the lines of a set along edges, within twice `most_strain`, the strain for which pieces will be merged.
-  /// Returns false if no line can be smooth. Throws Stopped.
+  /// Smooths the lines of a set along edges. The strain may be twice `most_strain`, the strain for which pieces will be
+  /// merged, or the strain of the set if that is larger. Returns false if no line can be smooth. Throws Stopped.
   bool start(const DartProposal& set, const CutMask& cut, double most_strain);
 
-  /// Merges pieces as SectionMerger does, up to a share of the allowed strain. Returns false if the caller canceled. In
-  /// this case, the set is merged as far as possible. report: called with the share of candidates that were tried.
+  /// Merges pieces as SectionMerger does, up to the given share of `most_strain`. Returns false if the caller canceled.
+  /// In this case, the set has the merges so far, or is unchanged if these merges need too much strain. report: called
+  /// with the share of candidates that were tried.
   bool merge(double share, double most_strain, const std::function<void(double)>& report);
 
   /// Returns the set after smoothing the corners that merging has left. keeps_room: whether smoothing must not make

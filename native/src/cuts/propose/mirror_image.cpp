@@ -14,7 +14,8 @@ namespace {
 /// with a mirror are symmetric to this precision.
 constexpr double kSamePlace = 1e-4;
 
-constexpr double kClearlyLonger = 1 + 1e-9;  // so that the mesh's orientation does not change the choice
+/// Lengths that differ by less than this factor count as equal, so that rotating the mesh does not change the choice.
+constexpr double kClearlyLonger = 1 + 1e-9;
 
 /// Largest number of planes that are compared: a surface of revolution has more, but all are alike.
 constexpr int kMostPlanes = 16;
@@ -28,7 +29,7 @@ class VerticesInOrder {
     std::sort(order_.begin(), order_.end(), [&](int a, int b) { return along_[a] < along_[b]; });
   }
 
-  /// Returns the nearest vertex within a distance, or -1.
+  /// Returns the vertex nearest to a point; -1 if no vertex is within the given distance.
   int at(const Eigen::RowVector3d& point, double distance) const {
     const double along = point.dot(direction());
     const auto first = std::lower_bound(order_.begin(), order_.end(), along - distance,
@@ -60,9 +61,9 @@ class MirrorSearch {
     tolerance_ = kSamePlace * std::sqrt(surface_area(mesh_));
   }
 
-  /// Returns the mirror image by the plane that contains the greatest length of edges. In a piece that is not flat, a
-  /// plane through the center cannot contain all corners of a face. Therefore each mirror plane moves a corner of the
-  /// first face, and the possible images of these corners define all planes.
+  /// Returns the mirror image by the plane that contains the greatest length of edges. A plane that mirrors a surface
+  /// onto itself cannot contain all corners of a face, unless the surface is flat. Therefore each mirror plane moves a
+  /// corner of the first face, and the possible images of these corners define all planes.
   std::vector<VertexHandle> best_image(const StopToken& stop) const {
     std::vector<VertexHandle> best;
     double longest = -1;
@@ -105,7 +106,7 @@ class MirrorSearch {
     return points;
   }
 
-  /// Returns the length of the edges in the plane in scene units.
+  /// Returns the length of the edges in the mirror plane, in scene units.
   double length_in_plane(const std::vector<VertexHandle>& image) const {
     double length = 0;
     for (const EdgeHandle e : mesh_.edges()) {
@@ -150,7 +151,7 @@ MeshPath mirrored(const Chart& chart, const std::vector<VertexHandle>& image, co
       result.push_back(PathPoint::at_vertex(image[point.vertex.idx()]));
       continue;
     }
-    // In the mirror image, the face that the path leaves is on the other side of the edge.
+    // Mirroring reverses the half-edges around the face that the path leaves, so the ends are exchanged.
     const HalfedgeHandle h = chart.mesh.find_halfedge(image[chart.mesh.to_vertex_handle(point.half_edge).idx()],
                                                       image[chart.mesh.from_vertex_handle(point.half_edge).idx()]);
     if (!h.is_valid()) return {};

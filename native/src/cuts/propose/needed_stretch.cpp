@@ -11,7 +11,7 @@
 namespace wirewarp {
 namespace {
 
-/// Replaces NaN with infinity: a flat triangle without area has no finite strain.
+/// Replaces NaN with infinity, because a flat triangle without area has no finite strain.
 Eigen::ArrayXd as_numbers(const Eigen::VectorXd& strains) {
   return strains.array().isFinite().select(strains.array(), std::numeric_limits<double>::infinity());
 }
@@ -48,8 +48,7 @@ NeededStretch::NeededStretch(const FlattenInput& input, bool has_cloth) : input_
   }
 }
 
-/// Returns the least ease of the piece's lines, or 0 if all eases are positive, and the largest ease, or 0 if all are
-/// negative.
+/// Returns the least and the largest ease of the piece's lines, in a range that always contains 0.
 std::pair<double, double> NeededStretch::range_of_eases(const Piece& piece) const {
   std::pair<double, double> range{0, 0};
   const auto add = [&](double ease) { range = {std::min(range.first, ease), std::max(range.second, ease)}; };

@@ -12,7 +12,7 @@ namespace wirewarp {
 /// Cuts that leave this strain or more are not proposed, because no fabric stretches to twice its length.
 constexpr double kMostStrain = 1;
 
-/// Computes DartProposal::strain, the stretch of the fabric that a piece needs, as in reports and verdicts.
+/// Computes DartProposal::strain, the stretch that a piece needs from its fabric, as in reports and verdicts.
 class NeededStretch {
  public:
   /// input: as given by the user; kept by reference.
@@ -21,8 +21,8 @@ class NeededStretch {
   /// Returns the strain of a piece with a flat shape.
   double of(const Piece& piece) const;
 
-  /// Returns the strain of each face of a piece with a flat shape. The piece's strain is the value that 99% of the area
-  /// does not exceed.
+  /// Returns the strain of each face of a piece with a flat shape. At most 1% of the area has more strain than of()
+  /// returns. With a cloth, this holds for the weft and the warp separately.
   Eigen::VectorXd of_faces(const Piece& piece) const;
 
  private:

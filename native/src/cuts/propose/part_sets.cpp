@@ -51,7 +51,7 @@ constexpr double kLengthPrice = 0.02, kPartPrice = 0.01, kNarrowPrice = 0.1;
 constexpr double kPartSolidity = 0.85;
 
 /// The search along edges finds fewer pieces, but with long arms. A set of at most this many compact pieces is easier
-/// to sew. A star has ten compact pieces, a rabbit twelve.
+/// to sew, so the search along edges is then left out. A star has ten compact pieces, a rabbit twelve.
 constexpr int kFewPieces = 12;
 
 /// Parts are joined twice, in different orders. The first time, parts narrower than the least width come first. The
@@ -62,9 +62,9 @@ constexpr double kSmall = 2;
 /// Parts are not divided for less strain than this, because the number of parts grows with the inverse of the strain.
 constexpr double kLeastStrain = 0.02;
 
-/// A model without necks is left to the search along edges if its sharp edges are longer than kSharp √area in total.
-/// The seams of a box belong on its edges. kSharpCosine: cosine of the angle between two faces at which their edge
-/// becomes sharp. A cube of 30 cm with round edges has no sharp edges.
+/// If a model has no necks, and its sharp edges are longer than kSharp √area in total, the search along edges is used.
+/// The reason is that the seams of a box belong on its edges. An edge is sharp if the cosine of the angle between the
+/// normals of its faces is below kSharpCosine. A cube of 30 cm with round edges has no sharp edges.
 constexpr double kSharpCosine = 0.7, kSharp = 0.5;
 
 /// Share of the allowed strain that parts may have while they are divided and joined. The final mesh has other
@@ -121,7 +121,7 @@ std::optional<Eigen::Vector3d> strained_place(const FlatPiece& part, double limi
   return sum / total;
 }
 
-/// A mesh that is cut along its edges, as a separate model with its own pieces.
+/// A mesh that is cut along some of its edges, as a separate model with its own pieces.
 class CutModel {
  public:
   CutModel(const CutMesh& mesh, const std::vector<VertexPair>& edges, const ExactEvaluation& exact)
@@ -162,8 +162,8 @@ class PartSearch {
     const double target = cut_options_.strain.value_or(kTargetStrain);
     std::vector<double> limits = allowed_strains(target, target);
     std::reverse(limits.begin(), limits.end());
-    // If parts are divided for higher strains first, other parts result: with 80% and 40%, a koala had no set within
-    // 20%.
+    // Keeps the limits low, because parts that are first divided for a high strain lead to worse sets for low strains.
+    // With limits of 80% and 40% before 20%, a koala had no set within 20%.
     for (double& limit : limits) limit = std::min(limit, std::max(target, kSoftStrain));
     limits.erase(std::unique(limits.begin(), limits.end()), limits.end());
     while (!limits.empty() && limits.back() < kLeastStrain) limits.pop_back();
@@ -266,7 +266,7 @@ std::size_t PartSearch::partner_of(const std::vector<Eigen::Vector3d>& centroids
   if (!mirror_) return part;
   const Eigen::Vector3d there = Plane{centroids[part], Eigen::Vector3d::Zero()}.mirrored(*mirror_).point;
   const auto is_there = [&](const Eigen::Vector3d& other) { return (other - there).norm() < kMirrored * size_; };
-  if (is_there(centroids[part])) return part;  // rings around each other have the same centroid
+  if (is_there(centroids[part])) return part;  // tested first, because rings around each other have the same centroid
   return static_cast<std::size_t>(std::find_if(centroids.begin(), centroids.end(), is_there) - centroids.begin());
 }
 
@@ -302,8 +302,8 @@ double PartSearch::price_of(const FlatPiece& part, const Plane& plane, double li
   return price + strained / area;
 }
 
-/// Joins the parts of a cut mesh, and adds the best set. Adds nothing if all sets have too many pieces, are too long or
-/// have more strain than the limit. The first set may have more strain.
+/// Joins the parts of a cut mesh, and adds the best set. Adds nothing if all sets have too many pieces, forbidden
+/// lines, too much length or more strain than the limit. The first set may have more strain.
 void PartSearch::add_joined(const CutMesh& mesh, double limit, PartSets& found) const {
   const CutModel model(mesh, {}, exact_);
   const Chart chart = in_canonical_order(model.pieces().front()->chart, exact_.stop());
@@ -346,7 +346,7 @@ void PartSearch::join(const CutMesh& mesh, const Chart& chart, const std::vector
       if (is_useful && (!best || rank(made) < rank(*best))) best = std::move(made);
       if (!merger.undo(failed)) break;
     }
-    if (!best) return;  // for a koala, the other order takes 27 s, and leaves too many pieces, too
+    if (!best) return;  // the other order leaves too many pieces, too: on a koala, it took 27 s in vain
   }
 }
 

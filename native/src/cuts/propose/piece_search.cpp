@@ -17,8 +17,9 @@
 namespace wirewarp {
 namespace {
 
-/// The coarse copy may rank almost equal cuts wrongly. Therefore, cuts at kMorePlaces additional places are evaluated
-/// exactly. Further cuts follow, up to the share kShareEvaluated of all cuts tried on the copy.
+/// The coarse copy may rank almost equal cuts wrongly. Therefore, exact evaluations include cuts at kMorePlaces more
+/// places than requested. Then the next best cuts follow, up to the share kShareEvaluated of all cuts tried on the
+/// copy.
 constexpr int kMorePlaces = 3;
 constexpr double kShareEvaluated = 0.05;
 
@@ -29,7 +30,7 @@ constexpr double kLeastGain = 0.02;
 constexpr double kMayStay = 0.005;
 
 /// A path on the fine mesh may be longer than on the coarse copy by this factor. For example, it may follow two sides
-/// of a rectangle whose diagonal is forbidden. A path that is even longer is a detour around wires.
+/// of a rectangle whose diagonal is forbidden. Longer paths are detours around wires, and are dropped.
 constexpr double kDetour = 1.5;
 
 /// Numbers of points at which candidates start and end, and size of the coarse copy.
@@ -39,9 +40,10 @@ struct Grid {
 };
 
 /// Returns the grid of a search. In thorough searches, points inside are about a fifth of the piece's width apart.
-/// Points on the outline of a short piece are about a width apart. With half the faces, the copy ranks the best cuts in
-/// another order than the piece: on a hat, the best dart had only rank eleven. In a set, each cut is one of many, and
-/// the next cut corrects it. So half of the points and faces lead to equally good sets in a quarter of the time.
+/// Points on the outline of a square piece are about 0.3 of its width apart. With half the faces, the best
+/// cuts have other ranks on the copy than on the piece. On a hat, the best dart had only rank eleven. In a quick search
+/// for a set, each cut is one of many, and the next cut corrects it. So half of the points and faces lead to equally
+/// good sets in a quarter of the time.
 Grid grid_of(Effort effort) { return effort == Effort::thorough ? Grid{{24, 14}, 800} : Grid{{12, 8}, 400}; }
 
 std::string name_of(CutKind kind) { return kind == CutKind::dart ? "dart" : "seam"; }
@@ -80,8 +82,8 @@ Forbidden find_forbidden(const Chart& chart, const VertexPairs& no_seam) {
   return forbidden;
 }
 
-/// Transfers forbidden vertices and edges to the coarse copy. A coarse edge is forbidden only if it is a forbidden edge
-/// of the chart, too.
+/// Returns the forbidden vertices and edges of the coarse copy. A coarse edge is forbidden only if it is a forbidden
+/// edge of the chart, too.
 Forbidden on_copy(const CoarseCopy& copy, const HalfEdgeMesh& mesh, const Forbidden& forbidden) {
   const HalfEdgeMesh& coarse = copy.chart.mesh;
   Forbidden result{std::vector<char>(coarse.n_vertices(), 0), std::vector<char>(coarse.n_edges(), 0)};
@@ -103,8 +105,8 @@ bool have_same_edges(const HalfEdgeMesh& mesh, const HalfEdgeChain& a, const Hal
   return of_a == of_b;
 }
 
-/// Returns the smooth chain along a cut. If there is no such chain, returns a chain from the nearest vertex of the
-/// outline from which a chain leads to the cut's end.
+/// Returns the smooth chain along a cut. If there is no such chain, starts at another vertex of the outline. Of the
+/// vertices from which a chain leads to the cut's end, this is the vertex nearest to the cut's start.
 HalfEdgeChain nearest_chain(const HalfEdgeMesh& mesh, const SmoothPathFinder& paths, CutEnds cut) {
   HalfEdgeChain chain = chain_of(paths, cut);
   if (!chain.empty()) return chain;
@@ -118,8 +120,8 @@ HalfEdgeChain nearest_chain(const HalfEdgeMesh& mesh, const SmoothPathFinder& pa
   return nearest.is_valid() ? chain_of(paths, {nearest, cut.end}) : HalfEdgeChain{};
 }
 
-/// Returns whether two darts have a common vertex. Such darts would form a seam, which cuts the piece differently than
-/// each dart alone.
+/// Returns whether two darts have a common vertex. Such darts would form a seam, and a seam cuts the piece differently
+/// than each dart alone.
 bool have_common_vertex(const HalfEdgeMesh& mesh, const HalfEdgeChain& a, const HalfEdgeChain& b) {
   const std::vector<VertexHandle> of_a = vertices_along(mesh, a), of_b = vertices_along(mesh, b);
   return std::find_first_of(of_a.begin(), of_a.end(), of_b.begin(), of_b.end()) != of_a.end();

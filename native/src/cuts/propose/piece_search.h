@@ -17,7 +17,7 @@ enum class Effort {
   quick,     // only the best cuts, because each cut is one of many in a set
 };
 
-/// Returns the error no_proposal of a piece.
+/// Returns the error no_proposal for a piece.
 FlattenError no_proposal(const Chart& chart, ErrorArguments arguments);
 
 /// Runs a search, and returns its error no_proposal; nullopt if the search has no error. Throws other errors.
@@ -32,11 +32,11 @@ std::optional<FlattenError> refusal_of(const Search& search) {
   return std::nullopt;
 }
 
-/// Returns the error no_proposal of a piece that no cut helps. strain: strain of the piece without cuts.
+/// Returns the error no_proposal for a piece that no cut helps. strain: strain of the piece without cuts.
 FlattenError none_helps(const Chart& chart, CutKind kind, double strain);
 
-/// Adds a cut, and its mirror image if there is one. both: figures with both cuts, if these are better than with one
-/// cut.
+/// Adds a cut to the proposals, and its mirror image if there is one. both: figures with both cuts, if they are better
+/// than the figures with one cut.
 void add_with_image(DartProposal cut, std::optional<DartProposal> image, const std::optional<PieceFigures>& both,
                     std::vector<DartProposal>& proposals);
 
@@ -50,7 +50,8 @@ class PieceSearch {
   /// Returns the cuts, the best first; DartProposal::piece is not set. Throws no_proposal.
   std::vector<DartProposal> search() const;
 
-  /// Returns the cuts along these chains, the best first; DartProposal::piece is not set. Empty if no cut helps.
+  /// Returns the helpful cuts along these chains, the best first; empty if no cut helps. DartProposal::piece is not
+  /// set.
   std::vector<DartProposal> best_of(const std::vector<HalfEdgeChain>& chains) const;
 
   /// Throws no_proposal if the piece is flat enough.
@@ -60,14 +61,15 @@ class PieceSearch {
   /// there is no room for a cut.
   std::vector<HalfEdgeChain> candidates() const { return without_mirror_images(best_chains()); }
 
-  /// Returns the mirror image of a chain; empty if it is the chain itself, or would cut a wire or a forbidden edge.
+  /// Returns the mirror image of a chain. Returns an empty chain if there is no image, or if the image has the same
+  /// edges as the chain, cuts a wire, or follows a forbidden edge.
   HalfEdgeChain image_of(const HalfEdgeChain& chain) const;
 
-  /// Returns the mirror image of a path along or beside a chain that has a mirror image; empty if the edges that the
-  /// path crosses have no mirror images.
+  /// Returns the mirror image of a path; empty if an edge or face that the path crosses has no mirror image. The path
+  /// must be along or beside a chain for which image_of() is not empty.
   MeshPath image_of(const MeshPath& path) const { return mirrored(chart_, image_, path); }
 
-  /// Returns whether both ends of two chains are near each other.
+  /// Returns whether the ends of a chain are near the ends of another chain.
   bool is_beside(const HalfEdgeChain& a, const HalfEdgeChain& b) const {
     return are_beside(chart_.mesh, size_, ends_of(a), ends_of(b));
   }
@@ -88,7 +90,7 @@ class PieceSearch {
     HalfEdgeChain chain;
     HalfEdgeChain image;  // mirror image; empty: none
     PieceFigures alone;
-    std::optional<PieceFigures> with_image;  // set if the image lowers the strain further
+    std::optional<PieceFigures> with_image;  // set if the chain and its image together are better than `alone`
 
     double strain() const { return with_image ? with_image->strain : alone.strain; }
   };

@@ -59,7 +59,7 @@ class PlanOfCuts {
   /// Returns the pieces to try. For seams, pieces that lack seams come first, the largest first. Pieces with a flat
   /// shape follow, the most strained first, because cuts of other pieces do not lower the largest strain.
   std::vector<int> pieces_in_order() const {
-    std::vector<std::tuple<bool, double, int>> places;  // whether it has a shape, minus its area or strain, index
+    std::vector<std::tuple<bool, double, int>> places;  // keys: does not lack seams, minus area or strain, index
     for (int i = 0; i < static_cast<int>(pieces_.size()); ++i) {
       const FlatPiece& piece = *pieces_[i];
       if (!may_be_cut(piece)) continue;
@@ -85,7 +85,7 @@ class PlanOfCuts {
   std::vector<DartProposal> propose_next() const {
     CutOptions cut_options = options_within(target_, std::min(target_.longest, length_left()));
     const std::vector<int> order = pieces_in_order();
-    if (order.empty() && cuts_.empty()) return propose(cut_options);  // throws
+    if (order.empty() && cuts_.empty()) return propose(cut_options);  // throws: no piece can be cut
     std::optional<FlattenError> first_refusal;
     for (const int piece : order) {
       cut_options.piece = piece;
@@ -142,7 +142,7 @@ class PlanOfCuts {
     progress_.finish_rounds(static_cast<int>(cuts_.size()));
   }
 
-  /// Returns the largest strain of the pieces with a flat shape.
+  /// Returns the largest strain of the pieces that may be cut and have a flat shape.
   double most_strain_left() const {
     double most = -1;
     for (const auto& piece : pieces_) {

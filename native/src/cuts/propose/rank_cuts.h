@@ -16,13 +16,13 @@ struct RankedCut {
 
 struct CutLimits {
   int places;      // number of best cuts, none beside another
-  double share;    // least returned share of all tried cuts; the fine mesh decides between almost equal cuts
+  double share;    // more cuts than `places` are returned, up to this share of all tried cuts
   double longest;  // largest length of a cut, scene units
 };
 
 /// Returns the best cuts of a chart, the best first. They are the best candidates after their ends were moved to better
-/// places, and tried cuts that are almost as good. Each returned cut lowers E. stop: polled in any thread. Throws
-/// Stopped.
+/// places. Tried cuts that are almost as good follow, because only the fine mesh can decide between almost equal cuts.
+/// Each returned cut lowers E. stop: polled in any thread. Throws Stopped.
 std::vector<RankedCut> rank_cuts(const Chart& chart, const SmoothPathFinder& paths,
                                  const std::vector<CutEnds>& candidates, const InternalOptions& options,
                                  const CutLimits& limits, const StopToken& stop);

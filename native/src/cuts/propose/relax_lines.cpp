@@ -23,7 +23,8 @@ constexpr double kFromEnd = 0.1;
 /// A point moves by this share of the sum of the vectors to both neighbors. With 1/2, a zigzag would not fade.
 constexpr double kStep = 1.0 / 3;
 
-/// Neighboring points on a line are never farther apart than this many edge lengths, unless something is in the way.
+/// The walk from a point to the next point of a line ends after this many edge lengths. Points are farther apart only
+/// if something is in the way of the walk.
 constexpr double kReach = 4;
 
 /// If a line crosses an edge nearer to a vertex than this share of the edge's length, the line leads through the
@@ -249,7 +250,8 @@ void LineNetwork::add_points(const SurfaceLine& line, std::size_t begin, std::si
 }
 
 int LineNetwork::steps_for(double distance) const {
-  const double apart = edge_length_ / 2, each = 2 * kStep * apart * apart;  // variance of a step
+  // each: variance of the smoothing in one step, in square scene units. n steps smooth over the distance √(n each).
+  const double apart = edge_length_ / 2, each = 2 * kStep * apart * apart;
   return static_cast<int>(std::ceil(distance * distance / each));
 }
 
@@ -332,7 +334,7 @@ std::vector<std::optional<RelaxedLine>> LineNetwork::relax(const std::vector<int
   return relaxed;
 }
 
-/// Returns a point moved to a nearby vertex or edge, or unchanged if none is near.
+/// Returns a point moved to a nearby vertex or edge. Returns the same point if no vertex or edge is near.
 SurfacePoint LineNetwork::snapped(const SurfacePoint& point) const {
   if (point.vertex.is_valid()) return point;
   const std::array<double, 3> shares = weights_at(mesh_, point.face, point.place);

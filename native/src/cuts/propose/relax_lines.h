@@ -26,7 +26,8 @@ class LineNetwork {
   LineNetwork(const HalfEdgeMesh& mesh, const std::vector<SurfaceLine>& lines, const std::vector<char>& barriers);
 
   /// Moves the points of each line by its number of steps. A junction moves as often as the line with the fewest steps.
-  /// Returns nullopt for each line that does not move, or that came too close to a barrier. Throws Stopped.
+  /// Returns nullopt for each line without steps, and for each line that comes too close to a barrier or becomes too
+  /// short. Throws Stopped.
   std::vector<std::optional<RelaxedLine>> relax(const std::vector<int>& steps, const StopToken& stop) const;
 
   /// Returns the mean length of the edges that lines follow, in scene units. If lines cross triangles, returns the
@@ -59,7 +60,7 @@ class LineNetwork {
   const StraightWalk walk_;
   double edge_length_;  // see mean_edge()
   std::vector<Point> points_;
-  std::map<int, std::size_t> junctions_;         // point at each end of a line
+  std::map<int, std::size_t> junctions_;         // index into points_ for the number of each end
   std::vector<std::vector<std::size_t>> lines_;  // points of each line; a closed line repeats its first point
   std::vector<char> is_ring_;                    // whether each line is closed
   std::vector<std::vector<EdgeHandle>> edges_;   // edges that each line follows, in increasing order

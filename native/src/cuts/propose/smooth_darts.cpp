@@ -18,13 +18,13 @@
 namespace wirewarp {
 namespace {
 
-/// Largest turn of an elbow in a dart, radians. A geodesic has elbows only where it touches a wire or the outline. An
-/// elbow of 30 degrees is conspicuous on the flat piece.
+/// Largest turn of an elbow in a dart, radians. A geodesic has elbows only where it touches a wire or the outline. The
+/// limit is half of 30 degrees, because an elbow of 30 degrees is conspicuous on the flat piece.
 constexpr double kElbow = kPi / 12;
 
-/// kBend: a line that is longer than the straight line by less than this share has no visible bend. With 2%, the middle
-/// of the line is a tenth of its length beside the straight line. kGainOfBends: a bent line is harder to sew, so it
-/// must lower the strain by this share more than the straight line.
+/// kBend: a line that is longer than the straight line by less than this share has no visible bend. With 2%, the
+/// distance between the middles of both lines is a tenth of their length. kGainOfBends: a bent line is harder to sew,
+/// so it must lower the strain by this share more than the straight line.
 constexpr double kBend = 0.02, kGainOfBends = 0.05;
 
 /// First and last distance by which the ends of a line are moved, over √area of the piece. The first distance is half
@@ -84,7 +84,7 @@ class SmoothDartSearch {
   std::vector<DartProposal> search(const std::vector<HalfEdgeChain>& chains);
 
  private:
-  /// A line is identified by its ends and its course.
+  /// A line to try. It has the ends of the chain, and is identified by these ends and its course.
   struct Way {
     HalfEdgeChain chain;
     Course course;
@@ -144,7 +144,7 @@ bool SmoothDartSearch::touches_lines(const MeshPath& path) const {
 }
 
 /// Returns the mirror image of a line; nullopt if the image cannot be cut. Mirrors the line itself, because a geodesic
-/// along the mirrored chain may pass a hill on the other side.
+/// along the mirrored chain may pass a hill on the wrong side.
 std::optional<SmoothLine> SmoothDartSearch::image_of(const SmoothLine& line) const {
   SmoothLine image{search_.image_of(line.chain), {}, {}};
   if (image.chain.empty()) return {};
@@ -292,7 +292,8 @@ DartProposal SmoothDartSearch::proposal_of(const SmoothLine& line, const LineFig
   return proposal;
 }
 
-/// Adds the darts that are worth sewing, together with their mirror images, or alone if both are no better.
+/// Adds the darts that are worth sewing. A dart is added with its mirror image, or alone if both together are no
+/// better.
 void SmoothDartSearch::propose(const std::vector<SmoothDart>& darts, std::vector<DartProposal>& proposals) const {
   std::vector<std::array<std::optional<LineFigures>, 2>> each(darts.size());
   run_on_all_cores(2 * darts.size(), exact_.stop(), [&](std::size_t i) {

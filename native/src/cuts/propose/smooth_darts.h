@@ -7,7 +7,7 @@
 
 namespace wirewarp {
 
-/// Returns the darts of a piece as smooth lines across triangles, which are geodesics from the outline to a tip.
+/// Returns the darts of a piece as smooth lines across triangles. The lines are geodesics from the outline to a tip.
 /// Straightens chains of edges, and moves the ends of the best lines as long as exact evaluations improve. Compares
 /// darts by the strain of the piece, and drops darts with a puckering tip. Returns any number of darts, the best first;
 /// empty if no dart helps. DartProposal::piece is not set.

@@ -30,7 +30,8 @@ SmoothPathFinder::SmoothPathFinder(const Chart& chart, Forbidden forbidden)
       direction_(chart.mesh.n_halfedges(), 0),
       full_turn_(chart.mesh.n_vertices(), 0) {
   for (const VertexHandle v : mesh_.vertices()) {
-    // At a vertex of the outline, the half-edge without a face is the last half-edge counterclockwise.
+    // At a vertex of the outline, halfedge_handle() returns the half-edge without a face, the last one
+    // counterclockwise.
     const HalfedgeHandle last = mesh_.halfedge_handle(v);
     const bool is_on_outline = mesh_.is_boundary(v);
     const HalfedgeHandle first =

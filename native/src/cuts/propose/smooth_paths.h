@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Paths along edges that are short and smooth, and land on the outline squarely.
+// Finds paths along edges. The paths are short and smooth, and meet the outline squarely if possible.
 //
-// A turn by τ makes the edges beside it (1 + τ²) times as expensive. A zigzag costs a multiple of its length on every
-// mesh, but a curve costs less on finer meshes. Turns are measured relative to the full angle around the vertex, so
-// that a straight path on a cone has the same angle on both sides.
+// The cost of an edge is its length. A turn by τ radians makes the adjacent halves of both edges 1 + τ² times as
+// expensive. Therefore, a zigzag costs a multiple of its length on every mesh. A smooth curve costs less on finer
+// meshes, because its turns are smaller there. Turns are measured relative to the full angle around the vertex, so that
+// a straight path on a cone has the same angle on both sides.
 #pragma once
 
 #include <vector>
@@ -29,11 +30,12 @@ class SmoothPathFinder {
  public:
   SmoothPathFinder(const Chart& chart, Forbidden forbidden);
 
-  /// Returns the cheapest paths that touch the outline only at their ends, squarely if possible.
+  /// Returns the cheapest paths from a vertex to all others. The paths touch the outline only at their ends, squarely
+  /// if possible.
   SmoothPaths paths_from(VertexHandle start) const;
 
-  /// Returns the path from the start to a vertex; empty if there is no path, or if the cheapest path passes a vertex
-  /// twice.
+  /// Returns the path from the start of `paths` to a vertex. Returns an empty chain if there is no path, or if the
+  /// cheapest path passes a vertex twice.
   HalfEdgeChain path_to(const SmoothPaths& paths, VertexHandle end) const;
 
   /// Returns √area of the chart, in scene units.

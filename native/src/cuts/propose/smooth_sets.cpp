@@ -33,16 +33,17 @@ namespace {
 constexpr double kEdges = 4, kOfSize = 0.04;
 constexpr int kLevels = 4;
 
-/// SmoothLimits::far_too_much for lines along edges, which need many changes.
+/// SmoothLimits::far_too_much for sets along edges. The lines of such sets need many changes of level, so
+/// evaluations must be saved.
 constexpr double kFarTooMuch = 1.1;
 
 /// A smooth set may have at most this share of the bends of the set along edges, otherwise the additional strain is not
 /// worthwhile.
 constexpr double kMostBends = 0.5;
 
-/// A smooth set may leave more strain than the set along edges by this factor. Zigzags are longer than smooth lines,
-/// which helps to flatten a dome. They also pass through more of the vertices, where a coarse mesh has all its
-/// curvature.
+/// A smooth set may have up to this many times the strain of the set along edges. Zigzags need less strain for two
+/// reasons: they are longer than smooth lines, which helps to flatten a dome, and they pass through more vertices. A
+/// coarse mesh has all its curvature at its vertices.
 constexpr double kMostGrowth = 2;
 
 /// Smaller strains are rounding errors.
@@ -188,7 +189,7 @@ SurfacePath SmoothSet::path_along(const RelaxedLine& line) const {
   return path_through(points);
 }
 
-/// Returns the lines at their levels. Lowers the levels of lines that cannot be made.
+/// Returns the lines at their levels. Lowers the levels of lines that cannot be relaxed at their level.
 std::vector<SurfacePath> SmoothSet::lines() {
   const double most = std::max(kEdges * network_.mean_edge(), kOfSize * std::sqrt(surface_area(chart_.mesh)));
   while (true) {
@@ -239,7 +240,7 @@ std::vector<SurfacePath> SmoothSet::smooth_enough() {
 /// Returns the lines that meet another line at a point that is not an end of both, or that have no edges of their own.
 std::vector<char> SmoothSet::that_touch(const CutMesh& cut) const {
   const std::vector<int>& line_of = cut.sources.edge_paths;
-  // Per vertex and line: the number of edges that do not begin or end the line there.
+  // Per vertex and line: above 0 if the line passes the vertex, and 0 if the line only begins or ends there.
   std::map<int, std::map<int, int>> met;
   for (std::size_t i = 0; i < cut.edges.size(); ++i) {
     const bool is_first = i == 0 || line_of[i - 1] != line_of[i];
@@ -287,8 +288,8 @@ std::vector<char> SmoothSet::beside(const FlatPiece& part, const CutMesh& cut) c
   return lines;
 }
 
-/// Returns the given line that is nearest to most of the area with too much strain. Ignores lines with level 0. Returns
-/// all given lines if no line is left.
+/// Of the given lines, returns the line that is nearest to most of the area with too much strain. Ignores lines with
+/// level 0. Returns all given lines if no line is left.
 std::vector<char> SmoothSet::most_strained(const FlatPiece& part, const CutMesh& cut,
                                            const std::vector<char>& lines) const {
   std::vector<std::pair<std::size_t, Eigen::RowVector3d>> middles;  // of edges of lines above level 0

@@ -23,21 +23,22 @@ struct PieceToCut {
 struct SmoothLimits {
   double most_strain;
   double most_bends = std::numeric_limits<double>::infinity();  // largest share of the original bends that may remain
-  int num_narrow = std::numeric_limits<int>::max();             // largest result of count_narrow()
+  int num_narrow = std::numeric_limits<int>::max();             // largest number of narrow parts, see count_narrow()
   // If the strain of a part exceeds most_strain by this factor, all lines around the part become less smooth at once.
   // This saves evaluations, but leaves more bends.
   double far_too_much = std::numeric_limits<double>::infinity();
 };
 
 /// Returns a cut set whose lines are as smooth as the limits allow; nullopt if no smoother lines are allowed. set: the
-/// set before smoothing; the smooth set has as many pieces. Throws Stopped.
+/// set before smoothing. The smooth set has the same number of pieces. Throws Stopped.
 std::optional<DartProposal> smooth_lines(const DartProposal& set, const SurfaceLines& lines, const SmoothLimits& limits,
                                          const PieceToCut& piece, const CutOptions& cut_options,
                                          const ExactEvaluation& exact);
 
-/// Returns a cut set whose seams and darts are smooth lines across triangles, as smooth as the strain of its parts and
-/// their width allow. Lines stay on their edges if no smoother lines are allowed. set: a set of this piece along edges.
-/// most_strain: largest strain of the smooth set, which also leaves at most twice the strain of `set`. Throws Stopped.
+/// Returns a cut set whose seams and darts are lines across triangles, as smooth as the strain and the width of its
+/// parts allow. Lines stay on their edges if no smoother lines are allowed. set: a set of this piece along edges.
+/// most_strain: largest strain of the smooth set. The smooth set also has at most twice the strain of `set`. Throws
+/// Stopped.
 DartProposal smooth_set(const DartProposal& set, double most_strain, const FlatPieces& pieces, std::size_t piece,
                         const CutOptions& cut_options, const ExactEvaluation& exact);
 

@@ -17,7 +17,7 @@ namespace {
 /// Smaller weights of a corner are rounding errors.
 constexpr double kRoundedWeight = 1e-9;
 
-/// Returns the corners of a face, starting at its first half-edge, with their places.
+/// Returns the corners of a face, starting at its first half-edge, with their places in the plane of the face.
 std::array<std::pair<VertexHandle, Planar>, 3> corners_of(const HalfEdgeMesh& mesh, FaceHandle f) {
   const HalfedgeHandle first = mesh.halfedge_handle(f);
   return {{{mesh.from_vertex_handle(first), Planar(0)},
@@ -119,7 +119,7 @@ SurfaceLines lines_across(const FlattenInput& input, const Chart& chart, const C
 }
 
 SurfaceLines selected(const SurfaceLines& lines, const std::vector<char>& flags) {
-  std::map<int, int> renamed;  // for ends that became another end: this end
+  std::map<int, int> renamed;  // ends that were merged into other ends, and these other ends
   const auto name_of = [&](int end) {
     for (auto found = renamed.find(end); found != renamed.end(); found = renamed.find(end)) end = found->second;
     return end;

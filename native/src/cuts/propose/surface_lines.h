@@ -42,7 +42,7 @@ SurfaceLines lines_along(const Chart& chart, const std::vector<VertexHandle>& im
 SurfaceLines lines_across(const FlattenInput& input, const Chart& chart, const CutMesh& mesh, const Chart& cut_chart,
                           const std::vector<VertexHandle>& image, const CutMask& cut);
 
-/// Returns the lines whose flag is not 0. Both ends of each other line become one end.
+/// Returns the lines whose flag is not 0. Both ends of each dropped line become one end.
 SurfaceLines selected(const SurfaceLines& lines, const std::vector<char>& flags);
 
 /// A point of the input: a face and the weights of its corners.

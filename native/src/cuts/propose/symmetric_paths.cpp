@@ -9,8 +9,8 @@
 namespace wirewarp {
 namespace {
 
-/// A point and its mirror image count as the same place if their distance is below this share of an edge length. The
-/// share is twice the snap of cut_mesh().
+/// A point and its mirror image count as the same place if their distance is below this share of a typical edge length.
+/// The share is twice the snap of cut_mesh(), which may merge points that are nearer.
 constexpr double kSamePoint = 0.1;
 
 }  // namespace
@@ -75,11 +75,11 @@ SurfacePath PathMirror::mirrored(const SurfacePath& path) const {
   return result;
 }
 
-/// Returns the point on the plane that is nearest to a point near the plane.
+/// Returns a point near the mirror plane moved onto the plane.
 PathMirror::Point PathMirror::on_plane(const Point& point) const {
   const Point image = mirrored(point);
   Point result{point.face, Eigen::RowVector3d::Zero()};
-  for (int k = 0; k < 3; ++k) {  // a corner of only one of both faces gets no weight
+  for (int k = 0; k < 3; ++k) {  // corners that only one of the two faces has get no weight
     for (int j = 0; j < 3; ++j) {
       if (input_.faces(point.face, k) == input_.faces(image.face, j))
         result.weights[k] = (point.weights[k] + image.weights[j]) / 2;
@@ -98,7 +98,7 @@ void PathMirror::settle_ends(SurfacePath& path) const {
   }
 }
 
-/// Makes a path that is its own image symmetric.
+/// Moves a path that is its own image onto the plane, or makes its halves mirror images if it crosses the plane.
 void PathMirror::settle(SurfacePath& path) const {
   const std::size_t count = path.faces.size();
   const SurfacePath image = mirrored(path);

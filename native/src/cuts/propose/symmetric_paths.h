@@ -9,15 +9,16 @@
 
 namespace wirewarp {
 
-/// Makes mirrored lines exact mirror images. Without this step, mirrored lines differ, because lines are relaxed one by
-/// one and rounding errors grow where lines pass vertices.
+/// Makes mirrored lines exact mirror images. Without this step, mirrored lines differ, because rounding errors of their
+/// relaxation grow where lines pass vertices.
 class PathMirror {
  public:
   /// image: mirror image of each vertex, or empty. Keeps a reference to input.
   PathMirror(const FlattenInput& input, const Chart& chart, const std::vector<VertexHandle>& image);
 
-  /// Replaces one path of each mirrored pair with the image of the other path. If a path is its own image, moves it
-  /// onto the mirror plane or makes it symmetric. images: index of the mirror image of each path, or its own index.
+  /// Replaces one path of each mirrored pair with the image of the other path. Moves a path that is its own image onto
+  /// the mirror plane, or makes it symmetric. images: index of the mirror image of each path; the path's own index if
+  /// it is its own image or has none.
   void make_symmetric(const std::vector<std::size_t>& images, std::vector<SurfacePath>& paths) const;
 
  private:

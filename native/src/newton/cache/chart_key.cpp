@@ -63,8 +63,8 @@ void write_mesh(const HalfEdgeMesh& mesh, KeyWriter& key) {
   key.write_numbers(numbers);
 }
 
-/// Writes the fabric and the options that determine its direction on the chart. Does not write the stretch, because the
-/// cache keeps solutions without the stretch.
+/// Writes the fabric, and the options that determine the direction of the fabric on the chart. Does not write the
+/// stretch, because the cache keeps solutions without the stretch.
 void write_cloth(const Chart& chart, const Options& options, KeyWriter& key) {
   key.write(options.cloth.has_value());
   if (!options.cloth) return;

@@ -9,12 +9,13 @@
 
 namespace wirewarp {
 
-/// Returns everything that the flat shapes of a coupled group depend on, bit for bit: meshes, outlines, slits, wire
-/// parts, which of these share a length, and the options of the solver. The key uses the numbering within each chart,
-/// so that changes elsewhere in the input do not change the key. Errors also depend on name_key().
+/// Returns a key of everything that the flat shapes of a coupled group depend on, bit for bit. This includes meshes,
+/// outlines, slits, wire parts, numbers of the lengths that elastic seams share, the options of the solver, and the
+/// fabric without its stretch. The key uses the numbering within each chart, so that changes elsewhere in the input do
+/// not change the key. Errors also depend on name_key().
 std::string solution_key(const std::vector<const Chart*>& group, const Options& options);
 
-/// Returns the input's numbers and names of the charts' vertices, faces and wires.
+/// Returns a key of the input indices of the charts' vertices, faces and wires, and of the names of the wires.
 std::string name_key(const std::vector<const Chart*>& group, const std::vector<Wire>& wires);
 
 }  // namespace wirewarp

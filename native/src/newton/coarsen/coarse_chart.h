@@ -29,8 +29,8 @@ struct CoarseChart {
 /// Returns the edge length of equilateral triangles with the mesh's number of faces and area, in scene units.
 double typical_edge_length(const HalfEdgeMesh& mesh);
 
-/// Returns whether a chart can be coarsened. This is impossible with a slit of one edge, because the sides of the slit
-/// connect the same vertices, and coarsening identifies an edge by its ends.
+/// Returns whether a chart can be coarsened. This is impossible with a slit of one edge: its two sides connect the same
+/// vertices, but coarsening identifies an edge by its ends.
 bool can_coarsen(const Chart& chart);
 
 /// Coarsens a chart to about the given edge length in scene units. Throws Stopped.

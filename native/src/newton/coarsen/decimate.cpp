@@ -14,8 +14,8 @@ namespace {
 
 constexpr double kLongestEdge = 2;      // longest new edge over the target length
 constexpr double kWorstQuality = 0.25;  // least quality of a new face: an equilateral face has 1, a face without area 0
-// A choice counts as better only if it is better by this factor, so that the choice does not change if the mesh is
-// rotated or scaled.
+// A choice counts as better only if it is better by this factor. So rotating or scaling the mesh does not change the
+// choice.
 constexpr double kClearly = 1 + 1e-9;
 constexpr double kSharpestTurn = kPi / 4;  // corners of wires that turn more are not removed
 constexpr double kWorthwhile = 0.02;       // a round that removes a smaller share of the vertices is the last one

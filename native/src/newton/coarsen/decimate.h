@@ -3,10 +3,10 @@
 //
 // To remove a vertex, one of its edges is collapsed. Before that, the faces around the vertex are laid into the plane
 // by the map z^a (A. W. F. Lee, W. Sweldens, P. Schröder, L. Cowsar, D. Dobkin, MAPS: multiresolution adaptive
-// parameterization of surfaces, SIGGRAPH 1998). The map keeps distances from the vertex and scales the angles there to
-// a full turn, or on a wire to half a turn on each side. In the plane, the new faces are checked, and previously
-// removed vertices get their places in the new faces. A vertex on a wire or on the boundary moves only along that line.
-// A vertex where such lines meet, end or turn sharply is not removed.
+// parameterization of surfaces, SIGGRAPH 1998). The map keeps distances from the vertex. It scales the angles at the
+// vertex to a full turn, or on a wire to half a turn on each side. In the plane, the new faces are checked, and
+// previously removed vertices get their places in the new faces. A vertex on a wire or on the boundary moves only along
+// that line. A vertex where such lines meet, end or turn sharply is not removed.
 #pragma once
 
 #include <vector>

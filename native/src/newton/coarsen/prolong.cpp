@@ -45,7 +45,7 @@ constexpr double kThin = 0.3;    // largest determinant of a sliver's map; trian
 constexpr double kStill = 0.01;  // shortest move that counts, over the mean edge; smaller values save no Newton step
 constexpr int kMaxSweeps = 100;  // sweeps over the moving vertices; 10 to 30 are usual
 
-/// Unfolds triangles that are flipped or nearly flipped in a prolonged shape: fine meshes have slivers that are folded
+/// Unfolds triangles that are flipped or nearly flipped in a prolonged shape. Fine meshes have slivers that are folded
 /// over their neighbors, and a smooth map keeps these folds. Each vertex of a sliver moves to the place where the
 /// triangles around it fit best. Then the neighbors of moved vertices move, too. Vertices of the network do not move.
 class Slivers {

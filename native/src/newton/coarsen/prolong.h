@@ -7,13 +7,13 @@
 
 namespace wirewarp {
 
-/// Returns the positions of all vertices, one row each, from the positions of the coarse vertices: a vertex p = Σ bᵢ pᵢ
-/// goes to
+/// Returns the flat positions of all vertices, one row each, from the flat positions uᵢ of the coarse vertices. Coarse
+/// vertex i is at pᵢ on the surface, and Jᵢ is the mean derivative around it. A vertex p may be off the coarse mesh.
+/// Its place there is q = Σ bᵢ pᵢ, and its flat position is
 ///
-///   u(p) = Σ bᵢ [uᵢ + ½ Jᵢ (p − pᵢ)] + ½ (Σ bᵢ Jᵢ) (p − Σ bᵢ pᵢ)
+///   u(p) = Σ bᵢ [uᵢ + ½ Jᵢ (p − pᵢ)] + ½ (Σ bᵢ Jᵢ) (p − q).
 ///
-/// with Jᵢ the mean derivative around coarse vertex i. This is exact for affine maps, and for quadratic maps if Jᵢ is
-/// exact.
+/// This is exact for affine maps. It is also exact for quadratic maps if p = q and all Jᵢ are exact.
 Positions2 interpolate(const Chart& chart, const CoarseChart& coarse, const Positions2& coarse_uv);
 
 /// Returns a start for the fine chart, one row per vertex. Interpolates the positions, then places the wires by their
@@ -21,8 +21,8 @@ Positions2 interpolate(const Chart& chart, const CoarseChart& coarse, const Posi
 Positions2 prolong_positions(const Chart& chart, const HeldNetwork& network, const CoarseChart& coarse,
                              const Positions2& coarse_uv);
 
-/// Returns λ of each fine wire edge: the λ of its coarse edge, because λ is a force along the wire, independent of edge
-/// lengths.
+/// Returns the multiplier of each fine wire edge, which is the multiplier of its coarse edge. A multiplier is a force
+/// along the wire, so it does not depend on edge lengths.
 Eigen::VectorXd prolong_multipliers(const CoarseChart& coarse, const Eigen::VectorXd& coarse_multipliers);
 
 }  // namespace wirewarp

@@ -16,7 +16,7 @@ class WireTurns {
  public:
   WireTurns(const CoarseChart& coarse, const Positions2& uv);
 
-  /// Returns the angles by which the first and the last end of a run turn against its chord, so that all runs around a
+  /// Returns the angles by which the first and last ends of a run turn against its chord, so that all runs around a
   /// vertex turn equally.
   const std::array<double, 2>& at_ends(int run) const { return turns_[run]; }
 
@@ -55,9 +55,9 @@ WireTurns::WireTurns(const CoarseChart& coarse, const Positions2& uv)
   }
 }
 
-/// Sets the turns of the runs around the vertex at which `first` arrives: each run turns by the mean rotation of all
-/// runs against the surface, minus its own rotation. Around an inner vertex, all angles share a difference of the angle
-/// sums equally.
+/// Sets the turns of the runs around the vertex at which `first` arrives. Each run turns by the mean rotation of all
+/// runs against the surface, minus its own rotation. If the flat angles around an inner vertex have another sum than
+/// the angles on the surface, the difference is divided equally among the angles.
 void WireTurns::turn_around(WireHalfEdge first) {
   std::vector<WireHalfEdge> runs;
   std::vector<double> rotations{0};
@@ -98,7 +98,7 @@ void prolong_wires(const Chart& chart, const HeldNetwork& network, const CoarseC
     for (std::size_t i = 0; i < run.half_edges.size(); ++i) {
       const int fine = run.half_edges[i].edge;
       const double s = (coarse.wire_places[fine].from + coarse.wire_places[fine].to) / 2;
-      // The quadratic polynomial with these end values and mean 0.
+      // quadratic polynomial with the turns of the ends at s = 0 and 1, and mean 0 so that the chord keeps its heading
       const double turn = (1 - s) * (1 - 3 * s) * turns.at_ends(e)[0] + s * (3 * s - 2) * turns.at_ends(e)[1];
       laid.push_back(laid.back() + std::polar(network.edges[fine].length, run.headings[i] + turn));
     }

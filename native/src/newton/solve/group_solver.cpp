@@ -83,8 +83,8 @@ bool GroupSolver::take_common_shapes(const std::vector<std::size_t>& members, Bu
   return is_exact;
 }
 
-/// Replaces a folded shape with an injective shape whose seams have the same lengths. Returns false, and keeps the
-/// folded shape, if no injective shape is found.
+/// Replaces a folded shape with an injective shape. The elastic seams keep the lengths of the folded shape. Returns
+/// false, and keeps the folded shape, if no injective shape is found.
 bool GroupSolver::replace_folded(std::size_t member, Budget& budget) {
   if (stop_.is_stopped()) return false;
   const auto& [chart, solved, is_nominal, lengths] = group_[member];

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Solves a coupled group, usually of one chart, in any stage: from the shapes of the previous stage, finds all shapes
-// and the common lengths of elastic seams at once (newton/refine_coupled.h).
+// Solves a coupled group, usually of one chart, in any stage. Starts with the shapes of the previous stage, and finds
+// all shapes and the common lengths of elastic seams at once (newton/refine_coupled.h).
 //
 // This fails if no common lengths are found, or if a chart becomes flipped or overlaps itself although all charts were
-// good before, because good pieces matter more than less distortion. Then the stages solve each chart alone, with its
-// elastic seams fixed at h = ease.
+// good before. Good pieces matter more than less distortion. After a failure, the stages solve each chart alone, with
+// its elastic seams fixed at h = ease.
 #pragma once
 
 #include <functional>
@@ -35,16 +35,18 @@ class GroupSolver {
   struct Outcome {
     bool is_solved = false;            // if false, the shapes from before the stage are kept
     bool ran_out = false;              // whether the limit of factorizations ended a solver
-    std::vector<char> is_folded = {};  // per chart, if solved: flipped or overlapping
+    std::vector<char> is_folded = {};  // per chart, if solved: whether it is flipped or overlapping
   };
 
   /// renews_limit: whether each attempt may spend Options::max_factorizations, whatever a chart spent before.
   GroupSolver(const std::vector<GroupMember>& group, const Run& run, const StopToken& stop, bool renews_limit,
               RefineInjective refine_injective);
 
-  /// Finds the common lengths and the shapes of all charts, or the shape of one chart alone. Folded charts are flipped
-  /// or overlap themselves. If all charts are nominal, none was folded before, and one is folded now, all charts keep
-  /// their shapes from before.
+  /// Finds the common lengths and the shapes of all charts. With `alone`, finds the shape of this chart only.
+  ///
+  /// Without `alone`, all charts keep their shapes from before the stage if a chart becomes flipped or overlaps itself,
+  /// and RefineInjective does not help. They keep these shapes only if every chart is nominal (see GroupMember) and was
+  /// good before.
   Outcome solve(std::optional<std::size_t> alone = std::nullopt);
 
   /// Returns the chart as it was before the stage.

@@ -12,8 +12,10 @@ void report_solution(const OuterSolution& solution, PieceReport& report) {
   if (!inner.is_feasible) return;
   report.constraint_residual = inner.closure_residual;
   report.projected_gradient = inner.projected_gradient;
-  if (!inner.is_minimum) report.warnings.push_back("The wire angles stopped short of their minimum.");
-  if (!solution.converged) report.warnings.push_back("The wire lengths stopped short of the least distortion.");
+  if (!inner.is_minimum) report.warnings.push_back("The search for wire angles ended before it reached the minimum.");
+  if (!solution.converged) {
+    report.warnings.push_back("The search for wire lengths ended before it reached the least distortion.");
+  }
   report.termination = report.warnings.empty() ? Termination::converged : Termination::stalled;
 }
 
@@ -25,7 +27,7 @@ void report_shape(const Solution& solution, bool was_stopped, PieceReport& repor
   report.objective = solution.objective;
   report.projected_gradient = solution.projected_gradient;
   if (!was_stopped && !solution.is_converged()) {
-    report.warnings.push_back("The shape stopped short of the least distortion.");
+    report.warnings.push_back("The search for the shape ended before it reached the least distortion.");
   }
   report.termination = report.warnings.empty() ? Termination::converged : Termination::stalled;
   if (was_stopped) report_cancelled(report);

@@ -12,10 +12,11 @@ void report_solution(const OuterSolution& solution, PieceReport& report);
 /// Reports a refinement. factorizations: total for all starts of the piece.
 void report_refinement(const Solution& solution, int factorizations, bool was_stopped, PieceReport& report);
 
-/// Reports an exact solution that started from the shape in the report, and adds its iterations.
+/// Reports an exact solution that started from the shape in the report. Adds the iterations of the solution to those of
+/// the report.
 void report_next_refinement(const Solution& solution, bool was_stopped, PieceReport& report);
 
-/// Reports that elastic seams keep their nominal lengths because nothing better was found.
+/// Reports that elastic seams keep their nominal lengths because no good shapes with other lengths were found.
 void report_fixed_seams(PieceReport& report);
 
 /// Reports, once, that the caller stopped after lengths were exact.

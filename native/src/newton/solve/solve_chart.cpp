@@ -80,8 +80,8 @@ std::optional<FlattenError> flatten_by_warping(const Chart& chart, const Run& ru
   return std::nullopt;
 }
 
-/// Solves by the refined method: wires and surface at once, under the same exact lengths. If the caller stops after
-/// lengths became exact, keeps the best shape so far.
+/// Solves by the refined method, which finds wires and surface together, with exact lengths. If the caller stops after
+/// the lengths became exact, keeps the best shape so far.
 std::optional<FlattenError> flatten_by_refining(const Chart& chart, const Run& run, Budget& budget,
                                                 const StopToken& stop, SolvedChart& solved) {
   stop.in("start").check();

@@ -24,7 +24,8 @@ struct Run {
 };
 
 /// Returns the layout of a chart, or its error. The chart must have faces. budget: for all trials of the chart
-/// together; earlier trials may have spent a part. Errors name Options::max_factorizations, which the user set.
+/// together; earlier trials may have spent a part. Errors name Options::max_factorizations instead of the budget,
+/// because the user set this option.
 SolvedChart solve_chart(const Chart& chart, const Run& run, Budget& budget, const StopToken& stop);
 
 /// Returns the seams that Run::propose_seams finds, or no seams if Run::propose_seams is empty.

@@ -36,9 +36,9 @@ InternalOptions on_the_way(InternalOptions options) {
   return options;
 }
 
-/// Frees the elastic seams of a group. If no common lengths are found, solves each chart completely at h = ease. If
-/// this fails, too, the chart keeps its shape, and its report says so. A chart without a shape at h = ease gets an
-/// error that says why.
+/// Frees the elastic seams of a group. If no common lengths are found, solves each chart completely at h = ease, and
+/// reports that the seams are fixed. If the chart cannot be solved completely, it keeps its earlier shape. If it has no
+/// shape at h = ease, it gets an error that says why.
 void free_elastic_seams(const std::vector<GroupMember>& group, const Run& run, const StopToken& stop) {
   const StopToken in_shape = stop.in("shape");
   GroupSolver solver(group, run, in_shape, false, [&](std::size_t k, Budget& budget) {
@@ -184,7 +184,7 @@ class ChartsSolver {
     session_.keep(members(group), solved);
   }
 
-  /// Builds the wire network of a chart with a layout for the result. Drops the multipliers, which no later stage uses.
+  /// If a chart has a layout, builds its wire network for the result. Drops the multipliers, which no later stage uses.
   void complete(std::size_t c) {
     solved_[c].multipliers.resize(0);
     if (solved_[c].uv.rows() > 0) solved_[c].network = build_wire_network(charts_[c]);

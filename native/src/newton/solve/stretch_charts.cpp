@@ -45,7 +45,8 @@ class StretchedGroup {
   }
 
   /// Solves a chart that is flipped or overlaps itself without the stretch. variation: h of its elastic seams. ran_out:
-  /// whether the limit of factorizations ended an earlier attempt. Returns whether a shape with the lengths was found.
+  /// whether the limit of factorizations ended an earlier attempt. Returns whether a shape with the stretched lengths
+  /// was found.
   bool solve_faulty(std::size_t k, const std::vector<double>& variation, bool ran_out) {
     if (!refine_faulty(k, variation, ran_out)) {
       explain(k, ran_out);
@@ -171,7 +172,7 @@ class StretchedGroup {
     const Chart& chart = member.chart;
     const Eigen::RowVector2d& share = member.lengths.flat_share;
     SolvedChart& one = member.solved;
-    one.report.objective *= share.prod();  // per flat area
+    one.report.objective *= share.prod();  // sums over the flat area instead of the stretched area
     one.uv = one.uv * share.asDiagonal();
     one.network = build_wire_network(chart);
     const std::vector<double> flat = variations_of(chart, length_variation(chart, one.uv));

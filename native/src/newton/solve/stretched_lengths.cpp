@@ -31,7 +31,8 @@ std::vector<char> find_stretched_edges(const Chart& chart) {
   return is_stretched;
 }
 
-/// Returns L / l of each edge, which depends on its direction in the layout; 1 for edges without a stretch.
+/// Returns L / l of each edge. This ratio depends on the direction of the edge in the layout, and is 1 for edges
+/// without a stretch.
 PerEdge ratios_by_direction(const Chart& chart, const Positions2& uv, const Cloth& cloth) {
   const Eigen::RowVector2d share = flat_share(cloth);
   const std::vector<char> is_stretched = find_stretched_edges(chart);

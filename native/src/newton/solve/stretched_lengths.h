@@ -4,9 +4,9 @@
 //
 //   L = l √(cos²ψ / (1 + c_weft)² + sin²ψ / (1 + c_warp)²)
 //
-// where l is its length on the surface, and c_weft and c_warp are the stretch in both directions of the fabric. The
-// sides of a seam use the mean of their ratios L / l, so that their lengths stay equal. An edge with an ease keeps its
-// eased length.
+// l is the length of the edge on the surface, and c_weft and c_warp are the stretch in both directions of the fabric.
+// The sides of a seam use the mean of their ratios L / l, so that the sides stay equally long. An edge with an ease
+// keeps its eased length.
 #pragma once
 
 #include <string>

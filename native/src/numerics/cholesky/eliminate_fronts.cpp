@@ -8,8 +8,8 @@ namespace {
 
 double& entry(Tile& tile, int row, int column) { return tile.entries[kTile * column + row]; }
 
-/// Returns the number of rows (4, 2 or 1) to process together from row i on: they are in one tile, and map to
-/// consecutive rows of one tile.
+/// Returns the number of rows (4, 2 or 1) to process together from row i on. These rows are in one tile of the child,
+/// and map to consecutive rows of one tile of the parent.
 int rows_alike(const int* target, int i, int num_rows) {
   for (const int run : {4, 2}) {
     if (i % run == 0 && i + run <= num_rows && target[i] % run == 0 && target[i + run - 1] == target[i] + run - 1) {
@@ -19,8 +19,8 @@ int rows_alike(const int* target, int i, int num_rows) {
   return 1;
 }
 
-/// Adds columns begin to end of kRows rows to columns target[begin] to target[end - 1]. `to` starts at first_column.
-/// Columns of a tile are 4 numbers apart.
+/// Adds columns begin to end - 1 of kRows rows to columns target[begin] to target[end - 1]. `to` starts at
+/// first_column. Columns of a tile are 4 numbers apart.
 template <int kRows>
 void add_rows(const double* from, const int* target, int begin, int end, double* to, int first_column) {
   for (int j = begin; j < end; ++j) {

@@ -5,8 +5,8 @@
 //   row tile t   m ... m+r-1 (below)  tiles (t, 0) to (t, m-1)      of L₂₁   ⎭
 //   row tile t   0 ... r-1            tiles (t, 0) to (t, t)        of the Schur complement, row by row
 //
-// So every sum over pivots reads memory in order, for both factors of a product L Lᵀ, and no data is copied for this.
-// Incomplete tiles are padded: pivots by the identity, rows below by zeros.
+// So every sum over pivots reads memory in order, for both factors of a product L Lᵀ, without copying data. Incomplete
+// tiles are padded: pivots by the identity, rows below by zeros.
 #pragma once
 
 #include <cstddef>
@@ -21,7 +21,7 @@ struct alignas(64) Tile {
 
 constexpr int kTile = 4;  // numbers in an AVX2 register; larger tiles would pad small fronts more
 
-// Internal linkage: front_kernels_body.h explains why inline functions must not be shared.
+// These two functions have internal linkage: front_kernels_body.h explains why inline functions must not be shared.
 
 /// Returns the number of tiles of a triangle with num_tiles rows of tiles.
 static constexpr std::size_t triangle_size(int num_tiles) {
@@ -43,12 +43,12 @@ struct FrontKernels {
   /// of S. L and U have the same diagonal, the square roots of the pivots.
   bool (*factor_lu)(Tile* lower, Tile* lower_schur, Tile* upper, Tile* upper_schur, int m, int r);
 
-  /// [x₁; x₂] := [L₁₁⁻¹ x₁; x₂ − L₂₁ L₁₁⁻¹ x₁] for one right-hand side, or for four stored row by row. x has 4 (m + r)
-  /// rows and the alignment of a tile.
+  /// Replaces [x₁; x₂] by [L₁₁⁻¹ x₁; x₂ − L₂₁ L₁₁⁻¹ x₁], for one right-hand side, or for four that are stored row by
+  /// row. x: 4 (m + r) rows, with the alignment of a tile.
   void (*solve_lower)(const Tile* panel, int m, int r, double* x);
   void (*solve_lower_4)(const Tile* panel, int m, int r, double* x);
 
-  /// x₁ := L₁₁⁻ᵀ (x₁ − L₂₁ᵀ x₂), for one or four right-hand sides. sums: space for m tiles.
+  /// Replaces x₁ by L₁₁⁻ᵀ (x₁ − L₂₁ᵀ x₂), for one or four right-hand sides. sums: work space of m tiles.
   void (*solve_upper)(const Tile* panel, int m, int r, double* x, Tile* sums);
   void (*solve_upper_4)(const Tile* panel, int m, int r, double* x);
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Kernels for processors with AVX2 and FMA, compiled for them (CMakeLists.txt): four numbers in a register, and sixteen
-// registers. Call nothing here before has_avx2() has returned true.
+// Kernels for processors with AVX2 and FMA, which have sixteen registers of four numbers. CMakeLists.txt compiles this
+// file for such processors only, so call nothing here before has_avx2() has returned true.
 namespace {
 constexpr int kLanes = 4;
 constexpr int kRowsAtOnce = 3;  // 12 registers of sums and four of operands

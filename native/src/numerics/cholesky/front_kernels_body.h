@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The code of the kernels. Each front_kernels_*.cpp includes it once, after defining how many numbers a register of its
-// processor holds (kLanes), and how many row tiles fit in its registers during factorization (kRowsAtOnce) and during
-// the sums of back substitution (kRowsSummed).
+// The code of the kernels. Each front_kernels_*.cpp includes this file once. Before, it defines how many numbers a
+// register of its processor holds (kLanes). It also defines how many row tiles fit in the registers during
+// factorization (kRowsAtOnce) and during the sums of back substitution (kRowsSummed).
 //
-// A file that is compiled for newer processors must not share inline functions with other files: the linker keeps one
+// A file that is compiled for newer processors must not share inline functions with other files. The linker keeps one
 // of the copies, and old processors might then execute new instructions. Therefore everything here is in an unnamed
 // namespace and uses only C functions, nothing of the standard library or Eigen.
 #include <math.h>
@@ -16,7 +16,7 @@ namespace {
 using Lanes = double __attribute__((vector_size(8 * kLanes), may_alias));
 
 constexpr int kParts = kTile / kLanes;  // registers per column of a tile
-constexpr int kBlock = 32;              // tiles of pivots whose product with a few rows fits in the first-level cache
+constexpr int kBlock = 32;              // tiles of pivots in a block; a few of its rows fit in the first-level cache
 
 inline const Lanes& column(const Tile& tile, int j, int part) {
   return *reinterpret_cast<const Lanes*>(tile.entries + kTile * j + kLanes * part);
@@ -43,7 +43,7 @@ inline void store(const TileInRegisters& x, Tile& tile) {
   }
 }
 
-/// x := x L⁻ᵀ for a diagonal tile of L.
+/// Multiplies x by L⁻ᵀ from the right, for a diagonal tile of L.
 inline void divide(TileInRegisters& x, const Tile& diagonal) {
 #pragma GCC unroll 4
   for (int j = 0; j < kTile; ++j) {
@@ -56,8 +56,8 @@ inline void divide(TileInRegisters& x, const Tile& diagonal) {
   }
 }
 
-/// c −= Σ a bᵀ over a run of tiles, for kRows row tiles c and a and one row tile b. If a diagonal tile of L is given, c
-/// := c L⁻ᵀ follows.
+/// Subtracts Σ a bᵀ from each of kRows tiles c. Each c has num_tiles tiles a of its own, and all c share num_tiles
+/// tiles b. If a diagonal tile of L is given, then multiplies each c by L⁻ᵀ from the right.
 template <int kRows>
 inline void subtract_product(Tile* const (&c)[kRows], const Tile* const (&a)[kRows], const Tile* b, int num_tiles,
                              const Tile* diagonal) {
@@ -125,9 +125,9 @@ struct FrontTiles {
   Tile* at(int t, int j) const { return j < m ? panel + panel_row(t, m) + j : schur + triangle_size(t - m) + (j - m); }
 };
 
-/// Updates the tiles in rows t to t + kRows and columns begin to end of a factor. From each tile of column j, it
-/// subtracts the product of the pivots first to min(j, last). Then it divides columns before last by their diagonal
-/// tiles, which makes them columns of the factor.
+/// Updates the tiles in rows t to t + kRows - 1 and columns begin to end - 1 of a factor. From each tile of column j,
+/// subtracts the product over the pivots from `first` to before min(j, last). Then divides columns before `last` by
+/// their diagonal tiles, which makes these columns final.
 template <int kRows>
 void update_rows(const FrontTiles& front, const FrontTiles& other, int t, int first, int last, int begin, int end) {
   Tile* c[kRows];
@@ -140,8 +140,8 @@ void update_rows(const FrontTiles& front, const FrontTiles& other, int t, int fi
   }
 }
 
-/// Updates kRows rows from t on below a block of pivots, in all columns up to the diagonal: first the block's columns,
-/// then the columns that are not factored yet, then S.
+/// Updates kRows rows from t on below a block of pivots, in all columns up to the diagonal. The block's columns come
+/// first, then the columns that are not factored yet, then S.
 template <int kRows, int kFactors>
 void update_below(const FrontTiles (&fronts)[kFactors], int t, int first, int last) {
   for (int f = 0; f < kFactors; ++f) update_rows<kRows>(fronts[f], other(fronts, f), t, first, last, first, last);

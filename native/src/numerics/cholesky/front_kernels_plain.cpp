@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Kernels for any processor: two numbers in a register, and sixteen registers.
+// Kernels for any processor, with sixteen registers of two numbers.
 namespace {
 constexpr int kLanes = 2;
 constexpr int kRowsAtOnce = 1;  // 8 registers of sums; two rows would use all registers

@@ -19,7 +19,9 @@ class Builder {
   Builder(const Eigen::SparseMatrix<double>& lower, const DissectionTree& tree, int unknowns_per_vertex)
       : lower_(lower), tree_(tree), k_(unknowns_per_vertex) {
     if (lower.rows() != lower.cols() || lower.rows() % k_ != 0 || !lower.isCompressed()) {
-      throw std::invalid_argument("multifrontal Cholesky: the matrix is not square, compressed and made of vertices");
+      throw std::invalid_argument(
+          "multifrontal Cholesky: the matrix must be square and compressed, and its size a multiple of the unknowns "
+          "per vertex");
     }
     layout_.unknowns_per_vertex = k_;
     layout_.num_unknowns = lower.rows();
@@ -53,7 +55,7 @@ class Builder {
       if (parent != -1 && (parent <= node || parent >= num_fronts())) refuse("a node comes after its parent");
       for (int v : tree_.nodes[node].vertices) {
         if (v < 0 || static_cast<std::size_t>(v) >= num_vertices || layout_.front_of_vertex[v] != -1)
-          refuse("a vertex is not there once");
+          refuse("a vertex is out of range or in two nodes");
         layout_.front_of_vertex[v] = node;
         elimination_[v] = count++;
       }
@@ -61,8 +63,8 @@ class Builder {
     if (static_cast<std::size_t>(count) != num_vertices) refuse("a vertex is missing");
   }
 
-  /// Sorts the entries of the matrix by front. An entry belongs to the front of its vertex that is eliminated
-  /// first.
+  /// Sorts the entries of the matrix by front. An entry couples two vertices, and belongs to the front that eliminates
+  /// the first of them.
   void sort_entries_by_front() {
     entry_start_.assign(num_fronts() + 1, 0);
     const auto front_of = [this](int row, int column) {
@@ -183,7 +185,7 @@ class Builder {
   struct Entry {
     int row, column, source;
   };
-  // A tile has 16 entries, indexed by 32 bits.
+  // Limit of MatrixEntry::place, which indexes the entries of a panel by 32 bits. A tile has 16 entries.
   static constexpr std::size_t kMostTiles = std::numeric_limits<std::uint32_t>::max() / 16;
 
   const Eigen::SparseMatrix<double>& lower_;

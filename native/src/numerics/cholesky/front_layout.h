@@ -19,9 +19,9 @@ struct Front {
   int first_vertex;       // index into FrontLayout::vertices
   int num_pivots;         // number of vertices
   int num_rows;           // number of vertices
-  int num_own_rows;       // number of first rows whose vertices are pivots in the same share of subtrees
+  int num_own_rows;       // number of rows at the start whose vertices are pivots in this front's share of subtrees
   int pivot_tiles;        // m: number of row tiles of pivots
-  int row_tiles;          // r: number of row tiles below
+  int row_tiles;          // r: number of row tiles below the pivots
   int first_entry;        // index into FrontLayout::entries; the next front's value is the end
   int first_child;        // index into FrontLayout::children
   int first_row;          // index into FrontLayout::rows_in_parent

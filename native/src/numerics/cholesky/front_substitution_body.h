@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Substitution in a front, for front_kernels_body.h. With one right-hand side, each number of L is used once and memory
-// bandwidth limits the speed; four right-hand sides share each read.
+// Substitution in a front, for front_kernels_body.h. With one right-hand side, each number of L is used once, and
+// memory bandwidth limits the speed. Four right-hand sides share each read.
 #pragma once
 
 namespace wirewarp {
@@ -23,19 +23,20 @@ inline void product(const Tile* l, int columns, const double* x, double (&result
   }
 }
 
-/// Prefetches tiles that back substitution needs soon. Back substitution reads memory backwards, which processors do
-/// not prefetch: without this function it takes 1.7 times as long.
+/// Prefetches tiles that back substitution needs soon. Back substitution reads memory backwards, and processors do not
+/// prefetch in this direction. Without this function, back substitution takes 1.7 times as long.
 inline void fetch_ahead(const Tile* tile) {
-  constexpr int kTilesAhead = 128;     // 16 KB; with half as many, a solve takes 5% longer; twice as many gain nothing
-  constexpr int kLine = 64;            // bytes of a cache line
-  constexpr int kIntoSecondLevel = 2;  // cache level; prefetching into the first level takes a third longer
+  constexpr int kTilesAhead = 128;  // 16 KB; with 64 tiles, a solve takes 5% longer; 256 tiles gain nothing
+  constexpr int kLine = 64;         // bytes of a cache line
+  // GCC's locality 2 is the second cache level. With 3, the first level, a solve takes a third longer.
+  constexpr int kIntoSecondLevel = 2;
   const char* const ahead = reinterpret_cast<const char*>(tile - kTilesAhead);
   for (int byte = 0; byte < static_cast<int>(sizeof(Tile)); byte += kLine)
     __builtin_prefetch(ahead + byte, 0, kIntoSecondLevel);
 }
 
-/// sums_j += L_tj ∘ x_t for kRows row tiles t from `first` on and columns j from begin to end. The sum of column i of
-/// sums_j is entry i of Σ_t L_tjᵀ x_t.
+/// Adds L_tj ∘ x_t to sums_j, for kRows row tiles t from `first` on and columns j from begin to end - 1. Each column of
+/// L_tj is multiplied by x_t entry by entry. Column i of sums_j then adds up to entry i of Σ_t L_tjᵀ x_t.
 template <int kRows>
 inline void add_products(const Tile* panel, int m, int first, int begin, int end, const double* x, Tile* sums) {
   const Tile* l[kRows];
@@ -64,7 +65,7 @@ inline void add_products(const Tile* panel, int m, int first, int begin, int end
   }
 }
 
-/// Adds the products of the row tiles from first to last, in all columns before end, last rows first.
+/// Adds the products of row tiles `first` to last - 1 in all columns before `end`. Starts with the last rows.
 inline void add_all_products(const Tile* panel, int m, int first, int last, int end, const double* x, Tile* sums) {
   int t = last;
   for (; t - kRowsSummed >= first; t -= kRowsSummed)
@@ -130,7 +131,7 @@ void solve_lower_4(const Tile* panel, int m, int r, double* rows) {
   }
 }
 
-/// x_j −= L_tjᵀ x_t for the columns j of row tile t of L.
+/// Subtracts L_tjᵀ x_t from x_j for the columns j of row tile t of L.
 inline void subtract_transposed(const Tile* l, int columns, const Tile& x_t, Tile* x) {
   TileInRegisters solved;
   load(x_t, solved);

@@ -8,8 +8,8 @@
 namespace wirewarp {
 
 /// Returns the graph of the vertices that a symmetric matrix couples. lower: the lower triangle, compressed, in full
-/// blocks. With k = unknowns_per_vertex, unknowns k v to k v + k - 1 belong to vertex v, and a column that contains one
-/// unknown of a vertex contains all of them.
+/// blocks. With k = unknowns_per_vertex, unknowns k v to k v + k - 1 belong to vertex v. A column that contains one
+/// unknown of a vertex must contain all of them.
 Graph graph_of(const Eigen::SparseMatrix<double>& lower, int unknowns_per_vertex);
 
 }  // namespace wirewarp

@@ -19,7 +19,7 @@ MultifrontalCholesky::MultifrontalCholesky(const Eigen::SparseMatrix<double>& lo
 
 bool MultifrontalCholesky::factorize(const Eigen::SparseMatrix<double>& lower, const StopToken& stop) {
   if (lower.rows() != layout_.num_unknowns || static_cast<std::size_t>(lower.nonZeros()) != layout_.entries.size()) {
-    throw std::invalid_argument("multifrontal Cholesky: the matrix has another pattern");
+    throw std::invalid_argument("multifrontal Cholesky: the matrix must have the pattern that was analyzed");
   }
   positive_definite_ = eliminate_fronts(layout_, in_threads_, stop, [&](int f) {
     const Front& front = layout_.fronts[f];

@@ -25,9 +25,9 @@ namespace wirewarp {
 
 class MultifrontalCholesky {
  public:
-  /// Analyzes a pattern and allocates all memory that factorize needs. lower: the lower triangle, compressed. Unknowns
-  /// k v to k v + k - 1 belong to vertex v of the tree's graph, k = unknowns_per_vertex. in_threads: whether two
-  /// threads work on independent subtrees; factor and solutions are the same to the last bit as in one thread.
+  /// Analyzes a pattern and allocates all memory that factorize needs. lower: the lower triangle, compressed. With k =
+  /// unknowns_per_vertex, unknowns k v to k v + k - 1 belong to vertex v of the tree's graph. in_threads: whether two
+  /// threads work on independent subtrees. Factor and solutions are then equal to those of one thread to the last bit.
   /// keeps_root: whether the unknowns of the tree's last node are not eliminated, see schur_complement(). Throws
   /// std::invalid_argument if the tree does not contain each vertex once or does not separate vertices that are coupled
   /// in `lower`.
@@ -46,19 +46,19 @@ class MultifrontalCholesky {
   /// returns the right-hand side of the reduced system, and back substitution expects its solution.
   Eigen::MatrixXd schur_complement() const;
 
-  /// b := A⁻¹ b. The columns of b are right-hand sides, of which four are solved at a time. Throws std::logic_error
-  /// without a factor.
+  /// Replaces b by A⁻¹ b. The columns of b are right-hand sides, of which four are solved at a time. Throws
+  /// std::logic_error without a factor.
   void solve_in_place(Eigen::Ref<Eigen::MatrixXd> b) const;
 
-  /// Return sets of fronts for the substitutions below.
+  /// Return sets of fronts for the substitutions below (substitution.h).
   FrontSet fronts_reaching(const std::vector<int>& vertices) const { return substitution_.fronts_reaching(vertices); }
   FrontSet others(const FrontSet& fronts) const { return substitution_.others(fronts); }
   const FrontSet& all() const { return substitution_.all(); }
 
-  /// First half of a solution: b := L⁻¹ b, where b is zero except at pivots of the given fronts.
+  /// First half of a solution: replaces b by L⁻¹ b. b must be zero except at pivots of the given fronts.
   void substitute_forward(Eigen::Ref<Eigen::MatrixXd> b, const FrontSet& nonzero) const;
-  /// Second half: b := L⁻ᵀ b at pivots of the wanted fronts. If these do not include all their ancestors, an earlier
-  /// call must have solved for the ancestors.
+  /// Second half: replaces b by L⁻ᵀ b at pivots of the wanted fronts. If the set does not include all ancestors of
+  /// these fronts, an earlier call must have solved for the ancestors.
   void substitute_back(Eigen::Ref<Eigen::MatrixXd> b, const FrontSet& wanted) const;
 
  private:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Sparse factorization A = L U by the multifrontal method, without pivoting, for row-diagonally-dominant M-matrices:
 // aᵢᵢ > 0, aᵢⱼ <= 0 and Σⱼ aᵢⱼ >= 0. Elimination keeps these properties, so every pivot is positive and no pivoting is
-// needed. L and Uᵀ have the pattern of a Cholesky factor: the fronts are those of multifrontal_cholesky.h, each with a
+// needed. L and Uᵀ have the pattern of a Cholesky factor. The fronts are those of multifrontal_cholesky.h, each with a
 // panel for L and a panel for Uᵀ.
 #pragma once
 
@@ -22,17 +22,17 @@ class MultifrontalLu {
 
   /// Factors a square matrix whose pattern is symmetric. positions: one per row, for nested_dissection(). in_threads:
   /// as in MultifrontalCholesky. Throws Stopped. Throws FactorizationFailed at a pivot that is not a positive finite
-  /// number: then a is singular or not a row-diagonally-dominant M-matrix. Throws std::invalid_argument if the pattern
+  /// number: a is then singular, or not a row-diagonally-dominant M-matrix. Throws std::invalid_argument if the pattern
   /// of a is not symmetric.
   MultifrontalLu(const Matrix& a, const Positions2& positions, bool in_threads = false, const StopToken& stop = {},
                  const FrontKernels& kernels = fastest_kernels());
   MultifrontalLu(const MultifrontalLu&) = delete;  // not copied: substitution_ refers to layout_
   MultifrontalLu& operator=(const MultifrontalLu&) = delete;
 
-  /// b := A⁻¹ b. b has one row per row of A; both columns are solved in one sweep.
+  /// Replaces b by A⁻¹ b. b: one row per row of A. Both columns are solved in one sweep.
   void solve(Positions2& b) const { substitute(lower_, upper_, b); }
 
-  /// b := A⁻ᵀ b: Aᵀ = Uᵀ Lᵀ.
+  /// Replaces b by A⁻ᵀ b, with Aᵀ = Uᵀ Lᵀ.
   void solve_transposed(Positions2& b) const { substitute(upper_, lower_, b); }
 
  private:

@@ -66,8 +66,8 @@ class Dissection {
     return part;
   }
 
-  /// Appends the nodes for a set of vertices; all neighbors outside the set are in separators. Returns the roots of
-  /// these nodes.
+  /// Appends the nodes for a set of vertices. All neighbors outside of the set must be in separators. Returns the roots
+  /// of the new nodes.
   std::vector<int> dissect(Iterator begin, Iterator end) {
     if (begin == end) return {};
     if (end - begin <= kLeafSize) return {append(begin, end, {})};

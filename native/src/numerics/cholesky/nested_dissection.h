@@ -30,8 +30,9 @@ struct DissectionTree {
 
 /// Returns the tree of separators. Bisects each connected part recursively at the median of a coordinate, in the best
 /// of four directions, down to leaves of at most 16 vertices. A separator is the smallest set of vertices that contains
-/// an end of every edge between the halves. positions: one finite row per vertex; poor positions (for example, all
-/// equal) cause fill, not errors. Vertices without a row form the root above all other nodes.
+/// an end of every edge between the halves. positions: one finite row for each vertex, except that the last vertices
+/// may have no row. These last vertices form the root above all other nodes. Poor positions (for example, all equal)
+/// cause more nonzeros in the factor, not errors.
 DissectionTree nested_dissection(const Graph& graph, const Positions2& positions);
 
 }  // namespace wirewarp

@@ -9,7 +9,7 @@ namespace wirewarp {
 /// elimination.
 void partition_subtrees(FrontLayout& layout);
 
-/// Fills Front::schur and schur_tiles. Each share of subtrees has two stacks, and so do the ancestors: a Schur
+/// Fills Front::schur and schur_tiles. Each share of subtrees has two stacks, and so do the ancestors. A Schur
 /// complement is pushed on one stack, while the Schur complements of the children are popped from the other stack.
 void place_schur_complements(FrontLayout& layout);
 

@@ -9,7 +9,8 @@
 namespace wirewarp {
 namespace {
 
-// Tiles in 2 MB of a factor. Reading 2 MB takes 0.2 ms, several times as long as starting a thread.
+// Number of tiles in 2 MB of a factor. More tiles are worth a second thread, because reading 2 MB takes 0.2 ms, several
+// times as long as starting a thread.
 constexpr std::size_t kTilesWorthThreads = 1 << 14;
 
 using Columns = Eigen::Ref<Eigen::MatrixXd>;
@@ -72,7 +73,7 @@ Substitution::Substitution(const FrontLayout& layout, bool in_threads, const Fro
       all_(fronts_where(std::vector<char>(layout.fronts.size(), 1))) {}
 
 void Substitution::forward(const Tile* factor, Columns b, const FrontSet& nonzero) const {
-  if (b.rows() != layout_.num_unknowns) throw std::invalid_argument("substitution: b has another size");
+  if (b.rows() != layout_.num_unknowns) throw std::invalid_argument("substitution: b must have one row per unknown");
   for (Eigen::Index first = 0; first < b.cols(); first += kTile) {
     const Eigen::Index columns = std::min<Eigen::Index>(kTile, b.cols() - first);
     const auto substitute = columns == 1 ? &Substitution::forward_4<1> : &Substitution::forward_4<kTile>;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Solves with a factor, front by front: computes L⁻¹ b from the leaves to the roots, then L⁻ᵀ of the result from the
-// roots to the leaves. The contributions of the two shares of subtrees to the rows of their ancestors are summed
-// separately and then added in a fixed order, so the number of threads does not change the result.
+// Solves with a factor, front by front. Computes L⁻¹ b from the leaves to the roots, then L⁻ᵀ of the result from the
+// roots to the leaves. Each of the two shares of subtrees sums its contributions to the rows of the ancestors
+// separately. The two sums are added in a fixed order, so the number of threads does not change the result.
 #pragma once
 
 #include <Eigen/Core>
@@ -22,10 +22,10 @@ class Substitution {
   FrontSet others(const FrontSet& fronts) const;
   const FrontSet& all() const { return all_; }
 
-  /// b := L⁻¹ b, where b is zero except at pivots of the given fronts. factor: the panels of all fronts.
+  /// Replaces b by L⁻¹ b. b must be zero except at pivots of the given fronts. factor: the panels of all fronts.
   void forward(const Tile* factor, Eigen::Ref<Eigen::MatrixXd> b, const FrontSet& nonzero) const;
-  /// b := L⁻ᵀ b at pivots of the wanted fronts. If these do not include all their ancestors, an earlier call must have
-  /// solved for the ancestors.
+  /// Replaces b by L⁻ᵀ b at pivots of the wanted fronts. If the set does not include all ancestors of these fronts, an
+  /// earlier call must have solved for the ancestors.
   void back(const Tile* factor, Eigen::Ref<Eigen::MatrixXd> b, const FrontSet& wanted) const;
 
  private:

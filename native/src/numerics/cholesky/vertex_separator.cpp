@@ -9,7 +9,8 @@ VertexSeparator::VertexSeparator(const Graph& graph)
     : graph_(graph), partner_(graph.num_vertices(), -1), via_(partner_.size()), seen_(partner_.size(), 0) {}
 
 /// The vertices that a failed search visited cannot be reached by later searches. The visited upper vertices cover all
-/// edges of visited vertices, and the lower vertices that were not visited cover all other edges.
+/// edges of visited vertices, and the lower vertices that were not visited cover all other edges. Both together are the
+/// separator.
 void VertexSeparator::separate(const std::vector<int>& cut, std::vector<Side>& side) {
   for (int v : cut) {
     if (side[v] != Side::lower_cut || match(v, side)) continue;
@@ -23,7 +24,7 @@ void VertexSeparator::separate(const std::vector<int>& cut, std::vector<Side>& s
   }
 }
 
-/// Searches breadth first for an augmenting path: from a lower vertex to an upper vertex without a partner,
+/// Searches breadth first for an augmenting path. It leads from a lower vertex to an upper vertex without a partner,
 /// alternately along edges outside and inside the matching. Augments the matching along this path.
 bool VertexSeparator::match(int vertex, const std::vector<Side>& side) {
   ++search_;

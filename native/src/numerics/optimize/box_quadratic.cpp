@@ -14,7 +14,7 @@ Eigen::VectorXd minimize_quadratic_in_box(const Eigen::VectorXd& g, const Eigen:
   Eigen::LLT<Eigen::MatrixXd> factor;
   std::vector<int> factored;  // variables of the factored submatrix
   for (int i = 0; i < kMaxFactorizations; ++i) {
-    // Variables that are not in the active set, which contains the variables at a bound that the model pushes outward.
+    // Variables that a step may change: all except variables at a bound that the model pushes outward.
     std::vector<int> free;
     for (int k = 0; k < g.size(); ++k) {
       const bool is_active = (d[k] <= lower[k] && slope[k] > 0) || (d[k] >= upper[k] && slope[k] < 0);

@@ -64,8 +64,8 @@ void add_faces(const EdgeTable& edges, const SurfaceCut& cut, Chart& chart, Char
   }
 }
 
-/// Links the half-edges without a face. At a boundary vertex, the outgoing boundary half-edge comes first, as OpenMesh
-/// requires.
+/// Links the half-edges without a face, and returns them. At a boundary vertex, the outgoing boundary half-edge comes
+/// first, as OpenMesh requires.
 std::vector<HalfedgeHandle> link_boundary(HalfEdgeMesh& mesh) {
   std::vector<HalfedgeHandle> boundary;
   for (const HalfedgeHandle h : mesh.halfedges()) {

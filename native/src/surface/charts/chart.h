@@ -17,7 +17,7 @@ using HalfEdgeChain = std::vector<HalfedgeHandle>;
 
 /// The part of a user's wire between two vertices on seams or boundaries, inside this chart. A run of edges on the
 /// chart's boundary makes parts of kind boundary: one for each side of the run in this chart. All sides of the run
-/// share one h.
+/// share one h, the relative change of length (see Wire).
 struct WirePart {
   int wire_index = -1;
   int part = -1;  // counted along the whole wire, over all charts
@@ -27,8 +27,8 @@ struct WirePart {
   double ease = 0;
 };
 
-/// Returns the bound on |g|. Solvers use the target lengths at h = ease; the solved lengths are (1 + g) times the
-/// target.
+/// Returns the bound on |g|. Solvers find g, the relative change of the target lengths at h = ease: the solved lengths
+/// are (1 + g) times these lengths.
 inline double solver_tolerance(const WirePart& part) { return part.tolerance / (1 + part.ease); }
 
 /// Returns h for g, the relative change of the target length that a solver found.

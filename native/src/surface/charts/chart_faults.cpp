@@ -21,8 +21,8 @@ struct Faults {
   std::vector<int> repeated_face;        // faces
   std::vector<int> zero_area;            // faces
   std::vector<VertexPair> non_manifold;  // edges
-  std::vector<VertexPair> turned;        // edges
-  std::vector<int> pinched;              // vertices
+  std::vector<VertexPair> turned;        // edges whose two faces have opposite orientations
+  std::vector<int> pinched;              // vertices at which faces touch without a common edge
   bool is_one_sided = false;
 };
 
@@ -95,8 +95,8 @@ void find_one_sided(const EdgeTable& edges, const SurfaceCut& cut, std::vector<F
   }
 }
 
-/// Finds vertices at which faces of one chart touch without an edge that connects them. Two charts may touch at a
-/// vertex.
+/// Finds vertices at which faces of one chart touch without an edge that connects them. If two charts touch at a
+/// vertex, this is not a fault.
 void find_vertex_faults(const FlattenInput& input, const EdgeTable& edges, const SurfaceCut& cut,
                         std::vector<Faults>& faults) {
   const bool is_uncut = input.seams.rows() == 0;

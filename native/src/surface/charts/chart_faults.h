@@ -10,8 +10,8 @@
 
 namespace wirewarp {
 
-/// Returns for each chart the first reason why the chart is not an oriented manifold with faces of positive area. Two
-/// charts may touch at a vertex.
+/// Returns for each chart the first reason why the chart is not an oriented manifold with faces of positive area, or
+/// nullopt. If two charts touch at a vertex, this is not a fault.
 std::vector<std::optional<FlattenError>> find_chart_faults(const FlattenInput& input, const EdgeTable& edges,
                                                            const SurfaceCut& cut);
 

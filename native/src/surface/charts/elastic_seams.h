@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Seams with a tolerance: all sides of such a seam share one h, which couples their charts.
+// Seams with a tolerance. All sides of such a seam share one h (relative change of length), which couples their charts.
 #pragma once
 
 #include <vector>
@@ -30,8 +30,8 @@ class FixedSeams {
 
  private:
   Chart& chart_;
-  std::vector<WirePart> elastic_parts_;  // wire parts of the chart before
-  std::vector<double> length_ratio_;     // length ratios of the chart before
+  std::vector<WirePart> elastic_parts_;  // wire parts of the chart before its seams were fixed
+  std::vector<double> length_ratio_;     // length ratios of the chart before its seams were fixed
 };
 
 /// Several charts as one chart that is not connected.

@@ -10,9 +10,9 @@
 namespace wirewarp {
 namespace {
 
-/// Minimum p for one loop. A spherical cap with p = 1/4 is three quarters of the sphere: on average, all lengths inside
-/// would shrink to half, more than any fabric allows. A hemisphere (p = 1/2) and padded cushions (0.4) are still
-/// useful.
+/// Minimum isoperimetric_ratio() p for one loop. A spherical cap with p = 1/4 is three quarters of the sphere: on
+/// average, all lengths inside would shrink to half, more than any fabric allows. A hemisphere (p = 1/2) and padded
+/// cushions (0.4) are still useful.
 constexpr double kRequiredOfDisk = 0.25;
 
 /// Minimum p for several loops. This value accepts a hemisphere with an eyelet (p = 1/2), but not tubes. In our

@@ -9,11 +9,12 @@
 
 namespace wirewarp {
 
-/// Returns the largest length that eases and tolerances allow for each boundary loop, scene units.
+/// Returns, for each boundary loop, the largest length that eases and tolerances allow, scene units.
 std::vector<double> longest_lengths(const Chart& chart);
 
-/// Returns p, the largest possible flat area over the 3D area, with the longest outer loop that eases and tolerances
-/// allow. A value above 1 means that there is no bound; 0 means a closed chart.
+/// Returns p, the largest possible flat area over the 3D area. The outer loop is assumed to be the longest of all
+/// loops, and as long as eases and tolerances allow. If p is above 1, the outline does not force any distortion. A
+/// closed chart has p = 0.
 double isoperimetric_ratio(const Chart& chart);
 
 /// Returns the least E (Eq. 4) over the 3D area of a map that reduces the area to the share p: 1 - 2p for p <= 1/4,

@@ -76,7 +76,7 @@ Outline trace_outline(const Triangles& faces, const EdgeTable& edges, const Surf
     outline.chains.push_back(std::move(chain));
     outline.seam_of_chain.push_back(cut.is_seam[edge] ? num_seams++ : -1);
   };
-  // Chains that end at junctions come first, then closed chains.
+  // Chains that end at junctions come first, then chains without a junction, which are closed.
   for (int e = 0; e < edges.num_edges(); ++e) {
     if (!cut.is_outline(edges, e)) continue;
     for (int v : edges.vertices(e)) {

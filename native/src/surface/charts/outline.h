@@ -13,8 +13,8 @@ struct Outline {
   std::vector<char> is_on_outline;              // per input vertex
   std::vector<char> is_junction;                // per input vertex: a chain ends there
   std::vector<std::vector<VertexPair>> chains;  // edges in order
-  std::vector<int> chain_of_edge;               // per input edge; -1: not on the outline
-  std::vector<int> seam_of_chain;               // -1: the border of the surface
+  std::vector<int> chain_of_edge;               // per input edge: index of its chain; -1: not on the outline
+  std::vector<int> seam_of_chain;               // per chain: index of its seam; -1: the border of the surface
 };
 
 /// Returns the outline in chains. A chain ends where three or more outline edges meet, at the tip of a dart, and where

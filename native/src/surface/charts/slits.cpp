@@ -43,7 +43,7 @@ std::vector<int> vertices_of(const HalfEdgeMesh& mesh, const HalfEdgeChain& chai
   return vertices;
 }
 
-/// Returns the edges of a slit, each once, in chains as long as its rims allow.
+/// Returns the edges of a slit, each once, as chains along its rims.
 std::vector<HalfEdgeChain> chains_of(const Slit& slit) {
   std::vector<HalfEdgeChain> chains;
   bool goes_on = false;
@@ -56,8 +56,8 @@ std::vector<HalfEdgeChain> chains_of(const Slit& slit) {
   return chains;
 }
 
-/// Makes the outer loop of the chart also the outer loop of the sewn chart. After merging vertices, another loop may
-/// turn more.
+/// Makes the outer loop of the chart also the outer loop of the sewn chart. Without this function, it might be another
+/// loop, because merging vertices changes how much the loops turn.
 void keep_outer_loop(const Chart& chart, SewnChart& sewn) {
   const HalfedgeHandle there = sewn_half_edge(chart, sewn, chart.boundary_loops.front().front());
   std::vector<HalfEdgeChain>& loops = sewn.chart.boundary_loops;

@@ -30,9 +30,9 @@ struct SewnChart {
 /// Returns the half-edge of the sewn chart for a half-edge of the open chart; not valid if there is none.
 HalfedgeHandle sewn_half_edge(const Chart& chart, const SewnChart& sewn, HalfedgeHandle h);
 
-/// Sews slits. Each slit becomes a rigid wire, after other wire parts and before elastic parts of the boundary. The
-/// outer loop stays the outer loop. Returns nullopt if the sewn surface is not a chart. Slits that consist of one edge
-/// must all be sewn.
+/// Sews slits. The edges of each slit become rigid wires, after other wire parts and before elastic parts of the
+/// boundary. The outer loop stays the outer loop. Returns nullopt if the sewn surface is not a chart. Also returns
+/// nullopt if a slit of one edge is not sewn, because both its rims would become one edge.
 std::optional<SewnChart> sew(const Chart& chart, const std::vector<Slit>& slits);
 
 }  // namespace wirewarp

@@ -10,7 +10,7 @@ namespace wirewarp {
 
 struct SurfaceCut {
   std::vector<char> is_seam;       // per edge: marked as a seam, and with at least two sides
-  std::vector<int> chart_of_face;  // charts are numbered by their lowest face
+  std::vector<int> chart_of_face;  // per face: index of its chart; charts are numbered by their lowest face
   /// For each corner 3 f + k: its fan. A fan consists of the corners at one vertex that edges without a seam connect.
   std::vector<int> fan_of_corner;
   int num_charts = 0;
@@ -23,8 +23,8 @@ struct SurfaceCut {
 /// Cuts the surface. seams: vertex pairs; each must be an edge.
 SurfaceCut cut_along_seams(const Triangles& faces, const EdgeTable& edges, const VertexPairs& seams);
 
-/// Returns the fan of each corner on the uncut surface, across seams, too. If a vertex has two fans, faces touch there
-/// only at a point.
+/// Returns the fan of each corner on the uncut surface, where edges on seams also connect corners. If a vertex has two
+/// fans, faces touch only at this vertex.
 std::vector<int> fans_of_uncut_surface(const Triangles& faces, const EdgeTable& edges);
 
 }  // namespace wirewarp

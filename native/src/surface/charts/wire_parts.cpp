@@ -7,7 +7,7 @@
 namespace wirewarp {
 namespace {
 
-/// A run of a wire: its edges [begin, end), all inside or all on the outline.
+/// A run of a wire: the edges [begin, end) of the wire, all inside a chart or all on the outline.
 struct Run {
   int begin;
   int end;
@@ -16,7 +16,7 @@ struct Run {
 
 /// Splits the vertices of a wire into runs. The list of a closed wire is rotated first, to begin at the lowest vertex
 /// at which a run starts, so that the runs do not depend on the start of the list. A run also ends at a vertex where
-/// the wire passes to another chart that touches the first chart only at this vertex.
+/// the wire passes to another chart that touches the previous chart only at this vertex.
 std::vector<Run> split_into_runs(std::vector<int>& vertices, const EdgeTable& edges, const SurfaceCut& cut,
                                  const Outline& outline) {
   const bool is_closed = vertices.front() == vertices.back();

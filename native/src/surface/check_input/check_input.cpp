@@ -34,7 +34,7 @@ void check_seams(const FlattenInput& input, const EdgeTable& edges) {
   throw FlattenError(ErrorCode::seam_not_an_edge, ErrorArguments{}, {{}, bad, {}});
 }
 
-/// The character '\0' in a name would end the error sentence early.
+/// Throws invalid_type if a name contains the character '\0', which would end error sentences early.
 void check_name(const Wire& wire) {
   if (wire.name.find('\0') == std::string::npos) return;
   throw FlattenError(ErrorCode::invalid_type, ErrorArguments{{"name", "The name of a wire"},
@@ -87,7 +87,8 @@ void check_wire_on_mesh(const FlattenInput& input, const EdgeTable& edges, std::
   }
 }
 
-/// Returns the number of sides of edge a-b whose triangles have b after a; 0 if the edge is not on a seam or border.
+/// Returns the number of sides of an edge whose triangles have ends[1] after ends[0]; 0 if the edge is not on a seam or
+/// border.
 int num_sides_named(const EdgeTable& edges, const std::set<int>& seams, const VertexPair& ends) {
   const int edge = edges.find(ends[0], ends[1]);
   if (edge < 0 || (edges.num_sides(edge) > 1 && seams.count(edge) == 0)) return 0;
@@ -123,8 +124,8 @@ void check_eases(const FlattenInput& input, const EdgeTable& edges) {
   throw FlattenError(ErrorCode::side_in_two_eases, ErrorArguments{}, {{}, twice, {}});
 }
 
-/// Meshes with up to this many parts are accepted. Models with intentionally separate parts have a few hundred parts. A
-/// file with separate faces has one part per face, and its result would be useless and slow.
+/// Meshes with up to this many parts are accepted. Models with intentionally separate parts have at most a few hundred
+/// parts. A file with separate faces has one part per face, and its result would be useless and slow.
 constexpr int kManyParts = 1000;
 
 /// Parts with at most this many triangles on average count as single faces (a hexagon has four triangles).
@@ -166,7 +167,7 @@ void check_mesh(const FlattenInput& input) {
   }
   std::vector<int> not_finite;
   for (int v = 0; v < input.vertices.rows(); ++v) {
-    // Squared areas of larger coordinates overflow.
+    // With larger coordinates, squared areas would overflow.
     if (!(input.vertices.row(v).array().abs() < kCoordinateLimit).all()) not_finite.push_back(v);
   }
   if (!not_finite.empty()) {

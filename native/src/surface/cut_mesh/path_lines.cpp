@@ -24,7 +24,7 @@ double distance(const FacePoint& a, const FacePoint& b) {
   return std::max(apart.cwiseAbs().maxCoeff(), std::abs(apart.sum()));
 }
 
-/// Returns the position, from 0 to 1, of the point of a segment nearest to another point.
+/// Returns the position on the line through a and b that is nearest to another point: 0 is a, 1 is b.
 double nearest_on(const FacePoint& a, const FacePoint& b, const FacePoint& other) {
   return (other - a).dot(b - a) / (b - a).squaredNorm();
 }
@@ -52,14 +52,13 @@ void PathLines::divide_at(int face, Line line, int site) {
   draw(face, site, line[1]);
 }
 
-/// Returns whether a site divides a line. Accepts only parts that are shorter than the line, so that the division
-/// terminates.
+/// Returns whether a site may divide a line: both parts must be shorter than the line, so that the division terminates.
 bool PathLines::is_between(int face, int site, const Line& line) const {
   const FacePoint a = point(face, line[0]), b = point(face, line[1]), c = point(face, site);
   return std::max((c - a).norm(), (b - c).norm()) < (b - a).norm();
 }
 
-/// Returns a site inside a face or on its border that a line passes; -1 if there is none.
+/// Returns a site inside a face or on its border to which a line passes close by; -1 if there is none.
 int PathLines::site_close_by(int face, const Line& line) const {
   const FacePoint a = point(face, line[0]), b = point(face, line[1]);
   for (const int site : sites_.of_face(face)) {

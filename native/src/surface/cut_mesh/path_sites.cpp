@@ -7,8 +7,8 @@
 namespace wirewarp {
 namespace {
 
-/// A site whose distance is exactly the reach counts as out of reach, even with rounded coordinates, so that snapped
-/// paths do not move again.
+/// Factor on `snap` that gives the reach of a site. A site at a distance of exactly `snap` is out of reach, even with
+/// rounded coordinates, so that snapped paths do not move again.
 constexpr double kRoundedReach = 1 - 1e-9;
 
 }  // namespace
@@ -41,7 +41,8 @@ int PathSites::add(int face, const Shares& shares) {
   return add_on_edge(edge, edges_.vertices(edge)[1] == faces_(face, to) ? share : 1 - share);
 }
 
-/// Returns the site on an edge. share: position along the edge, 0 at its first end.
+/// Returns the site within reach of a point on an edge, or a new site. share: position along the edge, 0 at its first
+/// end.
 int PathSites::add_on_edge(int edge, double share) {
   std::vector<int>& known = on_edge_[edge];
   auto place = known.begin();
@@ -57,7 +58,7 @@ int PathSites::add_on_edge(int edge, double share) {
   return size() - 1;
 }
 
-/// Returns the site within reach of a point; -1 if there is none.
+/// Returns the site in a face that is within reach of a point; -1 if there is none.
 int PathSites::find_inside(int face, const Shares& shares) const {
   for (const int site : in_face_[face]) {
     double apart = 0;

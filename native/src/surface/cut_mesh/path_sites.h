@@ -16,8 +16,8 @@ using Shares = std::array<double, 3>;
 struct Site {
   std::vector<int> vertices;   // one vertex; the ends of an edge, smaller first; or the corners of a face
   std::vector<double> shares;  // weight of each of these vertices
-  int edge = -1;               // the edge of two vertices, otherwise -1
-  int face = -1;               // the face of three vertices, otherwise -1
+  int edge = -1;               // the edge that contains the site between its ends; otherwise -1
+  int face = -1;               // the face that contains the site strictly inside; otherwise -1
 };
 
 class PathSites {
@@ -40,7 +40,7 @@ class PathSites {
   /// Returns the barycentric coordinates of a site inside a face or on its border.
   Shares shares_in(int site, int face) const;
 
-  /// Returns the faces with a site inside or on their border, ascending.
+  /// Returns the faces that contain a site, inside or on their border, ascending.
   std::vector<int> faces_at(int site) const;
 
   /// Returns the edge that contains both sites, possibly as its ends; -1 if there is no such edge.
@@ -49,10 +49,10 @@ class PathSites {
   /// Returns the edges with sites between their ends, ascending.
   std::vector<int> divided_edges() const;
 
-  /// Returns the vertices or sites along an edge, including its ends, from the smaller end.
+  /// Returns the sites along an edge, including its ends, from the end with the smaller index.
   std::vector<int> along(int edge) const;
 
-  /// Returns the vertices or sites along a side of a face, from the corner with the side's number.
+  /// Returns the sites along a side of a face, including its ends, from the corner with the side's number.
   std::vector<int> along_side(int face, int side) const;
 
   double snap() const { return snap_; }
@@ -65,7 +65,7 @@ class PathSites {
   const EdgeTable& edges_;
   const double snap_;
   std::vector<Site> sites_;
-  std::vector<std::vector<int>> on_edge_;  // per edge: the sites between its ends, from the smaller end
+  std::vector<std::vector<int>> on_edge_;  // per edge: the sites between its ends, from the end with the smaller index
   std::vector<std::vector<int>> in_face_;  // per face: the sites strictly inside
   std::vector<std::vector<int>> faces_of_vertex_;
 };

@@ -69,7 +69,7 @@ bool Triangulation::may_join(int a, int b) const {
   });
 }
 
-/// Adds edges that do not cross others, the shortest first.
+/// Adds edges that do not cross other edges, the shortest first.
 void Triangulation::join_the_rest() {
   std::vector<std::tuple<double, int, int>> pairs;
   for (int a = 0; a < count_; ++a) {

@@ -17,9 +17,9 @@ using FacePoint = Eigen::Vector2d;
 /// Returns twice the area of a triangle, positive if it is counter-clockwise.
 inline double doubled_area(const FacePoint& a, const FacePoint& b, const FacePoint& c) { return cross(b - a, c - a); }
 
-/// Three points count as collinear if twice their area is less, where the whole triangle has the value 1. Callers keep
-/// points at least 0.0001 apart. The value of three such points is at least 1e-8, unless they are collinear except for
-/// rounding errors.
+/// Three points count as collinear if their doubled_area() is less than this in magnitude. The doubled area of the
+/// whole face is 1. Callers keep points at least 0.0001 apart. The doubled area of three such points is at least 1e-8,
+/// unless they are collinear except for rounding errors.
 inline constexpr double kInLine = 1e-12;
 
 /// Returns whether two segments cross at an inner point of both. Returns false if an end of one segment is on the line
@@ -28,8 +28,8 @@ bool do_cross(const FacePoint& a, const FacePoint& b, const FacePoint& c, const 
 
 struct FaceToDivide {
   std::vector<FacePoint> points;          // points on the border, counter-clockwise, then points inside
-  Positions3 places;                      // positions in space, to prefer short edges
-  std::vector<std::array<int, 2>> sides;  // per border point: both sides at a corner, elsewhere its side twice
+  Positions3 places;                      // positions of the points in space, to prefer short edges
+  std::vector<std::array<int, 2>> sides;  // per border point: its two sides if it is a corner, otherwise its side twice
   std::set<std::array<int, 2>> lines;     // edges that must exist, the smaller index first; they do not cross
 };
 

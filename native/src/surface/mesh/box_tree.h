@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Finds the planar boxes that meet a given box, with a tree of bounding boxes, which works for any mix of sizes.
+// Finds the planar boxes that meet a given box, by a tree of bounding boxes. It works for any mix of sizes.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -11,7 +11,7 @@ using Box2 = Eigen::AlignedBox2d;
 
 class BoxTree {
  public:
-  /// Items are indices into boxes. The boxes are not stored.
+  /// Items are indices into boxes. Copies the boxes.
   explicit BoxTree(const std::vector<Box2>& boxes);
 
   /// Calls visit(item) for every item whose box meets or touches the query.
@@ -25,7 +25,7 @@ class BoxTree {
 
   void build(const std::vector<Box2>& boxes, int node, int first, int last);
 
-  // A node has the items [first, last); its children, nodes 2n+1 and 2n+2, have one half each.
+  // Node n has the items [first, last). Each of its children, nodes 2n+1 and 2n+2, has half of these items.
   template <typename Visit>
   void descend(int node, int first, int last, const Box2& query, Visit& visit) const {
     const Box2& box = node_boxes_[static_cast<std::size_t>(node)];

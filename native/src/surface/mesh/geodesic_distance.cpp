@@ -12,11 +12,12 @@
 namespace wirewarp {
 namespace {
 
-/// Time of the flow, in squares of the mean edge length. The paper uses 1. With 4, the heat at the far end of a mesh
+/// Time of the flow, in squares of the mean edge length. Crane et al. use 1. With 4, the heat at the far end of a mesh
 /// with a million triangles is still above the smallest double.
 constexpr double kTime = 4;
 
-/// Added to the diagonal of L, over the mean mass, because L is singular. The distances change by less than this share.
+/// The Laplacian L is singular, so this factor times the areas at vertices, over their mean, is added to its diagonal.
+/// The distances change by less than this share.
 constexpr double kShift = 1e-9;
 
 using Point = HalfEdgeMesh::Point;
@@ -77,7 +78,7 @@ Eigen::VectorXd GeodesicDistance::from(VertexHandle source) const {
       gradient += heat(mesh_.to_vertex_handle(sides[(k + 1) % 3]).idx(), 0) * (normal % vectors[k]);
     const double length = gradient.norm();
     if (!(length > 0)) continue;
-    const Point uphill = gradient / -length;  // of the distance
+    const Point uphill = gradient / -length;  // the direction in which the distance increases
     for (int k = 0; k < 3; ++k) {
       const double flow = cotangents_[sides[k].idx()] * (vectors[k] | uphill) / 2;
       distance(mesh_.to_vertex_handle(sides[k]).idx(), 0) += flow;

@@ -25,7 +25,8 @@ class GeodesicDistance {
  private:
   const HalfEdgeMesh& mesh_;
   std::vector<double> cotangents_;  // per half-edge: cotangent of the opposite angle; 0 on a boundary
-  std::unique_ptr<MultifrontalCholesky> heat_, poisson_;  // M + t L, and L with a small multiple of M
+  /// Factors of M + t L, and of L with a small multiple of M. M: areas at vertices, L: Laplacian, t: time of the flow.
+  std::unique_ptr<MultifrontalCholesky> heat_, poisson_;
 };
 
 }  // namespace wirewarp

@@ -35,7 +35,8 @@ Box2 inner_box(const Corners& t, double depth) {
   return Box2(low + inset, high - inset);
 }
 
-/// Returns whether b reaches more than depth behind every edge of a. Both are counter-clockwise.
+/// Returns whether b reaches more than `depth` across every edge of a, toward the inside of a. Both must be
+/// counter-clockwise.
 bool reaches_behind_every_edge(const Corners& a, const Corners& b, double depth) {
   for (std::size_t i = 0; i < 3; ++i) {
     const Eigen::Vector2d edge = a[(i + 1) % 3] - a[i];
@@ -50,10 +51,11 @@ bool penetrate(const Corners& a, const Corners& b, double depth) {
   return reaches_behind_every_edge(a, b, depth) && reaches_behind_every_edge(b, a, depth);
 }
 
-/// Returns whether an edge of the face has no length. Nothing penetrates such a face.
+/// Returns whether an edge of the face has no length. Other faces cannot penetrate such a face.
 bool is_collapsed(const Corners& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
 
-/// Marks the faces of all overlapping pairs (candidate, any face). Candidates are not collapsed.
+/// Returns one flag per face: whether the face is one of two overlapping faces, of which at least one is a candidate.
+/// Candidates must not be collapsed.
 std::vector<bool> overlaps_with(const std::vector<int>& candidates, const Triangles& faces, const Positions2& uv,
                                 double depth, const StopToken& stop) {
   WorkMeter work(stop);

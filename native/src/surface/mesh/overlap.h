@@ -21,8 +21,7 @@ inline constexpr double kRelativeOverlapDepth = 1e-9;
 ///
 /// Two faces overlap if they penetrate each other by more than relative_depth times the diagonal of the piece (plus
 /// rounding of the coordinates). Faces that touch do not overlap, nor do the two sides of a slit or dart that closes
-/// exactly. The time for a crumpled piece grows with the square of the number of faces whose corners differ. Throws
-/// Stopped.
+/// exactly. In the worst case, a crumpled piece, the time grows with the square of the number of faces. Throws Stopped.
 std::vector<int> find_overlapping_faces(const Triangles& faces, const std::vector<bool>& on_boundary,
                                         const Positions2& uv, double relative_depth = kRelativeOverlapDepth,
                                         const StopToken& stop = {});

@@ -19,7 +19,8 @@ struct ShortestPaths {
 /// Restricts the region of the paths. A missing function restricts nothing.
 struct PathRules {
   std::function<bool(HalfedgeHandle)> may_follow;
-  /// The search stops at the nearest vertex for which this returns true. Paths beyond this vertex are incomplete.
+  /// The search stops at the nearest vertex for which this returns true. Vertices that are farther away may have no
+  /// path, or a path that is not the shortest.
   std::function<bool(VertexHandle)> ends_at;
 };
 
@@ -30,7 +31,8 @@ ShortestPaths shortest_paths(const HalfEdgeMesh& mesh, const std::vector<VertexH
 /// Returns the half-edges from a source to a vertex, the last half-edge first.
 std::vector<HalfedgeHandle> path_back(const HalfEdgeMesh& mesh, const ShortestPaths& paths, VertexHandle v);
 
-/// Returns the vertex with the longest path, or the first of several. Vertices without a path do not count.
+/// Returns the vertex with the longest path, or the first of several vertices with equally long paths. Vertices without
+/// a path are ignored.
 VertexHandle farthest_vertex(const ShortestPaths& paths);
 
 std::vector<VertexHandle> boundary_vertices(const HalfEdgeMesh& mesh);

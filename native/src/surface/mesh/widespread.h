@@ -6,8 +6,8 @@
 
 namespace wirewarp {
 
-/// Returns the value below which 99% of the area lies; single slivers do not matter. Both arguments: one entry per
-/// face.
+/// Returns the largest value of a face after the faces with the largest values, up to 1% of the area, were left out.
+/// Therefore, single slivers do not matter. Both arguments: one entry per face.
 double widespread(const std::vector<double>& areas, const Eigen::VectorXd& of_faces);
 
 }  // namespace wirewarp

@@ -16,7 +16,7 @@ struct LineBend {
 
 /// The lines of a network. Two wires that meet end to end are one line, unless more wires meet there.
 struct WireLines {
-  std::vector<LineBend> bends;    // one per inner vertex of a line and side inside the chart
+  std::vector<LineBend> bends;    // one per inner vertex of a line, for each side inside the chart
   std::vector<WireNode> corners;  // the sectors between two lines, which are nodes of the network
 };
 

@@ -21,7 +21,7 @@ struct WireEdge {
   EdgeHandle edge;
   int part = -1;  // index into Chart::wire_parts; -1: boundary of fixed length
   bool is_boundary = false;
-  double length = 0;                                 // 3D length times its eases, scene units
+  double length = 0;                                 // target length at h = ease, scene units
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();  // midpoint on the surface, 3D
 };
 

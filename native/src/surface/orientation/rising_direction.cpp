@@ -17,7 +17,7 @@ Eigen::Vector2d rising_direction(const Chart& chart, const Positions2& uv, const
     return unit_up.dot(Eigen::Vector3d(p[0], p[1], p[2]));
   };
   // The gradient summed over the triangles depends on the outline alone: it is the integral of height times the outward
-  // normal (Gauss).
+  // normal along the outline (Gauss).
   Eigen::Vector2d gradient(0, 0);
   for (const HalfEdgeChain& loop : chart.boundary_loops) {
     for (const HalfedgeHandle h : loop) {

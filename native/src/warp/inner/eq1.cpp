@@ -8,8 +8,9 @@
 namespace wirewarp {
 namespace {
 
-/// Returns the weight of each node. Weight 1/ℓ turns the sum of Eq. (1) into ∫ Δκ² ds, which does not depend on where
-/// the vertices are. The weights are scaled so that a node of mean length has weight 1.
+/// Returns the weight of each node. A weight of 1/ℓ for a node of length ℓ turns the sum of Eq. (1) into ∫ Δκ² ds. This
+/// integral does not depend on the places of the vertices. The weights are scaled so that a node of mean length has
+/// weight 1.
 Eigen::VectorXd node_weights(const WireNetwork& network, NodeWeight node_weight) {
   const auto num_nodes = static_cast<Eigen::Index>(network.nodes.size());
   Eigen::VectorXd weights = Eigen::VectorXd::Ones(num_nodes);
@@ -23,8 +24,8 @@ Eigen::VectorXd node_weights(const WireNetwork& network, NodeWeight node_weight)
   return weights;
 }
 
-/// Returns headings that enclose the given angles. From one edge to the next the heading turns by π − θ; an edge that
-/// is walked backwards has the opposite heading.
+/// Returns headings that enclose the given angles. Between two edges with the angle θ, the heading turns by π − θ. An
+/// edge that is walked backwards has the opposite heading.
 Eigen::VectorXd lay_out_headings(const WireNetwork& network, const Eigen::VectorXd& angles) {
   std::vector<std::vector<int>> nodes_of_edge(network.edges.size());
   for (int i = 0; i < static_cast<int>(network.nodes.size()); ++i) {
@@ -53,10 +54,11 @@ Eigen::VectorXd lay_out_headings(const WireNetwork& network, const Eigen::Vector
   return headings;
 }
 
-/// Returns a vector that depends on the shape of the network, not on its numbering. The first term, l (a - mean a) per
-/// edge with a the mean surface angle at the edge's nodes, is equal on mirror-image edges. The second term breaks the
-/// mirror symmetry: the surface angle α of a node is added on the edge before the node and subtracted on the edge after
-/// the node.
+/// Returns a vector that depends on the shape of the network, not on its numbering. The first term is
+/// l (a - m) / l_max for an edge of length l. Here, l_max is the largest length. The mean surface angle at the edge's
+/// nodes is a, and the mean of a over the length of the network is m. This term is equal on mirror-image edges. The
+/// second term adds the surface angle of each node on the edge before the node, and subtracts it on the edge after the
+/// node. This breaks the mirror symmetry.
 Eigen::VectorXd edges_by_angle(const WireNetwork& network) {
   const auto num_edges = static_cast<Eigen::Index>(network.edges.size());
   Eigen::VectorXd angle = Eigen::VectorXd::Zero(num_edges);

@@ -13,7 +13,7 @@ constexpr double kNearlyClosed = 1e-3;  // largest gap that restore() can close 
 constexpr double kRounding = 2e-15;     // smallest gap that double precision allows
 constexpr double kStationary = 1e-10;   // largest projected gradient at a minimum; gives E six correct digits
 constexpr int kMaxSteps = 100;          // 3 to 16 are usual
-constexpr double kSmallestStep = 1e-6;  // after twenty halvings
+constexpr double kSmallestStep = 1e-6;  // a full step is halved about twenty times at most
 constexpr double kBend = 0.3;  // radians at the edge that turns most; after such a step, the loops can still be closed
 constexpr double kLongestTurn = 2;  // radians between two edges; for larger turns the gap is not linear in the headings
 constexpr double kStalledRatio = 0.4;  // a full step that leaves a larger share of the gap is blocked by symmetry
@@ -48,7 +48,8 @@ void InnerProblem::linearize(const InnerSolution& solution, const Eigen::VectorX
 }
 
 /// A minimum satisfies ∇F + Jᵀλ = 0 and c = 0. The derivative of this minimum with respect to the lengths satisfies K
-/// [dψ; dλ] = -[∂(Jᵀλ)/∂l; ∂c/∂l] dl, where K is the matrix of the optimality system. c is linear in the lengths.
+/// [dψ; dλ] = -[∂(Jᵀλ)/∂l; ∂c/∂l] dl, where K is the matrix of the optimality system. c is linear in the lengths, so
+/// ∂c/∂l dl is c for the lengths dl.
 Eigen::VectorXd InnerProblem::change_of_headings(const InnerSolution& solution,
                                                  const Eigen::VectorXd& change_of_lengths) const {
   const Eigen::VectorXd by_lengths = eq1_.closure_by_headings_and_lengths(solution.psi, solution.multipliers);
@@ -167,12 +168,12 @@ bool InnerProblem::move(const Eigen::VectorXd& lengths, const Eigen::VectorXd& d
 /// Leaves a saddle along a direction of negative curvature, to either side, if the predicted gain is above at_least.
 /// The prediction uses the full curvature of the Lagrangian, even if the factor contains only a share. Near the saddle,
 /// the inverse iteration continues until it finds such a direction, because in a symmetric network the symmetry_breaker
-/// may contain little of it. Without this function and the bend in close_loops(), 2 of 1,000 random networks with a
-/// good shape fail.
+/// may contain little of this direction. Without this function and the bend in close_loops(), 2 of 1,000 random
+/// networks with a good shape fail.
 bool InnerProblem::leave_saddle(const Eigen::VectorXd& lengths, const Eigen::VectorXd& closure_hessian, double at_least,
                                 Eigen::VectorXd& psi, double& value) const {
   constexpr int kMaxSearches = 10;  // each takes a few substitutions
-  constexpr double kClose = 0.01;   // gain of the normal step over the value, near a saddle
+  constexpr double kClose = 0.01;   // near a saddle, at_least is below this share of the value
   const int searches = at_least < kClose * value ? kMaxSearches : 1;
   Eigen::VectorXd turn = eq1_.symmetry_breaker();
   double fall = 0;

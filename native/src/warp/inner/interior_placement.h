@@ -4,8 +4,8 @@
 //
 //   (I - W) u_interior = B u_network    W, B  weights of the neighbors off and on the network
 //
-// The matrix does not depend on the flat shape: it is factored once per chart and used for every flattening.
-// Wire-patches are independent blocks of it.
+// The matrix does not depend on the flat shape: it is factored once per chart and used for every flattening. Each
+// wire-patch is an independent block of the matrix.
 #pragma once
 
 #include <optional>

@@ -30,8 +30,8 @@ bool KktSystem::factor(const Eigen::SparseMatrix<double>& laplacian, const Eigen
   stop_.check();
   const Eigen::VectorXd weight = laplacian.diagonal();
   const double mean_diagonal = weight.mean();
-  // The scale of J W⁻¹ Jᵀ. x and y of a loop have the same scale, because for a slit along an axis, the entries of x or
-  // y are only rounding errors.
+  // The scale of J W⁻¹ Jᵀ, where W is the diagonal of the Laplacian. x and y of a loop have the same scale, because for
+  // a slit along an axis, the entries of x or y are only rounding errors.
   Eigen::VectorXd loop_scale = Eigen::VectorXd::Zero(num_closures_ / 2);
   const Eigen::VectorXi& position = order_.indices();
   std::vector<Eigen::Triplet<double>> entries;

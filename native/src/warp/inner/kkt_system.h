@@ -2,7 +2,7 @@
 // The optimality system of a step of Eq. (1):
 //
 //   [ L + D   Jᵀ ] [ d ]   [ r₁ ]       L  Laplacian of the angles, D diagonal, J closure Jacobian
-//   [ J      −δ  ] [ λ ] = [ r₂ ]       δ  diagonal, 1e-13 of J diag(L)⁻¹ Jᵀ: closures may be linearly dependent
+//   [ J      −δ  ] [ λ ] = [ r₂ ]       δ  diagonal, 1e-13 of J diag(L)⁻¹ Jᵀ, for linearly dependent closures
 //
 // The matrix is factored as LDLᵀ without pivoting, in the order of elimination_order.h. An extra diagonal entry at one
 // edge fixes the rotation of the whole piece.

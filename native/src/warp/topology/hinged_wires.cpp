@@ -36,8 +36,8 @@ std::vector<char> other_wires(const SplitChart& split, VertexHandle tail) {
   }
 }
 
-/// Returns whether a path winds around the surface: whether it is twice as long as the shortest edge path between its
-/// ends.
+/// Returns whether a path winds around the surface: whether it is more than twice as long as the shortest edge path
+/// between its ends.
 bool winds(const HalfEdgeMesh& mesh, const MeshPath& path) {
   constexpr double kTimesLonger = 2;
   const double length = path_length(mesh, path);

@@ -8,7 +8,7 @@
 
 namespace wirewarp {
 
-/// Prepares the wire network of a chart for Eq. (1) (paper III), in which no wire has the same region on both sides,
+/// Prepares the wire network of a chart for Eq. (1) (paper III). Afterwards, no wire has the same region on both sides,
 /// and every region has one loop around it. Returns nullopt if the network already has this form. Otherwise returns a
 /// copy of the chart on the same surface:
 /// - the first vertices and all wires and boundaries are the same as in the chart, with equal handles and positions;

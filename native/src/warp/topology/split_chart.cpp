@@ -53,8 +53,8 @@ VertexHandle split_edge(SplitChart& split, HalfedgeHandle h, double t) {
   const VertexHandle middle = mesh.new_vertex(from + (to - from) * t);
   split.chart.source_vertex.push_back(-1);
 
-  // One half of each triangle remains the old face and the other half is new. These two half-edges are in different
-  // halves.
+  // One half of each triangle remains the old face and the other half is new. The half-edges after and before h in its
+  // triangle are in different halves, so they lead to both halves.
   const std::array<HalfedgeHandle, 2> sides{h, mesh.opposite_halfedge_handle(h)};
   std::array<std::array<HalfedgeHandle, 2>, 2> far_sides;
   std::array<int, 2> sources{};

@@ -128,7 +128,7 @@ class View {
     return crossings;
   }
 
-  /// leaving: a half-edge of the face in view that leaves the vertex; toward: its end.
+  /// leaving: a half-edge of the face in view that leaves the vertex; place, toward: start and end of this half-edge.
   void see_vertex(HalfedgeHandle leaving, Planar place, Planar toward) {
     const VertexHandle vertex = mesh_.from_vertex_handle(leaving);
     if (end_ == nullptr) {
@@ -138,7 +138,7 @@ class View {
     if (end_->vertex != vertex || std::abs(place) >= longest_) return;
     const double scale = mesh_.is_boundary(vertex) ? 1 : 2 * kPi / total_angle(mesh_, vertex);
     const double angle = std::max(std::arg(-place / (toward - place)), 0.0) * scale;
-    const double before = mesh_.is_boundary(vertex) ? 0 : angle_of(mesh_, leaving);  // no plane on the outline
+    const double before = mesh_.is_boundary(vertex) ? 0 : angle_of(mesh_, leaving);  // outline vertices have no plane
     found_ = StraightLine{place, std::polar(std::abs(place), before + angle), crossings_to(place)};
     longest_ = std::abs(place);
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The straightest geodesic from a vertex (paper III-A, references [41] and [42] there): straight across edges, and with
-// equal surface angles on its left and right at vertices.
+// The straightest geodesic from a vertex (paper III-A and references [41] and [42] of the paper). It is straight across
+// edges, and has equal surface angles on its left and right at vertices.
 #pragma once
 
 #include <optional>

@@ -80,7 +80,7 @@ Strip strip_beside(const HalfEdgeMesh& mesh, const std::vector<VertexHandle>& ed
     Fan left = fan_between(mesh, ahead, back);
     const Fan right = fan_between(mesh, back, ahead);
     const bool is_left = left.angle <= right.angle;
-    if (i > 1 && is_left != was_left) {  // crosses an edge of the path
+    if (i > 1 && is_left != was_left) {  // the strip changes sides, so it crosses an edge of the path
       strip.crossings.push_back(was_left ? mesh.opposite_halfedge_handle(back) : back);
     }
     was_left = is_left;
