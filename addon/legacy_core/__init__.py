@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The core library in the legacy add-on, as _core, with the packages that it needs in libraries/.
+"""Imports the packages in libraries/, which the core library needs.
 
-Extensions do not need this, because Blender installs wheels for them.
+In the legacy add-on, this file is _core/__init__.py, and the core library is in _core/wirewarp. Extensions do not need
+this file, because Blender installs wheels for them.
 """
 
 import sys
@@ -9,7 +10,7 @@ from importlib import import_module
 from pathlib import Path
 
 _LIBRARIES = Path(__file__).parent / "libraries"
-sys.path.append(str(_LIBRARIES))  # at the end, so that other installed copies take precedence
+sys.path.append(str(_LIBRARIES))  # at the end, because other installed copies take precedence
 try:
     for _package in sorted(_LIBRARIES.glob("*/__init__.py")):
         import_module(_package.parent.name)

@@ -16,7 +16,7 @@ bl_info = {
     "location": "3D Viewport > Sidebar > WireWarp",
     "category": "Mesh",
 }
-# Blender deletes bl_info from extensions once they are imported.
+# read now, because Blender deletes bl_info from an extension once it is imported
 VERSION = ".".join(map(str, bl_info["version"]))
 
 
@@ -33,7 +33,7 @@ def register() -> None:
     except core.LibraryError as error:
         _unregister = without_library.register(str(error))
         return
-    from . import registration  # imported only now, because it needs numpy, as the library does
+    from . import registration  # imported only now: it needs numpy, and load() reports a missing numpy
 
     _unregister = registration.register()
 

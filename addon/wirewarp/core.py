@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Imports the core library, the package wirewarp; no other module does.
+"""Imports the core library, the package wirewarp. No other module imports the library itself.
 
 The legacy add-on contains the library and its requirements (_core/wirewarp). For the extension, Blender installs both
 from wheels.
@@ -72,7 +72,7 @@ else:
 
     def __getattr__(name: str) -> object:
         """Return a name of the library or of its package report, so that `from ..core import Piece, Report` works."""
-        if name.startswith("_"):  # Python looks these up in every module
+        if name.startswith("_"):  # Python looks up such names even before load()
             raise AttributeError(name)
         package = library()
         return getattr(package if hasattr(package, name) else package.report, name)

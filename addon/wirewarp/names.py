@@ -20,11 +20,11 @@ class Attribute:
 class Mark(Attribute):
     """An attribute of the model's mesh that stores the user's marks of edges, or of one side of an edge."""
 
-    is_length: bool = False  # in Blender units; Set Unit scales it so that its actual length does not change
-    is_drawn: bool = False  # the overlay draws it on the model
+    is_length: bool = False  # whether the values are lengths in Blender units, which Set Unit scales
+    is_drawn: bool = False  # whether the overlay draws the mark on the model
 
 
-# Marks on the model's mesh, which determine everything else.
+# Marks on the model's mesh. Users and scripts write these, and runs only read them.
 WIRE = Mark("wirewarp_wire", "INT", "EDGE", is_drawn=True)  # random 31-bit id of the wire, 0 none
 TOLERANCE = Mark("wirewarp_tolerance", "FLOAT", "EDGE")  # 0 rigid, finite elastic, inf super-elastic
 EASE = Mark("wirewarp_ease", "FLOAT", "EDGE")  # relative change of the wire's length: 0.05 is 5%

@@ -59,7 +59,7 @@ class EaseAmount:
     )
 
 
-OTHER_ROLL = 8  # number stored in files; smaller numbers are reserved for new rolls of the library
+OTHER_ROLL = 8  # number in files for a roll of another width; new papers of the library get the numbers around it
 
 
 class PatternSettings:
@@ -89,8 +89,8 @@ class PatternSettings:
             (
                 "CLOSE",
                 "Closed",
-                "Cut straight across the open end, so that the dart can be folded, with notches at its legs and a "
-                "drill hole before its tip. Darts wider than 50 mm are cut out",
+                "Keep the fabric of the dart, and shape its open end so that the folded dart continues the outline. "
+                "Notches mark its legs, and a drill hole is before its tip. Darts wider than 50 mm are cut out",
             ),
             ("CUT", "Cut Out", "Cut the dart out, with seam allowance on its legs"),
             ("SLIT", "Slit", "Cut along the legs"),
@@ -102,7 +102,11 @@ class PatternSettings:
         description="How the pieces are arranged on paper or fabric",
         items=[
             ("IN_ROWS", "In Rows", "Side by side to save paper, without rotation"),
-            ("MARKER", "Marker", "Nested as closely as possible on fabric of one width. Each piece is cut once"),
+            (
+                "MARKER",
+                "Marker",
+                "One copy of the pattern, nested as closely as possible on fabric of the width under Fabric Width",
+            ),
             ("AS_LAID_OUT", "As Laid Out", "In their places and directions in the flat object"),
         ],
         update=_redraw,

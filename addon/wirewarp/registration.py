@@ -25,7 +25,7 @@ SIDEBAR = (  # Blender shows panels in the order in which they are registered
 )
 OTHERS = tuple(module for room in ROOMS for module in room.MODULES if module not in SIDEBAR)
 CLASSES = (*properties.CLASSES, *(cls for module in OTHERS + SIDEBAR for cls in module.CLASSES))
-# each has attach(), which returns the function that detaches it
+# each part has attach(), which returns the function that detaches the part
 PARTS = (properties, overlay, ui.layout, ui.menus, auto_update)
 HANDLERS: dict[str, tuple[Callable, ...]] = {  # keys: names of Blender's lists of handlers
     "depsgraph_update_post": (memory.note_updates, auto_update.note_update),
@@ -54,7 +54,7 @@ def register() -> Callable[[], None]:
                 getattr(bpy.app.handlers, name).append(bpy.app.handlers.persistent(function))
                 undo.callback(_remove_handler, name, function)
         undo.callback(auto_update.forget_joining)
-        for forget in reversed(FORGET):  # `undo` calls them in reverse order
+        for forget in reversed(FORGET):  # reversed, because `undo` calls the last function first
             undo.callback(forget)
         return undo.pop_all().close
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Reads and writes the add-on's mesh attributes, checks that their names are free, and seals data as text.
 
-Attributes, UV maps, color attributes and vertex groups share their names. If a name is taken, Blender renames the new
-item or does not create it.
+No two attributes, UV maps, color attributes or vertex groups of an object can have the same name. If a name is taken,
+Blender renames the new item or does not create it.
 """
 
 import hashlib
@@ -48,8 +48,8 @@ _PLURALS = {"POINT": "vertices", "EDGE": "edges", "FACE": "faces", "CORNER": "fa
 
 
 def find_values(mesh: bpy.types.Mesh, attribute: Attribute) -> np.ndarray | None:
-    """Returns the values (k,), int32 or float32; None if no attribute has this name, type and domain. The mesh is not
-    in Edit Mode."""
+    """Returns the values (k,), int32 or float32; None if no attribute has this name, type and domain. The mesh must
+    not be in Edit Mode."""
     return read_attribute(mesh, attribute.name, attribute.data_type, attribute.domain)
 
 
@@ -71,7 +71,7 @@ def has_attributes(mesh: bpy.types.Mesh, *attributes: Attribute) -> bool:
 
 
 def write_values(mesh: bpy.types.Mesh, attribute: Attribute, values: np.ndarray) -> None:
-    """Writes (k,) values in either mode, and creates the attribute if it is missing."""
+    """Writes (k,) values in Object Mode or Edit Mode, and creates the attribute if it is missing."""
     if mesh.is_editmode:
         _write_edited(mesh, attribute, values)
         return
@@ -117,7 +117,7 @@ def check_room(target: bpy.types.Object, attribute: Attribute, what: str) -> Non
 
 
 def check_free(target: bpy.types.Object, name: str, what: str) -> None:
-    """Raises ObjectError if another item has the name of a missing attribute. what: the feature that needs it."""
+    """Raises ObjectError if an attribute, UV map or vertex group has this name. what: the feature that needs it."""
     holders = {
         "Vertex Groups": target.vertex_groups,
         "Attributes": target.data.attributes,

@@ -15,9 +15,12 @@ from mathutils.bvhtree import BVHTree
 from ..core import Elements, counted
 from .mesh import as_bmesh
 
-# distance of elements that count as one, as a share of the model's size; files store coordinates with 5 or 6 digits
+# largest distance of elements that count as one, as a share of the model's size: files round coordinates to 5 or 6
+# digits
 CLOSE = 1e-5
-ROUNDED = 5e-7  # share of the largest coordinate: two rounding errors of single precision for each of two vertices
+# least distance of this kind, as a share of the largest coordinate: two rounding errors of single precision (1.2e-7)
+# for each of two vertices
+ROUNDED = 5e-7
 Found = list[Any]  # vertices, edges and faces of the bmesh
 
 
@@ -65,7 +68,7 @@ def repair_faults(mesh: bpy.types.Mesh, kinds: Sequence[str]) -> dict[str, int]:
 
 
 def _found(fault: Fault, edit: bmesh.types.BMesh, close: float) -> Found:
-    """Return the elements with their current indices, because earlier repairs may have changed these."""
+    """Return the elements with this fault. First update indices and normals, which earlier repairs may have changed."""
     for elements in (edit.verts, edit.edges, edit.faces):
         elements.index_update()
         elements.ensure_lookup_table()
@@ -116,10 +119,10 @@ def _duplicate_faces(edit: bmesh.types.BMesh, _close: float) -> Found:
 
 
 def _interior_faces(edit: bmesh.types.BMesh, _close: float) -> Found:
-    """Return the faces of Select > Select All by Trait > Interior Faces, except those visible from outside.
+    """Return the faces that Select > Select All by Trait > Interior Faces selects, except faces visible from outside.
 
-    The faces divide space into rooms. A room is open if a straight line leads out of it. The notch in a block, for
-    example, is open. A face is interior if neither of its sides belongs to an open room.
+    The faces divide space into rooms. A room is open if a ray from one of its faces, along the normal, meets no other
+    face. For example, the notch in a block is open. A face is interior if neither of its sides belongs to an open room.
     """
     walled = [face for face in edit.faces if all(len(edge.link_faces) > 2 for edge in face.edges)]
     if not walled:
@@ -131,7 +134,10 @@ def _interior_faces(edit: bmesh.types.BMesh, _close: float) -> Found:
 
 
 def _rooms(edit: bmesh.types.BMesh) -> dict[tuple[int, int], tuple[int, int]]:
-    """Return for each side (face, 1 or -1) the side that represents its room. Sides that meet at an edge share it."""
+    """Return, for each side of a face, the side that represents its room. Sides that meet at an edge are in one room.
+
+    A side is a pair (face, 1 or -1), with 1 for the side of the normal.
+    """
     parent = {(face.index, side): (face.index, side) for face in edit.faces for side in (1, -1)}
 
     def root(side: tuple[int, int]) -> tuple[int, int]:
@@ -163,7 +169,7 @@ def _around(edge: bmesh.types.BMEdge) -> list[tuple[int, int, int]]:
 def _leads_out(surface: BVHTree, face: bmesh.types.BMFace, side: int) -> bool:
     """Return whether a ray from the middle of the face on this side meets no face."""
     toward = side * face.normal
-    above = toward * 1e-4 * face.calc_perimeter()  # so that the ray does not hit its own face
+    above = toward * 1e-4 * face.calc_perimeter()  # so that the ray does not hit the face itself
     return surface.ray_cast(face.calc_center_median() + above, toward)[0] is None
 
 
@@ -194,7 +200,7 @@ def _mark_seams(_edit: bmesh.types.BMesh, _close: float, found: Found) -> None:
 
 
 def _opposed_faces(edit: bmesh.types.BMesh, _close: float) -> Found:
-    """Return the faces that Recalculate Normals would flip, if any neighbors have opposite normals."""
+    """Return the faces that Recalculate Normals would flip; empty if all neighbors have matching normals."""
     if all(edge.is_contiguous for edge in edit.edges if len(edge.link_faces) == 2 and not edge.seam):
         return []
     turned = edit.copy()

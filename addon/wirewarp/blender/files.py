@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Checks paths that users and scripts enter, and makes file names and error sentences for them."""
+"""Checks paths that users and scripts enter, and makes file names and the sentences of file errors."""
 
 import os
 import re
@@ -12,19 +12,19 @@ OPTIONS = {"SKIP_SAVE", "PATH_SUPPORTS_BLEND_RELATIVE"} if bpy.app.version >= (4
 LONGEST_NAME = 200  # bytes; most systems allow 255
 # names reserved on Windows, with or without a suffix
 DEVICE = re.compile(r"(con|prn|aux|nul|com\d|lpt\d)(\.|$)", re.IGNORECASE)
-NOT_IN_NAMES = re.compile(r'[/\\:*?"<>|\x00-\x1f]')  # characters that a system forbids
+NOT_IN_NAMES = re.compile(r'[/\\:*?"<>|\x00-\x1f]')  # characters that some operating systems forbid
 
 
 def given_file(path: str) -> Path:
-    """Return the path, with "//" replaced by the folder of the Blender file. Raise OSError if the folder does not
-    exist."""
+    """Return the path, with "//" replaced by the folder of the Blender file. Raise OSError if this file was never
+    saved."""
     if path.startswith("//") and not bpy.data.filepath:
         raise OSError('"//" is the folder of the Blender file, so save the file first')
     return Path(bpy.path.abspath(path))
 
 
 def file_name(name: str, ending: str) -> str:
-    """Return the name of the file for the object of this name, without a folder."""
+    """Return a file name for an object's name, without a folder. Replace forbidden characters, and cut long names."""
     plain = NOT_IN_NAMES.sub("_", f"_{name}" if DEVICE.match(name) else name).encode(errors="replace")
     return plain[: LONGEST_NAME - len(ending)].decode(errors="ignore") + ending
 
@@ -46,7 +46,7 @@ def check_file(path: Path) -> None:
 
 
 def check_ending(path: Path, ending: str) -> None:
-    """Raises OSError if the ending belongs to another kind of file."""
+    """Raises OSError if the path does not have this ending."""
     if path.suffix.lower() != ending:
         raise OSError(f"its name must end in {ending}")
 

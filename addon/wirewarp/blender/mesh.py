@@ -35,7 +35,7 @@ _VALUES = {
 
 def read_attribute(mesh: bpy.types.Mesh, name: str, data_type: str, domain: str) -> np.ndarray | None:
     """Return the values (k,), (k,3) or (k,4) of an attribute; None if no attribute has this name, type and domain. The
-    mesh is not in Edit Mode."""
+    mesh must not be in Edit Mode."""
     attribute = mesh.attributes.get(name)
     if attribute is None or (attribute.data_type, attribute.domain) != (data_type, domain):
         return None
@@ -77,7 +77,7 @@ def face_sizes(mesh: bpy.types.Mesh) -> np.ndarray:
 
 
 def triangle_corners(mesh: bpy.types.Mesh) -> np.ndarray:
-    """Return the corners of each triangle, (m,3) int32. All functions for triangles need mesh.calc_loop_triangles()."""
+    """Return the corners of each triangle, (m,3) int32. Call mesh.calc_loop_triangles() before triangle functions."""
     return _indices(mesh.loop_triangles, "loops", 3)
 
 
@@ -227,10 +227,10 @@ _copies: dict[int, bpy.types.Mesh] = {}  # copies in use, by the memory addresse
 
 @contextmanager
 def current_mesh(target: bpy.types.Object) -> Iterator[bpy.types.Mesh]:
-    """Yield the object's own mesh for reading. In Edit Mode it is a copy, because attributes cannot be read there.
+    """Yield the object's mesh for reading; in Edit Mode a copy, because attributes cannot be read in Edit Mode.
 
     Nested calls for one object share the copy of the outermost call, so that several readers cost one copy. Making the
-    copy updates shape keys, as Blender does before each undo step.
+    copy updates shape keys, which is harmless, because Blender also updates them before each undo step.
     """
     mesh, address = target.data, target.as_pointer()
     if not mesh.is_editmode:

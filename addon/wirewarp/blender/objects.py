@@ -29,11 +29,12 @@ def name_with(name: str, ending: str) -> str:
 
 
 def show_where_shown(source: bpy.types.Object, target: bpy.types.Object) -> None:
-    """Add the target to every local view that shows the source, because Blender adds only new objects."""
+    """Add the target to every local view that shows the source, because Blender adds only new objects to
+    local views."""
     for window in bpy.context.window_manager.windows:
         present = window.view_layer.objects.values()
         for view in _local_views(window) if source in present and target in present else ():
-            # local_view_get is always False in Blender 3.4.
+            # not local_view_get, which is always False in Blender 3.4
             if source.visible_get(view_layer=window.view_layer, viewport=view):
                 target.local_view_set(view, True)
 
@@ -60,7 +61,7 @@ def check_local(target: bpy.types.Object, written: bpy.types.Object | bpy.types.
 
 
 def linear_part(source: bpy.types.Object) -> np.ndarray:
-    """Return rotation, scale and shear of the object, (3,3). Raises ObjectError if it flattens the mesh."""
+    """Return rotation, scale and shear of the object, (3,3). Raises ObjectError if the scale along an axis is zero."""
     linear = np.array(source.matrix_world, dtype=np.float64)[:3, :3]
     lengths = np.linalg.norm(linear, axis=0)
     if not np.isfinite(linear).all() or lengths.min() == 0 or abs(np.linalg.det(linear / lengths)) < 1e-6:
@@ -80,7 +81,7 @@ def world_box(target: bpy.types.Object) -> np.ndarray:
 
 def metric(source: bpy.types.Object) -> np.ndarray:
     """Return ten numbers (10,) about how the object's matrix scales, shears and mirrors. Rotations do not change
-    them."""
+    these numbers."""
     linear = np.array(source.matrix_world, dtype=np.float64)[:3, :3]
     return np.append((linear.T @ linear).ravel(), np.linalg.det(linear))
 
@@ -94,12 +95,12 @@ _UNITS = {
     "INCHES": "in",
     "THOU": "thou",
 }
-# Cutters work in millimeters and inches, although Blender shows meters or feet in a new file.
+# New files use meters or feet. Lengths are shown in these units instead, because fabric is cut in mm or inches.
 _CUTTERS = {"METRIC": "mm", "IMPERIAL": "in"}
 
 
 def length_text(scene: bpy.types.Scene) -> LengthText:
-    """Return the format of lengths: in the scene's unit, but for meters, feet and adaptive units in mm or inches."""
+    """Return the format of lengths in the scene's unit. mm or inches replace meters, feet and adaptive units."""
     settings = scene.unit_settings
     if settings.system == "NONE":
         return LengthText("", 1.0)
@@ -114,8 +115,8 @@ def meters_per_blender_unit(scene: bpy.types.Scene) -> float:
 
 
 SMALLEST, LARGEST = 0.02, 5.0  # sizes that can be sewn, in meters: from a doll's glove to the cover of a sofa
-# Possible lengths of one Blender unit, in meters: the usual units of files (MakeHuman uses decimeters), and factors for
-# models that were scaled down by 10, 100 or 1000 when they were imported.
+# Possible lengths of one Blender unit, in meters. The first are the usual units of files (MakeHuman uses decimeters).
+# The others are for models that were scaled down by 10, 100 or 1000 when they were imported.
 UNITS = {1.0: "Meters", 0.1: "Decimeters", 0.01: "Centimeters", 0.001: "Millimeters", 0.0254: "Inches"}
 UNITS |= {10.0: "10 m", 100.0: "100 m", 1000.0: "1000 m"}
 SHOWN = 3  # number of possible units shown

@@ -16,13 +16,14 @@ from .mesh import corner_edges, current_mesh, edge_vertices, faces_of_corners, r
 from .objects import check_local
 from .views import show_place, work_area
 
-# Modes in which the operators work; in_object_mode switches to Object Mode.
+# Modes in which the operators may start. Operators that need Object Mode use in_object_mode.
 WORKING_MODES = frozenset({"OBJECT", "EDIT_MESH"})
 
 
 def edited_meshes(context: bpy.types.Context) -> set[bpy.types.Mesh]:
-    """Return the meshes in Edit Mode in this view layer. context.objects_in_mode may list meshes of the window instead.
-    The set is empty unless the active object is in Edit Mode, because only then can in_object_mode leave Edit Mode."""
+    """Return the meshes in Edit Mode in this view layer. context.objects_in_mode is not used, because it may list
+    objects of the window instead. The set is empty unless the active object is in Edit Mode, because only then can
+    in_object_mode leave Edit Mode."""
     if context.mode != "EDIT_MESH":
         return set()
     return {each.data for each in context.view_layer.objects if each.type == "MESH" and each.mode == "EDIT"}
@@ -62,8 +63,8 @@ def hold_whole_file() -> None:
     """Makes the operator's undo step contain the whole file. Call it while the operator writes.
 
     In Edit Mode, Blender's undo steps contain only the edited meshes, and undo would leave the flat pieces behind. But
-    if a data-block was added or removed since the last full step, Blender stores a hidden full step with the next one,
-    and undo restores both. This function therefore adds a data-block and removes it.
+    if a data-block was added or removed since the last full step, Blender stores a hidden full step with the next
+    undo step, and undo restores both steps. This function therefore adds a data-block and removes it.
     """
     bpy.data.meshes.remove(bpy.data.meshes.new("WireWarp"))
 
@@ -135,7 +136,8 @@ def _frame(context: bpy.types.Context, target: bpy.types.Object, vertex_mask: np
 
 
 def _show(context: bpy.types.Context, target: bpy.types.Object) -> None:
-    """Make the object visible, because only visible objects can be active and edited. Raises ObjectError."""
+    """Make the object visible, because only visible objects can be active and edited. Raises ObjectError if it
+    stays hidden."""
     if target not in context.view_layer.objects.values():
         raise object_error(
             "not_in_view_layer",
@@ -168,10 +170,10 @@ def _mask(target: bpy.types.Object, elements: bpy.types.bpy_prop_collection, ind
 
 
 def deselect_all(mesh: bpy.types.Mesh) -> None:
-    """Deselect all elements of a mesh in Object Mode, because new elements are selected.
+    """Deselect all elements of a mesh in Object Mode, because Blender selects new elements.
 
-    The selection attributes are removed. On the edges of new meshes, this attribute has a wrong type in Blender 5.0,
-    which crashes when the attribute is written or when Edit Mode begins.
+    The selection attributes are removed instead of written. On new meshes, Blender 5.0 gives the attribute of edges a
+    wrong type, and crashes when this attribute is written or when Edit Mode begins.
     """
     for name in (".select_vert", ".select_edge", ".select_poly"):
         if attribute := mesh.attributes.get(name):

@@ -15,8 +15,9 @@ TEXTS_HEIGHT = 50  # height of the names of view and object with their margin, i
 MOST_COVERED = 0.8
 MARGIN = 1.15  # size of the visible area, as a multiple of the extent of the points
 ONE_SIDE = 0.3  # shortest mean normal of a surface with a front; a ring around a body has a mean normal near zero
-SEEN = 0.3  # smallest cosine between the mean normal and the direction to the eye if the surface counts as visible
-LEAST_ELEVATION, ELEVATION = math.radians(15), math.radians(40)  # elevation of the eye above flat pieces
+SEEN = 0.3  # smallest cosine between mean normal and direction to the eye at which the surface counts as visible
+# elevation of the eye above flat pieces: the smallest allowed elevation, and the elevation that replaces smaller ones
+LEAST_ELEVATION, ELEVATION = math.radians(15), math.radians(40)
 _legend_width = 0.0  # width of the legend as last drawn, with its margin, in pixels of the screen
 
 
@@ -62,7 +63,7 @@ class Projection:
     across: float  # cotangent of half the angle of view from left to right; orthographic: one over half the width
     upward: float  # like across, but from bottom to top
     is_perspective: bool
-    covered: float = 0.0  # share of the width that a sidebar covers on the right
+    covered: float = 0.0  # share of the width that sidebar and legend cover on the right
     covered_above: float = 0.0  # share of the height that headers and Blender's texts cover at the top
 
 

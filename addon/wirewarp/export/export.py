@@ -17,7 +17,7 @@ Stages = Generator[tuple[str, float], None, T]  # each step yields the name of t
 
 
 Grain = Literal["one way", "both ways", "free"]
-GRAINS: dict[str, Grain] = {"ONE_WAY": "one way", "BOTH_WAYS": "both ways", "FREE": "free"}  # keys: settings
+GRAINS: dict[str, Grain] = {"ONE_WAY": "one way", "BOTH_WAYS": "both ways", "FREE": "free"}  # by setting
 
 
 @dataclass(frozen=True)
@@ -30,7 +30,8 @@ class Cloth:
 
 
 def library_paper(paper: str, roll_width: float) -> str | float:
-    """Return a paper of the settings in the form of the library. roll_width: width of "ROLL", in millimeters."""
+    """Return a paper of the settings as the library needs it: its name, or the width of the roll. roll_width: width of
+    "ROLL", in millimeters."""
     return roll_width if paper == "ROLL" else paper.lower().replace("_", "-")
 
 
@@ -41,7 +42,7 @@ class KeptMarker:
 
 
 class Allowances(NamedTuple):
-    """Marked allowances, in the form of Pattern.from_pieces."""
+    """Marked allowances, in the form that Pattern.from_pieces needs: pairs of vertices, with widths in millimeters."""
 
     both: list[tuple[int, int, float]]
     sides: list[tuple[int, int, float]]
@@ -79,7 +80,7 @@ class PatternParts:
         widths = {ends: width for a, b, width in both for ends in ((a, b), (b, a))}
         widths |= {(a, b): width for a, b, width in own} | {ends: 0.0 for a, b in folds for ends in ((a, b), (b, a))}
         sides, marked = list(widths), list(widths.values())
-        # pieces without a flat shape have no width
+        # without pieces that have no flat shape, and therefore no width
         flat = [piece for piece in self.pieces if np.isfinite(piece.vertices[piece.outline]).all()]
         return [piece.name for piece in flat if not piece.has_room(allowance, sides, marked)]
 
@@ -120,7 +121,7 @@ def laid_on_kept(made: pattern.Pattern, kept: KeptMarker | None, cloth: Cloth) -
         return None
 
 
-SEARCH = 0.9  # share of the progress bar for the search for a marker, because the search takes seconds
+SEARCH = 0.9  # share of the progress bar for the search for a marker, which takes most of the time
 
 
 @dataclass(frozen=True)

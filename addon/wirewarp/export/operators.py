@@ -73,7 +73,7 @@ class OBJECT_OT_wirewarp_export(PatternExport, PatternSettings, bpy.types.Operat
         return super().invoke(context, event)
 
     def execute(self, context: bpy.types.Context) -> set[str]:
-        # on Windows, a path that begins with // names a server
+        # abspath comes first, because on Windows, Path reads a path that begins with // as the name of a server
         ending = Path(bpy.path.abspath(self.filepath)).suffix[1:].upper()
         if not self.properties.is_property_set("format") and ending in FORMATS:
             self.format = ending

@@ -105,7 +105,7 @@ def _pieces(
         closed = _closed_slits(chains, edges)
         chains = [chain for chain in chains if tuple(chain.sources.tolist()) not in closed]
         steps = [step for chain in chains for step in zip(chain.sources[:-1], chain.sources[1:], strict=True)]
-        if not edges.issuperset(steps):  # faces of a mirrored object have the opposite order
+        if not edges.issuperset(steps):  # faces of a mirrored object have their corners in the opposite order
             own = own[:, ::-1]
             if not edges.issuperset(step[::-1] for step in steps):
                 raise object_error("edited_pieces", EDITED)
@@ -115,8 +115,8 @@ def _pieces(
 
 
 def _closed_slits(chains: Sequence[pattern.Chain], outline: set[tuple[int, int]]) -> set[tuple[int, ...]]:
-    """Return both sides of each seam that is a single edge inside a piece. Such a seam splits no vertex, so it opens
-    nothing."""
+    """Return both sides of each seam that is a single edge inside a piece. Such a seam splits no vertex, so the
+    piece is not open there."""
     single = {tuple(chain.sources.tolist()) for chain in chains if len(chain.sources) == 2}
     return {side for side in single if side[::-1] in single and not {side, side[::-1]} & outline}
 
@@ -140,7 +140,7 @@ def _inner_wires(
 def _allowances(
     source: bpy.types.Object, report: ObjectReport, millimeters: float, depsgraph: bpy.types.Depsgraph
 ) -> Allowances:
-    """Return the allowances marked on the flattened mesh. Marks on edges inside pieces have no effect."""
+    """Return the allowances marked on the mesh that was flattened. Marks on edges inside pieces have no effect."""
     flattened = evaluated_mesh(source, depsgraph) if report.with_modifiers else current_mesh(source)
     with flattened as mesh:
         marked = read_allowances(mesh)

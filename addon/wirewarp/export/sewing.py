@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Copies the flat pieces for cloth simulation, with sewing edges along seams and with a flat and a worn shape key."""
+"""Copies the flat pieces for cloth simulation, with sewing edges along seams and with shape keys for the flat form
+and for the form on the model.
+"""
 
 from collections.abc import Iterable, Iterator
 
@@ -22,8 +24,8 @@ OURS = (*MARKS, *OF_ELEMENTS, SEAM, FLAT_LENGTH)
 
 
 def add_sewing_object(source: bpy.types.Object) -> bpy.types.Object:
-    """Add an object for sewing simulations at the place of the flat pieces, in Object Mode. Raises ObjectError like
-    current_pieces."""
+    """Add an object for sewing simulations at the place of the flat pieces, in Object Mode. Raises ObjectError if
+    the pieces are missing or outdated."""
     report, flat = current_pieces(source)
     pieces = read_flat_pieces(flat.data)
     is_flat = [piece.has_layout for piece in report.pieces]  # pieces without a flat shape are not sewn

@@ -3,9 +3,10 @@
 
 A handler only notes that something changed. The next mouse movement starts the operator wm.wirewarp_watch through the
 keymap, unless a running tool (moving vertices, a knife) consumes the event. A timer cannot replace this event: timers
-also run during such a tool, when leaving Edit Mode crashes Blender, and before 4.2 Python cannot detect the tool. The
-operator runs the update with an undo step. The update ends on such a mouse movement, too. Nobody has to move the mouse:
-while an update is due, a timer in state.memory makes Blender send a mouse movement to the current position.
+also run during such a tool. Leaving Edit Mode would then crash Blender, and before version 4.2, Python cannot detect
+the tool. The operator runs the update with an undo step. The update also ends with a mouse movement that no tool
+consumes. Nobody has to move the mouse: while an update is due, a timer in state.memory makes Blender send a mouse
+movement to the current position.
 """
 
 from collections.abc import Callable
@@ -112,7 +113,7 @@ def note_undo(*_: object) -> None:
 
 def attach() -> Callable[[], None]:
     keyconfig = bpy.context.window_manager.keyconfigs.addon
-    if not keyconfig:  # in background
+    if not keyconfig:  # Blender runs in the background
         return lambda: None
     keymap = keyconfig.keymaps.new(name="Window")
     item = keymap.keymap_items.new(WATCH, "MOUSEMOVE", "ANY", any=True)
@@ -122,7 +123,7 @@ def attach() -> Callable[[], None]:
 
 LABEL = "Update Flat Pieces"
 JOINING = "OBJECT_OT_wirewarp_update_{}"  # names of the numbered operators of updating_in
-MOST = 32  # number of such operators; an update after a further kind of operator gets its own undo step
+MOST = 32  # largest number of these operators; an update that needs one more gets its own undo step
 
 
 class UpdateSteps(FlattenSteps):

@@ -83,13 +83,13 @@ def _pairs(places: np.ndarray) -> np.ndarray:
 
 
 def write_flat_maps(mesh: bpy.types.Mesh, flat: FlatMesh, arrays: MeshArrays) -> None:
-    """Write UV maps on a flat mesh that has none: the source's own maps, which show a print, and a map of the
-    pieces."""
+    """Write UV maps on a flat mesh that has none: the source's own maps, for textures such as printed fabric,
+    and a map of the pieces."""
     for name, places in list(arrays.uv_maps.items())[: MAX_UV_LAYERS - 1]:
         _write_new(mesh, name, _pairs(places)[flat.source_corner])
     places, _ = _in_unit_square(flat.vertices)
     _write_new(mesh, UV_LAYER, _pairs(places)[flat.loop_vertices])
-    mesh.uv_layers.active = mesh.uv_layers[0]  # the source's own maps come first
+    mesh.uv_layers.active = mesh.uv_layers[0]  # a map of the source, if there is one
 
 
 def _write_new(mesh: bpy.types.Mesh, name: str, pairs: np.ndarray) -> None:
@@ -176,7 +176,7 @@ def _write_mesh(
     target.shape_key_clear()
     target.vertex_groups.clear()
     _write_faces(mesh, flat)
-    deselect_all(mesh)  # so that L in Edit Mode selects one piece only
+    deselect_all(mesh)  # so that L (Select Linked) in Edit Mode selects one piece only
     _write_attributes(mesh, flat)
     write_record(mesh, record)
     write_maps(mesh, flat)

@@ -35,7 +35,7 @@ class Model:
 
     name: str  # Object.name_full, which includes the name of its library
     facts: Facts
-    state: dict | None  # see model_state; None if it could not be read
+    state: dict | None  # see state.changes.model_state; None if it could not be read
     notes: list[Note]
     arrays: MeshArrays | None = None
     known: KnownPieces | None = None
@@ -63,9 +63,9 @@ def solve_models(
     models: list[Model], choices: FlattenChoices, meters: float, *, tries_uv_seams: bool = True
 ) -> Steps[list[Outcome]]:
     """Flatten every model and return the outcomes. meters: meters in a Blender unit; tries_uv_seams: whether to try UV
-    seams if the marked seams fail. If the user cancels this attempt, the pieces are kept."""
+    seams if the marked seams fail. If the user cancels this attempt, the results with the marked seams are kept."""
     outcomes: list[Outcome] = []
-    # Edges created by modifiers cannot be marked.
+    # Models with modifiers are left out, because edges that modifiers create cannot be marked.
     readable = [model for model in models if tries_uv_seams and model.arrays and not model.facts.with_modifiers]
     with_map = [model for model in readable if len(new_seams(model.arrays))]
     count = len(models) + len(with_map)
@@ -95,7 +95,7 @@ def _solve(model: Model, choices: FlattenChoices, meters: float) -> Steps[Outcom
         outcome = Outcome(model, failed_report(model, error.issue))
     else:
         outcome = _outcome(model, result, choices, meters)
-    if model.arrays:  # the grain wire of a model that could not be read is unknown
+    if model.arrays:  # the options include the grain wire, which is known only if the model was read
         used = used_choices(choices, model.arrays)
         if choices.thickness > 0 and choices.surface != "middle":
             outcome.report.notes.append(Note(MIDDLE))
@@ -103,7 +103,7 @@ def _solve(model: Model, choices: FlattenChoices, meters: float) -> Steps[Outcom
             outcome.report.notes.append(Note(NO_ANGLE))
         outcome.report.options = asdict(used) | {"grain_wire": model.arrays.grain_wire}
     outcome.report.notes += model.notes
-    # with the option mirror, these pieces show the outside
+    # if normals point inward, the pieces show the inside; with the option mirror, they show the outside
     if model.arrays and not choices.mirror and faces_inward(model.arrays):
         outcome.report.notes.append(Note(INWARD, is_warning=True))
     if model.arrays:

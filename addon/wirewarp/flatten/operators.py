@@ -99,7 +99,7 @@ class FlattenSteps(WindowSteps, FlattenSettings):
             hold_whole_file()
             return {"FINISHED"}
         self.show(context, outcomes)
-        return self._tell(context, outcomes, "WARNING")  # an error would open a popup over Flatten and its sentence
+        return self._tell(context, outcomes, "WARNING")  # an error would open a popup over the button and the verdict
 
     def show(self, context: bpy.types.Context, outcomes: list[Outcome]) -> None:
         """Move the view to the models that have pieces in new places."""

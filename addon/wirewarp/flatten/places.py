@@ -37,7 +37,8 @@ def free_place(
     scene: bpy.types.Scene, source: bpy.types.Object, size: np.ndarray, models: Sequence[bpy.types.Object]
 ) -> Vector:
     """Return the lower left corner for pieces of this size (2,) in Blender units. It is to the right of the source and
-    of all flat pieces, at the height of the lowest point of this run's models. No model is above the pieces."""
+    of all flat pieces, at the height of the lowest point of this run's models. There, the pieces meet no other object,
+    and no model of the run is above or below them."""
     own, largest = world_box(source), max(source.dimensions)
     together = [world_box(each) for each in models]
     others = [each for each in scene.objects if each.type in SOLID and each.visible_get() and each not in models]
@@ -50,7 +51,7 @@ def free_place(
 
 
 def _rises(box: Box, floor: float, gap: float) -> bool:
-    """Return whether the box begins at the floor or below and rises above it."""
+    """Return whether the box begins at most `gap` above the floor and ends above the floor."""
     return bool(box[0, 2] <= floor + gap and box[1, 2] > floor)
 
 
@@ -64,7 +65,7 @@ def _clear_of(obstacles: Sequence[Box], place: np.ndarray, size: np.ndarray, gap
 
 @dataclass(frozen=True)
 class Earlier:
-    """Pieces of an earlier run, which may have been moved since."""
+    """Pieces of an earlier run, which the user may have moved."""
 
     flat: bpy.types.Object
     pieces: FlatPieces
@@ -74,7 +75,7 @@ class Earlier:
 
 def earlier_layout(flat: bpy.types.Object | None, options: dict) -> Earlier | None:
     """Return the pieces in the flat object. Return None if all pieces must be laid out again, because these options
-    change the layout, or because the earlier pieces cannot be read."""
+    change the layout, or because there are no earlier pieces that can be read."""
     record = read_record(flat.data) if flat else None
     if record is None or record.layout != layout_of(options):
         return None
@@ -117,7 +118,8 @@ def present_up(source: bpy.types.Object) -> np.ndarray:
 
 
 def is_turned(up: np.ndarray, then: np.ndarray, report: ObjectReport) -> bool:
-    """Return whether a new layout would turn pieces because the model was turned."""
+    """Return whether a new layout would rotate pieces because the model was rotated. up, then: upward directions (3,)
+    in the model's own space, now and when the pieces were laid out."""
     if float(up @ then) > TURNED or report.options["orientation"] not in ("up", "grain"):
         return False
     return not all(report.follows_grain_wire(piece) for piece in range(len(report.pieces)))

@@ -31,8 +31,8 @@ CONVERTIBLE = {"CURVE", "SURFACE", "META", "FONT"}
 
 
 def mesh_targets(context: bpy.types.Context) -> list[bpy.types.Object]:
-    """Return all meshes that are selected or in Edit Mode, or the active mesh. Flat pieces are replaced by their
-    model."""
+    """Return all meshes that are selected or in Edit Mode; if nothing is selected, the active mesh. Flat pieces are
+    replaced by their model."""
     edited = list(context.objects_in_mode) if context.mode == "EDIT_MESH" else []
     models = (_model(context, each) for each in [*edited, *context.selected_objects])
     chosen = list(dict.fromkeys(filter(None, models)))
@@ -48,7 +48,7 @@ def active_target(context: bpy.types.Context) -> list[bpy.types.Object]:
 
 
 def _model(context: bpy.types.Context, target: bpy.types.Object) -> bpy.types.Object | None:
-    """Return the model to flatten for this object; None if it is not a mesh or its model is missing."""
+    """Return the model to flatten for this object; None if the object is not a mesh, or if its model is missing."""
     model = model_or_self(target)
     is_there = model.name_full in context.view_layer.objects or model == target
     return model if model.type == "MESH" and model_of(model) is None and is_there else None
@@ -181,7 +181,7 @@ def is_current(model: Model) -> bool:
 
 
 def check_current(context: bpy.types.Context, models: list[Model], settings: RunSettings) -> None:
-    """Raises ObjectError if an object has changed since it was read, or cannot be written any more."""
+    """Raises ObjectError if an object has changed since it was read, or if its results can no longer be written."""
     context.view_layer.update()
     edited = edited_meshes(context)
     with ExitStack() as copies:
@@ -235,8 +235,8 @@ def _read(
 
 
 def _counts(source: bpy.types.Object, edited: Collection[bpy.types.Mesh]) -> dict[str, int]:
-    """Return the present numbers of elements. The mesh is read in Edit Mode only if it is in `edited`, because Blender
-    would crash if it were in Edit Mode in another view layer."""
+    """Return the present numbers of elements. The data of Edit Mode are read only if the mesh is in `edited`, because
+    Blender would crash for a mesh that is in Edit Mode in another view layer."""
     if source.data not in edited:
         return element_counts(source.data)
     with current_mesh(source) as mesh:

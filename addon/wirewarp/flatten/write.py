@@ -33,8 +33,8 @@ GROWN = 1.5  # the view moves to a layout whose length or width has grown by mor
 
 
 def write_results(context: bpy.types.Context, outcomes: list[Outcome], settings: RunSettings) -> None:
-    """Write the UV map, flat object, maps and report of every model with flat pieces. Keep the reports of other models
-    in memory."""
+    """Write the flat object with its maps, the UV map and the report of every model whose run made pieces. Keep the
+    reports of other models in memory."""
     models = [model for outcome in outcomes if (model := find_source(outcome.model))]
     for outcome in outcomes:
         source = find_source(outcome.model)
@@ -54,8 +54,8 @@ def _write_pieces(
     settings: RunSettings,
     models: list[bpy.types.Object],
 ) -> None:
-    """Write all results of one model. The flat object is written first, because an error is most likely there, and
-    nothing else has changed yet. models: all models of this run."""
+    """Write all results of one model. The flat object is written first: errors are likeliest in this step, and
+    after such an error nothing else has changed. models: all models of this run."""
     arrays = outcome.arrays
     is_new, failed = not has_flat_object(source), [issue.piece for issue in outcome.report.issues]
     earlier = earlier_layout(find_flat_object(source), outcome.report.options) if settings.keep_places else None

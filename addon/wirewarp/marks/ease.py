@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Marks eases, and changes existing wires and seams, on models in Object Mode.
 
-A function plan_... reads the mesh and returns a function that writes, so that no object is changed if an object is
-refused.
+A function plan_... reads the mesh and returns a function that writes, so that no object is changed if any object
+is refused.
 """
 
 import math
@@ -62,7 +62,7 @@ def change_wire(target: bpy.types.Object, edge: int, name: str, tolerance: float
 
 
 def change_grain(target: bpy.types.Object, edge: int) -> None:
-    """Make the wire of this edge the grain wire. If it is the grain wire already, the model then has no grain wire.
+    """Make the wire of this edge the grain wire. If it already is the grain wire, leave the model without a grain wire.
     Raises ObjectError like wire_at."""
     mesh = target.data
     wire_at(target, edge)
@@ -99,7 +99,7 @@ def clear_seams(mesh: bpy.types.Mesh, edges: list) -> None:
 
 
 def edges_with_marks(mesh: bpy.types.Mesh) -> np.ndarray:
-    """Return (e,) bool: edges with any mark, on one or both sides."""
+    """Return a mask (e,) of the edges with any mark, on one or both sides."""
     marked = np.zeros(len(mesh.edges), dtype=bool)
     for mark in MARKS:
         if mark.domain == "EDGE":
@@ -125,7 +125,8 @@ def _mask(mesh: bpy.types.Mesh, pairs: list) -> np.ndarray:
     return are_among(edge_vertices(mesh), pairs)
 
 
-SAME_AREA = 1e-3  # relative difference of areas: mirrored pieces differ by rounding, a sleeve and a body by much more
+# relative difference of areas above which one piece counts as larger; mirrored pieces differ only by rounding
+SAME_AREA = 1e-3
 Amount = Callable[[float], float]  # ease of a line as a fraction, from its length in Blender units
 
 
@@ -185,9 +186,9 @@ def _write_lines(target: bpy.types.Object, lines: list[np.ndarray], changes: lis
 def plan_sides(target: bpy.types.Object, rows: np.ndarray, amount: Amount, side: int) -> Planned:
     """Plan to lengthen the lines of these edges on one side only. The other side keeps its ease.
 
-    side: 0 for the side of the smaller piece, 1 for the larger piece, so that the armholes of two sleeves are eased
-    alike; an outline has only one side. Edges that are neither seams nor outlines are ignored, and sides with several
-    faces, too. Raises ObjectError if a line would have no length left.
+    side: 0 for the side of the smaller piece, 1 for the larger piece; an outline has only one side. The size decides,
+    so that the armholes of two sleeves are eased alike. Edges that are neither seams nor outlines are ignored, and
+    sides with several faces, too. Raises ObjectError if a line would have no length left.
     """
     mesh = target.data
     lines = _sides_of_lines(mesh, rows[on_outlines(mesh)[rows]], _places(target))
@@ -298,7 +299,7 @@ def _change(length: float, amount: Amount) -> Change:
 
 
 def _places(target: bpy.types.Object) -> np.ndarray:
-    """Return the displayed places (n,3) of the vertices, except for the location of the object."""
+    """Return the places (n,3) of the vertices with rotation and scale of the object, but without its location."""
     return vertex_places(target.data).astype(np.float64) @ linear_part(target).T
 
 

@@ -118,8 +118,8 @@ def has_new_seams(mesh: bpy.types.Mesh) -> bool:
 
 
 def _find_map(target: bpy.types.Object) -> bpy.types.MeshUVLoopLayer:
-    """Return the user's own map, or the map of the flat pieces if the user has none. Raises ObjectError if there is no
-    map."""
+    """Return the user's own map, or WireWarp's map of the pieces if the user has none. Raises ObjectError if there is
+    no map."""
     found = own_uv_map(target.data) or target.data.uv_layers.active
     if found is None:
         raise object_error("no_uv_map", f'"{target.name}" has no UV map. Use UV > Unwrap first.')
@@ -148,15 +148,15 @@ class SelectedSides:
 
     @property
     def corners(self) -> np.ndarray:
-        """Return the corners (k,) of the faces at which the edges begin, in the order of the mesh."""
+        """Return, in the order of the mesh, the corners (k,) at which the edges begin in their faces."""
         mesh = self.model.data
         count, loop_edges = len(mesh.polygons), corner_edges(mesh).astype(np.int64)
         return np.flatnonzero(np.isin(loop_edges * count + faces_of_corners(mesh), self.edges * count + self.faces))
 
 
 def selected_sides(flat: bpy.types.Object) -> SelectedSides:
-    """Return the sides of the selected outline edges of flat pieces, which are in Object Mode. Raises ObjectError if
-    the pieces are outdated."""
+    """Return the sides of the selected outline edges of flat pieces, which must be in Object Mode. Raises ObjectError
+    if the pieces are outdated."""
     source = model_of(flat)
     if is_earlier(flat):
         raise object_error("earlier_pieces", earlier_sentence(flat))

@@ -36,7 +36,7 @@ DESCRIPTIONS = {identifier: description for identifier, _, description in KINDS}
 
 
 class WireKind:
-    """Mixin of operators: the kind of wire to mark."""
+    """Mixin of operators with settings for the kind of a wire."""
 
     kind: EnumProperty(name="Kind", description="How strictly the wire keeps its length", items=KINDS, default="RIGID")
     tolerance: number(
@@ -321,7 +321,7 @@ class SCENE_OT_wirewarp_set_height(OnMesh, bpy.types.Operator):
     )
 
     def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> set[str]:
-        """Begin with the present height."""
+        """Open the dialog with the present height."""
         own = height_of(model_or_self(context.active_object))
         if own > 0:
             self.height = 100 * meters_per_blender_unit(context.scene) * own

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Draws the buttons that mark one side of edges, on flat pieces.
 
-The panel is below the lists, because the arrow buttons of the lists enter Edit Mode, in which the panel grows.
+The panel is below the lists, because it grows in Edit Mode, which the arrow buttons of the lists enter. Above the
+lists, it would move these buttons.
 """
 
 import bpy

@@ -32,7 +32,7 @@ from .mark_operators import WireKind
 
 
 class WireOperator(OnModel):
-    """Mixin of operators for one wire of the active model. Their act() is called in Object Mode."""
+    """Mixin of operators for one wire of the active model. They define act(), which is called in Object Mode."""
 
     bl_options = {"REGISTER", "UNDO"}
     modes = WORKING_MODES

@@ -81,7 +81,8 @@ def _hides_changes(target: bpy.types.Object) -> bool:
 
 
 def _elements(target: bpy.types.Object, mesh: bpy.types.Mesh, report: ObjectReport) -> _Elements | None:
-    """Return the failed elements on the present mesh of the target; None if flat pieces do not know their sources."""
+    """Return the failed elements on the present mesh of the target; None if flat pieces lack the attributes of their
+    sources."""
     source = np.arange(len(mesh.vertices))
     if model_of(target):
         if not has_attributes(mesh, SOURCE_VERTEX, SOURCE_FACE):
@@ -106,8 +107,9 @@ def _failed_faces(mesh: bpy.types.Mesh, issues: list[Issue]) -> np.ndarray:
 
 
 def _failed_edges(mesh: bpy.types.Mesh, pairs: np.ndarray, issues: list[Issue], faces: np.ndarray) -> np.ndarray:
-    """Return a mask (e,) of the issues' edges, of the edges at their vertices, and of the edges around their faces.
-    Edges between two such faces are not in the mask, so that wires and suggested seams are visible on tinted faces."""
+    """Return a mask (e,) of the edges of issues, of edges at vertices of issues, and of the borders of faces of issues.
+    Edges between two of these faces are not in the mask, so that wires and suggested seams are visible on tinted
+    faces."""
     failed = are_among(pairs, [edge for issue in issues for edge in issue.edges])
     failed |= np.isin(pairs, [vertex for issue in issues for vertex in issue.vertices]).any(axis=1)
     face_of_corner = faces_of_corners(mesh)

@@ -60,7 +60,7 @@ def colored(triangles: Triangles, corner_colors: np.ndarray, highest: float | No
 
 def on_model(flat_colors: np.ndarray, source_corner: np.ndarray, count: int) -> np.ndarray:
     """Return the colors (count,4) at the model's corners. flat_colors (k,4): colors at the corners of the flat pieces;
-    source_corner (k,): the corner of the model for each."""
+    source_corner (k,): the corner of the model for each corner of the pieces."""
     colors = np.tile(NO_LAYOUT, (count, 1))
     # corners that the user has created have no place on the model
     inside = (source_corner >= 0) & (source_corner < count)
@@ -78,7 +78,7 @@ def screen_colors(linear: np.ndarray) -> np.ndarray:
 def gather_lines(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> LineEdges:
     """Return the edges of seams, outlines and wires. Raises ObjectError if attributes of another add-on or the user
     have our names."""
-    is_edited = target.data.is_editmode  # Edit Mode shows the selection, and hides hidden elements
+    is_edited = target.data.is_editmode  # in Edit Mode, the selection is drawn, and hidden edges are not
     with shown_mesh(target, depsgraph) as mesh:
         marks, seams = read_marks(mesh), read_seams(mesh)
         outlines = faces_at_edges(mesh) == 1
@@ -90,7 +90,7 @@ def gather_lines(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> Li
         if has_attributes(mesh, SOURCE_VERTEX, PIECE_INDEX):
             source = find_values(mesh, SOURCE_VERTEX)[vertices]
             pieces[corner_edges(mesh)] = find_values(mesh, PIECE_INDEX)[faces_of_corners(mesh)]
-        else:  # on flat pieces, the cutting lines show allowances
+        else:  # not on flat pieces, because their cutting lines show the allowances
             allowances[corner_edges(mesh)[corner_widths(mesh) != 0]] = True
         return LineEdges(
             ends=vertex_places(mesh)[vertices],
@@ -107,8 +107,8 @@ def gather_lines(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> Li
 
 
 def shown_mesh(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> AbstractContextManager[bpy.types.Mesh]:
-    """Return a context that yields the displayed mesh: with modifiers and shape keys, or in Edit Mode as edited, even
-    if it is edited through another object."""
+    """Return a context that yields the displayed mesh: with modifiers and shape keys, or in Edit Mode the edited mesh,
+    even if it is edited through another object."""
     is_modified = not target.data.is_editmode and (target.modifiers or target.data.shape_keys)
     return evaluated_mesh(target, depsgraph) if is_modified else current_mesh(target)
 
@@ -137,7 +137,7 @@ def gather_side_eases(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) 
 
 
 def gather_triangles(mesh: bpy.types.Mesh) -> Triangles:
-    """Return the triangles of a mesh that is not in Edit Mode. In Edit Mode, see current_mesh."""
+    """Return the triangles of a mesh, which must not be in Edit Mode: see current_mesh."""
     mesh.calc_loop_triangles()
     return Triangles(
         positions=vertex_places(mesh),
@@ -173,7 +173,7 @@ def gather_uv_lines(target: bpy.types.Object) -> LineEdges:
             outlines=outlines[rows],
             allowances=np.zeros(len(rows), dtype=bool),
             marks=marks.take(rows),
-            selected=np.zeros(len(rows), dtype=bool),  # not drawn: the map has its own selection
+            selected=np.zeros(len(rows), dtype=bool),  # not drawn, because the UV editor draws its own selection
         )
 
 

@@ -9,10 +9,11 @@ import numpy as np
 from ..core import ease_text, pattern, wire_text
 from ..solve.chains import EdgeMarks, chains_of_marks
 
-ALONG = (0.25, 0.5, 0.75)  # further places for the name of a line, as shares of its number of edges
+# The edges of a line are sorted by distance from its middle. A name may also be at these shares of the sorted list.
+ALONG = (0.25, 0.5, 0.75)
 HEAD = 0.25  # length of an arrow's head, as a share of half the length of a grain arrow, or of an ease arrow's length
 _TURNS = [np.array([[np.cos(a), -np.sin(a)], [np.sin(a), np.cos(a)]]) for a in np.radians(range(0, 90, 15))]
-# usual width or height of an object in pixels: at this size, dashes have exactly the length of their style
+# usual width or height of an object in pixels; at this size of the object, dashes have the length of their style
 VIEW_SIZE = 800
 
 
@@ -76,8 +77,8 @@ class WireRun:
 
 
 def wire_runs(vertices: np.ndarray, ends: np.ndarray, marks: EdgeMarks) -> list[WireRun]:
-    """Return the wires. vertices (k,2): the model's vertices of each drawn edge; ends (k,2,3): places of its ends;
-    marks: of the same edges."""
+    """Return the wires. vertices (k,2): the model's vertices of each drawn edge; ends (k,2,3): places of the ends of
+    each drawn edge; marks: marks of the drawn edges."""
     marked = marks.rows
     if not len(marked):
         return []
@@ -106,7 +107,7 @@ def wire_runs(vertices: np.ndarray, ends: np.ndarray, marks: EdgeMarks) -> list[
 
 def cut_into_dashes(ends: np.ndarray, offsets: np.ndarray, dash: float, gap: float) -> np.ndarray:
     """Return the ends (2m,3) of the dashes. ends (k,2,3): ends of edges; offsets (k,): distance along the wire from its
-    begin to each edge; dash, gap: lengths."""
+    beginning to each edge; dash, gap: lengths in the same unit."""
     period = dash + gap
     lengths = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
     first = np.floor(offsets / period).astype(np.int64)
@@ -146,7 +147,7 @@ class Name:
     normals: np.ndarray  # (c,3) normals of the surface at these places
     reach: float  # distance from the best place to the farthest point of the named line or piece
     piece: int = 0  # piece on which the name needs room
-    room: float = np.inf  # the square root of that piece's area; infinite on models
+    room: float = np.inf  # size of this piece, see Rooms; infinite on models
     around: np.ndarray | None = None  # (c,3) outermost points of the piece; a name that does not fit is beside them
     is_selected: bool = False  # a name of selected edges is always written
 
@@ -188,11 +189,12 @@ def _members(lines: LineEdges) -> dict[str, np.ndarray]:
     }
 
 
-Rooms = Mapping[int, float]  # square root of the area of each piece; empty on models
+Rooms = Mapping[int, float]  # size of each piece: square root of the area of a box around it; empty on models
 
 
 def wire_line_names(lines: LineEdges, runs: Sequence[WireRun], names: Sequence[str], rooms: Rooms) -> list[Name]:
-    """Return a name in the middle of each wire in each piece, with tolerance and ease. names: one for each run."""
+    """Return names, with tolerance and ease, for the middle of each wire in each piece. names: name of the wire of each
+    run."""
     named = []
     for run, name in zip(runs, names, strict=True):
         has_text = 0 < run.tolerance < np.inf or run.ease != 0
@@ -214,8 +216,8 @@ def seam_line_names(
 
 
 def piece_rooms(lines: LineEdges) -> Rooms:
-    """Return the room of each piece in a plane: the root of the area of the smallest box around it, in steps of 15
-    degrees."""
+    """Return the room of each piece in a plane: the root of the area of the smallest box around the piece. Boxes are
+    tried in steps of 15 degrees."""
     rooms = {}
     for piece in np.unique(lines.pieces).tolist():
         points = lines.ends[lines.pieces == piece].reshape(-1, 3)[:, :2]
@@ -244,18 +246,18 @@ def arrow(lines: LineEdges, piece: int, middle: np.ndarray, direction: np.ndarra
 
 def _reach(point: np.ndarray, way: np.ndarray, a: np.ndarray, b: np.ndarray) -> float:
     """Return the distance from a point (2,) along the unit vector `way` to the first of the segments from a (k,2) to b
-    (k,2)."""
+    (k,2). The distance is infinite if there is no segment in this direction."""
     distances = pattern.geometry.crossings(point, way, a, b)
     return float(distances[distances > 0].min(initial=np.inf))
 
 
 def _name_on_line(texts: tuple[str, ...], lines: LineEdges, rows: np.ndarray, rooms: Rooms) -> Name:
-    """Return a name with places on the line of these rows: the edge nearest to the line's middle, then other edges."""
+    """Return a name with places on the line of these rows, first on the edge nearest to the line's middle."""
     middles = lines.ends[rows].mean(axis=1)
     place = middles[np.argmin(np.linalg.norm(middles - middles.mean(axis=0), axis=1))]
     by_distance = np.argsort(np.linalg.norm(middles - place, axis=1), kind="stable")
     first = (np.array([0, *ALONG]) * len(rows)).astype(int)
-    # in this order, the edge after each of these edges is usually on the other side of the middle
+    # In this order, the edge after each chosen edge is usually on the other side of the middle, so it is added, too.
     best = by_distance[np.unique(np.concatenate([first, first[1:] + 1]).clip(max=len(rows) - 1))]
     reach = float(np.linalg.norm(lines.ends[rows] - place, axis=2).max())
     piece = int(lines.pieces[rows[0]])
@@ -272,12 +274,12 @@ def _name_on_line(texts: tuple[str, ...], lines: LineEdges, rows: np.ndarray, ro
 
 SHARE = 0.25  # length of an arrow as a share of the eased line
 LONGEST = 0.12  # greatest length of an arrow, as a share of the object's size
-BEYOND = 2.2  # distance from the edge to the middle of the text, in lengths of the arrow: the arrow stays visible
+BEYOND = 2.2  # distance from the edge to the middle of the text, in lengths of the arrow, so that the arrow is visible
 
 
 @dataclass(frozen=True)
 class SideEases:
-    """Edges with an ease on one side, each in the direction in which it runs around the face on the eased side."""
+    """Edges with an ease on one side, each in the direction of the outline of the face on the eased side."""
 
     vertices: np.ndarray  # (k,2) int32
     ends: np.ndarray  # (k,2,3) places of the vertices
@@ -306,7 +308,7 @@ def ease_arrows(eases: SideEases) -> tuple[np.ndarray, list[Name]]:
 
 
 def _lines(eases: SideEases) -> Iterator[list[int]]:
-    """Yield connected lines of rows with the same ratio, in order along the outline of the piece."""
+    """Yield the rows of each connected line of edges with the same ratio, in order along the outline."""
     begins = {(int(start), float(ratio)): row for row, (start, ratio) in enumerate(_keys(eases, 0))}
     after = [begins.get((int(end), float(ratio)), -1) for end, ratio in _keys(eases, 1)]
     waiting = dict.fromkeys([*sorted(set(range(len(after))) - set(after)), *range(len(after))])

@@ -92,7 +92,7 @@ def lines_of(target: bpy.types.Object, edges: LineEdges, in_plane: bool) -> Line
 
 
 def _wire_names(target: bpy.types.Object, wire_ids: list[int], report: ObjectReport | None) -> list[str]:
-    """Return the names. On flat pieces, the report has the names, because copies of wires have other ids there."""
+    """Return the names of wires. On flat pieces, the report has the names, because copies of wires get other ids."""
     names = chain_names(model_or_self(target).data, wire_ids)
     given = {wire.wire_id: wire.name for wire in report.wires} if report and model_of(target) else {}
     return [given.get(wire_id, name) for wire_id, name in zip(wire_ids, names, strict=True)]
@@ -159,7 +159,7 @@ def _middles(mesh: bpy.types.Mesh) -> dict[int, _Middle]:
 
 
 def _piece_names(flat: bpy.types.Object, middles: Mapping[int, _Middle], rooms: Mapping[int, float]) -> list[Name]:
-    """Return the name of each piece, which is in its middle, or beside the piece."""
+    """Return a name for each piece, for its middle or, if there is no room, for a place beside the piece."""
     text_of, up = piece_names(model_of(flat)), np.array([[0.0, 0.0, 1.0]])
     return [
         Name(
@@ -176,8 +176,8 @@ def _piece_names(flat: bpy.types.Object, middles: Mapping[int, _Middle], rooms: 
 
 
 def _grain_arrows(flat: bpy.types.Object, edges: LineEdges, middles: Mapping[int, _Middle]) -> dict[str, np.ndarray]:
-    """Return the ends (2k,3) of the grain arrows by kind of line: "grain" where the grain wire is upright, otherwise
-    "default grain", which is lighter."""
+    """Return the ends (2k,3) of the grain arrows by kind of line: "grain" in pieces that follow the grain wire,
+    otherwise "default grain", which is lighter."""
     report, rooms = pieces_report(model_of(flat)), piece_rooms(edges)
     directions = grains(flat.data, vertex_places(flat.data)[:, :2])
     arrows: dict[str, list[np.ndarray]] = {}

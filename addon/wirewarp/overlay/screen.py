@@ -61,7 +61,7 @@ def lay_out(
     labels = [style.label for style in styles]
     widths = [(SAMPLE + 8) * unit + text_width(label) for label in labels] + [text_width(note) for note in notes]
     if color_map:
-        beside = text_width(f"≥ {color_map.number(color_map.high)}")  # half of each number at the ends of the scale
+        beside = text_width(f"≥ {color_map.number(color_map.high)}")  # room for half of the number at each end
         widths += [SCALE_WIDTH * unit + beside, text_width(_title(color_map, highest))]
     if not widths:
         return Legend()
@@ -123,9 +123,9 @@ def _add_scale(
 FONT, FONT_SIZE, MARGIN = 0, 12, 16
 MAX_NAMES = 150
 NAME_TO_LINE = 1.3  # largest length of a name, as a multiple of the length of its line
-SAME = 1.0  # pixels: points this close to the lowest point count as lowest
+SAME = 1.0  # pixels: points this close to the outermost point on a side count as outermost
 COVERED = 0.25  # maximum share of a piece that all its labels may hide
-LONG_COVERED = 0.03  # maximum share of a piece that one label may hide with a text longer than its shortest
+LONG_COVERED = 0.03  # maximum share of a piece that one label may hide if a shorter text is possible
 LABEL, NAME_COLOR, LEGEND_COLOR = (0.08, 0.08, 0.08, 0.65), (1.0, 1.0, 1.0), (0.9, 0.9, 0.9)
 TEXT_MARGIN = LABEL_MARGIN = 0.3  # margin around each text, in text heights
 ABOVE, BELOW = 0.5, -1.5  # distance from a point to the lower edge of its text, in text heights
@@ -134,7 +134,9 @@ Size = tuple[float, float]  # width and height
 Span = tuple[float, float]
 EVERYWHERE = (-np.inf, np.inf)
 NO_LINES = np.empty((0, 2, 2))
-REDO, NAVIGATION = 45, 230  # heights of Blender's panel and gizmos in two corners, in pixels at interface scale 1
+# heights of the panel Adjust Last Operation (lower left) and of the navigation gizmos (upper right), in pixels at
+# interface scale 1
+REDO, NAVIGATION = 45, 230
 
 
 class PlacedName(NamedTuple):
@@ -144,7 +146,7 @@ class PlacedName(NamedTuple):
     points: np.ndarray  # (c,2) possible places, the best first
     reach: float  # like reach of lines.Name, in pixels
     owner: tuple[str, int]  # object and piece on which the name needs room
-    room: float  # square root of the area of the piece
+    room: float  # like room of lines.Name, in pixels
     around: np.ndarray | None  # (c,2) outermost points of the piece; a name that does not fit is beside them
     is_selected: bool  # a name of selected edges is always written
 
@@ -181,8 +183,8 @@ def write_names(names: Iterable[PlacedName], unit: float, span: Span = EVERYWHER
 
 def arrange(names: Iterable[PlacedName], size_of: Callable[[str], Size], span: Span = EVERYWHERE) -> list[Text]:
     """Return the texts of the names that fit, with their places. A name must not be much longer than its line, touch
-    another name or hide its piece. size_of: returns the size of a text. span: the columns of pixels that no sidebar
-    covers. A name whose point is in the span stays in the span."""
+    another name or hide much of its piece. size_of: returns the size of a text. span: the columns of pixels that no
+    sidebar covers. A name whose point is in the span stays in the span."""
     wanted = list(names)
     boxes = [_box(name.around).ravel() for name in wanted if name.around is not None]
     placed: list[Text] = []
@@ -254,7 +256,7 @@ def write_legend(
 
 
 def free_corner(corners: Sequence[Corner], box: Box, lines: np.ndarray) -> Corner:
-    """Return the first of the corners at which no line crosses the box, or the first corner if lines cross it at all.
+    """Return the first of the corners at which no line crosses the box, or the first corner if lines cross all boxes.
 
     corners: places for the lower right corner of the box; lines (k,2,2): ends in pixels.
     """

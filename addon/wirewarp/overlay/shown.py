@@ -32,7 +32,7 @@ from .pages import CutLines, PageChoices, PagePreview, cut_lines, cut_places, pa
 
 MODES = {"OBJECT", "EDIT"}
 STRETCH_MAPS = (STRETCH, ASPECT_RATIO)
-# maps for which the legend shows the stretch of 99% of the area, as the list of pieces does, instead of the largest
+# maps for which the legend shows the stretch of 99% of the area, as the list of pieces does, and not the largest value
 ONE_FIGURE = (*STRETCH_MAPS, *CLOTH_MAPS)
 
 
@@ -62,7 +62,7 @@ def missing_maps(shown: Sequence[Drawing], color_map: ColorMap) -> list[str]:
     """Return the reasons why the chosen map is missing on some objects."""
     missing = [each.target for each in shown if each.surface is None]
     found = {_why_missing(target, color_map) for target in missing}
-    if len(missing) < len(shown):  # maps of other objects are in view
+    if len(missing) < len(shown):  # maps of other objects are in view, so the note about Edit Mode is unnecessary
         found.discard(EDITED)
     return [reason for reason in REASONS if reason in found]
 
@@ -78,14 +78,14 @@ def _why_missing(target: bpy.types.Object, color_map: ColorMap) -> str:
 
 
 def _is_edited(target: bpy.types.Object) -> bool:
-    """Return whether the object or its flat pieces, which hold its map, are in Edit Mode."""
+    """Return whether the object, or its flat pieces, which store the colors of its map, are in Edit Mode."""
     flat = find_flat_object(target)
     return target.data.is_editmode or (flat is not None and flat.data.is_editmode)
 
 
 def map_notes(shown: Sequence[Drawing], color_map: ColorMap) -> list[str]:
-    """Return notes for the legend: why the map is missing on some objects and, for a map of stretch, how far 99% of the
-    area stretches."""
+    """Return notes for the legend: why the map is missing on some objects and, for a map of stretch, how much 99% of
+    the area stretches."""
     reports = [last_report(model_or_self(each.target)) for each in shown if each.surface is not None]
     figure = _figure([report for report in reports if report], color_map)
     return [*missing_maps(shown, color_map), *([f"99% of the area: up to {figure}"] if figure else [])]
@@ -139,7 +139,7 @@ def _drawing(context: bpy.types.Context, target: bpy.types.Object, color_map: Co
     wires = [(entry.wire_id, entry.name) for entry in source.data.wirewarp_names]
     names = wires, piece_names(source), seam_names(source)
     report = Same(last_report(source))
-    scale = metric(source).tobytes()  # because report and suggestions are valid for one scale only
+    scale = metric(source).tobytes()  # in made_of, because report and suggestions are valid for one scale
     made_of = stamp(target), stamp(target.data), target.data.is_editmode, report, source.name_full, names, scale
     depsgraph = context.view_layer.depsgraph
     if context.scene.wirewarp.show_lines:
@@ -254,7 +254,7 @@ def shown_pages(context: bpy.types.Context, source: bpy.types.Object, flat: bpy.
     settings, millimeters = context.scene.wirewarp, 1000 * meters_per_blender_unit(context.scene)
     cut = _cut_lines(context, source, flat)
     drawn = _cut_lines(context, source, flat, settings.pairs, settings.on_fold)
-    # the grain may be "": see reset_unknown
+    # a setting with a stored value that this version does not know is "": see reset_unknown
     cloth = Cloth(settings.cloth_width, settings.gap, GRAINS[settings.grain or "ONE_WAY"])
     paper = library_paper(settings.paper or "A4", settings.roll_width)
     chosen = PageChoices(paper, settings.arrangement or "IN_ROWS", cloth, stored_text(source, MARKER))

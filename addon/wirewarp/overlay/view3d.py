@@ -20,11 +20,12 @@ from .shown import Drawing, UvDrawing, drawings, highest_value, map_notes, shown
 # Layers are drawn closer to the eye by these shares of the distance, so that a surface does not hide its lines.
 SURFACE_NEARER = 0.0005
 NEARER = {Layer.RIMS: 0.002, Layer.LINES: 0.0025, Layer.CORES: 0.003}
-# Two steps of a 24-bit depth buffer. A difference in depth is visible if, as a share of the distance, it exceeds this
-# number times the ratio of the distance to the distance of the near plane.
+# Two steps of a 24-bit depth buffer. The view distinguishes two depths if their difference, divided by the distance,
+# exceeds this number times distance / near. Here, near is the distance of the near plane.
 DEPTH_STEP = 2 / 2**24
 HIDDEN_BY = 0.005  # a surface that is closer to a place than this share of the distance from the eye does not hide it
-# maximum number of faces that are tested in Edit Mode; names show through larger models, because each change reads all
+# maximum number of faces that are tested in Edit Mode; names show through larger models, because reading all faces
+# after each change would be slow
 EDITED_LIMIT = 20_000
 MOST_APART = 8.0  # largest result of _apart; if it were larger, lines on the back of a cushion would be visible
 
@@ -59,8 +60,8 @@ def _hidden_by_what_is_in_front() -> Iterator[None]:
 
 
 def _apart(context: bpy.types.Context) -> float:
-    """Return the factor by which layers are drawn farther apart than usual. Otherwise, views of models in centimeters
-    or millimeters, which are far from the eye, would not distinguish the layers."""
+    """Return the factor by which layers are drawn farther apart than usual. Models in centimeters or millimeters have
+    large coordinates and are far from the eye. At the usual distances, their layers would have the same depth."""
     if not context.region_data.is_perspective:
         return 1.0
     step = DEPTH_STEP * context.region_data.view_distance / context.space_data.clip_start
@@ -207,7 +208,7 @@ def _edited_faces(mesh: bpy.types.Mesh) -> BVHTree:
 
 
 def _chosen_piece(target: bpy.types.Object) -> int | None:
-    """Return the index of the flat piece that is chosen in the list, whose names are all drawn; None for models."""
+    """Return the index of the flat piece chosen in the list, all of whose names are drawn; None for models."""
     model = model_of(target)
     return model.wirewarp_active_piece if model else None
 
@@ -257,7 +258,8 @@ def _names_in_region(context: bpy.types.Context, drawing: UvDrawing) -> Iterator
     """Yield the names in the region of the UV editor, with their places in pixels."""
     region, to_region = context.region, context.region.view2d.view_to_region
     origin = np.array(to_region(0, 0, clip=False))
-    pixels = (np.array(to_region(1000, 1000, clip=False)) - origin) / 1000  # view_to_region rounds
+    # of 1000 units, because view_to_region rounds to whole pixels
+    pixels = (np.array(to_region(1000, 1000, clip=False)) - origin) / 1000
     for name in drawing.lines.names:
         points = origin + name.places[:, :2] * pixels
         seen = np.all((points >= 0) & (points <= (region.width, region.height)), axis=1)

@@ -25,7 +25,8 @@ from ..ui.settings import draw_settings
 from .operators import PROPOSALS, check_flattened, take_proposals
 
 KINDS = [(fault.kind, fault.many.capitalize(), f"All {fault.many} of the model") for fault in FAULTS]
-# kind that is not selected by default, because interior walls may be intended, and some look like faces of the shell
+# kind that is not selected by default, because interior walls may be intended, and some interior faces look like faces
+# of the shell
 NOT_UNASKED = "INTERIOR"
 WIDTH = 340  # width of the dialog, in pixels at interface scale 1
 

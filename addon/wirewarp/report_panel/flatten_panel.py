@@ -49,8 +49,8 @@ def fabrics_to_choose(report: ObjectReport, present: str = "") -> tuple[list[str
     """Return the presets that stretch far enough for the present pieces, and the other presets, both by increasing
     stretch.
 
-    This is an estimate, because another fabric changes the shapes of the pieces. present: the fabric of these pieces,
-    which is not among the other presets.
+    This is an estimate, because another fabric changes the shapes of the pieces. present: the fabric of these pieces;
+    the second list does not contain it.
     """
     across = max((piece.threads.across if piece.threads else piece.needed for piece in report.pieces), default=0.0)
     along = max((piece.threads.along if piece.threads else piece.needed for piece in report.pieces), default=0.0)
@@ -142,7 +142,7 @@ def _draw_size(context: bpy.types.Context, layout: bpy.types.UILayout, source: b
     )
     now = meters_per_blender_unit(context.scene)
     for unit in likely_units(source):
-        is_now = math.isclose(unit, now, rel_tol=1e-5)  # stored in single precision
+        is_now = math.isclose(unit, now, rel_tol=1e-5)  # Blender rounds the unit to single precision
         row = column.operator("scene.wirewarp_set_unit", text=unit_text(source, unit), depress=is_now)
         row.meters = unit
     if height_of(source) > 0:
@@ -188,7 +188,8 @@ def _draw_state(
     is_looked_at = step is not None and step.operator == SHOW
     if step and not is_looked_at:
         below = layout.column()
-        # Only one button marks seams. It keeps its place, so that the buttons of the search do not move.
+        # While suggestions are shown, only their button marks seams. This button stays, but is gray, so that the
+        # buttons of the search do not move.
         below.enabled = not (marks_seams(step) and are_shown(context))
         _draw_step(context, below, step)
     # if the user has chosen a fabric, this button does not offer another fabric
@@ -213,7 +214,7 @@ def _draw_state(
 
 
 def narrow_names(context: bpy.types.Context, source: bpy.types.Object, report: ObjectReport) -> list[str]:
-    """Return the names of the report's pieces without room for their allowances; none while these are in Edit Mode."""
+    """Return the names of the report's pieces without room for their allowances; none while pieces are in Edit Mode."""
     flat = find_flat_object(source) if report.flat_object is not None and has_flat_object(source) else None
     return [] if flat is None or flat.data.is_editmode else narrow_pieces(context, source, flat)
 
@@ -271,8 +272,8 @@ def offered_piece(context: bpy.types.Context, source: bpy.types.Object, report: 
 
 
 def _left_out(context: bpy.types.Context, source: bpy.types.Object, report: ObjectReport) -> list[str]:
-    """Return "modifiers" and "shape keys" if pieces lack these: as present on the model if that is known, otherwise as
-    in the last run."""
+    """Return which of "modifiers" and "shape keys" shape the model but not the pieces: now, if Blender evaluates the
+    model's modifiers, otherwise in the last run."""
     if report.with_modifiers or not shows_modified(source):
         return report.left_out
     if not source.modifiers and not source.data.shape_keys:

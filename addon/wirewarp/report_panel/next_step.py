@@ -61,7 +61,7 @@ class OBJECT_OT_wirewarp_open_sample(bpy.types.Operator):
             return {"CANCELLED"}
         (sample_scene,) = loaded.scenes
         (model,) = sample_scene.objects
-        if is_first or _is_new(scene):  # the scene may contain Blender's cube
+        if is_first or _is_new(scene):  # the scene may contain Blender's default cube
             _take(scene.wirewarp, sample_scene.wirewarp, FlattenSettings.__annotations__)
         if is_first:
             _take(scene.unit_settings, sample_scene.unit_settings, ("system", "scale_length", "length_unit"))
@@ -79,7 +79,8 @@ class OBJECT_OT_wirewarp_open_sample(bpy.types.Operator):
 
 
 def _free_place(scene: bpy.types.Scene, model: bpy.types.Object) -> float:
-    """Return the x coordinate at which the sample is beside the scene's meshes, with a gap of half its width."""
+    """Return the x coordinate at which the sample is beside the scene's meshes, with a gap of half the sample's
+    width."""
     meshes = [each for each in scene.objects if each.type == "MESH"]
     right = max(world_box(each)[1, 0] for each in meshes)
     edges = [corner[0] * model.scale.x for corner in model.bound_box]
@@ -240,7 +241,8 @@ def remedy_of(issue: Issue) -> str | None:
 
 
 def has_shown_place(report: ObjectReport, entry: Issue) -> bool:
-    """Return whether an issue or hint has a place to select. With modifiers, only a flat piece can have one."""
+    """Return whether an issue or hint has a place to select. With modifiers, only places on flat
+    pieces can be selected."""
     if not entry.has_place:
         return False
     if not report.with_modifiers:

@@ -166,7 +166,8 @@ class MESH_OT_wirewarp_select_result(ReportOperator, bpy.types.Operator):
 def take_proposals(source: bpy.types.Object, report: ObjectReport, what: str, issues: slice = slice(None)) -> int:
     """Apply the suggestions of these issues to a model in Object Mode. Return the number of changed edges.
 
-    what: SEAMS or TOLERANCES; issues: slice of the report's issues. Raises ObjectError.
+    what: SEAMS or TOLERANCES; issues: slice of the report's issues. Raises ObjectError if these issues suggest
+    nothing of this kind, or if the model has changed.
     """
     chosen = report.issues[issues]
     seams = [edge for issue in chosen for edge in issue.proposed_seams] if what == "SEAMS" else []

@@ -35,7 +35,7 @@ from ..ui.settings import has_changed_since, shown_report, shown_source
 from .next_step import has_shown_place
 
 SHOWN_ROWS = 8
-MOST_ROWS = 100  # more rows slow down drawing
+MOST_ROWS = 100  # maximum number of rows, because more rows slow down drawing
 
 
 def draw_table(
@@ -72,7 +72,7 @@ def draw_heading(
     context: bpy.types.Context, layout: bpy.types.UILayout, name: str, mark: dict, what: str | None, index: int
 ) -> None:
     """Draw the name of a row with its mark (see mark_of), and the button that selects the seam, wire or outline. what:
-    see draw_select; without it, there is no button."""
+    kind of the row, such as "SEAM"; None: no button."""
     row = layout.row(align=True)
     text = row.column(align=True)
     lines = broken(context, name, reserved=22 if what else 0)
@@ -184,7 +184,8 @@ def draw_hints(context: bpy.types.Context, layout: bpy.types.UILayout, report: O
 def _draw_entry(
     context: bpy.types.Context, layout: bpy.types.UILayout, text: str, what: str, index: int, placed: bool
 ) -> None:
-    """Draw the text, and a button that selects the place if `placed`. what: ISSUE or HINT; index: in the report."""
+    """Draw the text, and a button that selects the place if `placed`. what: ISSUE or HINT; index: index of the entry in
+    the report."""
     row = layout.row(align=True)
     reserved = (6 if what == "ISSUE" else 0) + (22 if placed else 0)
     draw_sentence(context, row, text, "ERROR" if what == "ISSUE" else "DOT", reserved)

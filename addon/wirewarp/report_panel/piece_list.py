@@ -25,7 +25,7 @@ WORTH_A_CUT = 0.005  # smallest stretch for which the library suggests cuts
 
 
 class WIREWARP_UL_pieces(bpy.types.UIList):
-    """List of flat pieces, whose entries have the order of the report and whose rows are shown the worst first"""
+    """List of flat pieces, in which the worst piece is shown first. Its entries have the order of the report"""
 
     def draw_item(
         self,
@@ -92,7 +92,7 @@ def _row_of(context: bpy.types.Context, index: int) -> core.report.Piece | None:
 
 
 def _is_current(context: bpy.types.Context) -> bool:
-    """Return whether the panel above shows the verdict on these pieces, and nothing has changed since the run."""
+    """Return whether the panel Flatten shows the verdict on these pieces, and nothing has changed since the run."""
     source, report = shown_source(context), report_of_pieces(context)
     if report is not shown_report(context) or untrue_sentence(context.active_object, source, report):
         return False

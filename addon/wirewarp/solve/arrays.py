@@ -8,7 +8,7 @@ import numpy as np
 from ..core import LengthText
 from .chains import WireChain, next_corners
 
-# largest length of the sum of all area vectors, as a share of the area, at which a surface has an inside
+# largest length of the sum of all area vectors, as a share of the area, at which a surface counts as having an inside
 ALL_ROUND = 0.3
 INWARD = (
     "Normals point inward, so pieces show their inside. In Edit Mode use Mesh > Normals > Recalculate Outside, then "
@@ -19,12 +19,12 @@ INWARD = (
 @dataclass(frozen=True)
 class Region:
     name: str
-    faces: np.ndarray  # (k,) int64, faces of the sample
+    faces: np.ndarray  # (k,) int64, faces of FaceRegions.sample that are in the region
 
 
 @dataclass(frozen=True)
 class FaceRegions:
-    sample: np.ndarray  # (s,) int64: faces with known regions
+    sample: np.ndarray  # (s,) int64, faces whose regions were read
     groups: list[Region]
     materials: list[Region]
 
@@ -110,7 +110,8 @@ TOGETHER = 1e-4  # share of the UV square's side: closer corners count as one, a
 
 
 def new_seams(arrays: MeshArrays) -> np.ndarray:
-    """Return the edges (k,) between islands of the model's own UV map that are not seams yet; none without a map."""
+    """Return the edges (k,) that are borders of islands in the model's own UV map and not seams yet; empty without a
+    map."""
     if not arrays.own_map:
         return np.empty(0, dtype=np.int32)
     following, uv = next_corners(arrays.polygon_sizes), arrays.uv_maps[arrays.own_map]

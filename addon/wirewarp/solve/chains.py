@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-# At a vertex with three or another odd number of edges, a line continues only if it turns less than this.
+# At a vertex with three or another odd number of edges, a line continues only if it turns by less than 45 degrees.
 STRAIGHT_COSINE = np.cos(np.radians(45.0))
 
 
@@ -156,8 +156,8 @@ def _pair_sides(edges: np.ndarray, positions: np.ndarray) -> np.ndarray:
 
 
 def _straightest_pairs(sides: np.ndarray, edges: np.ndarray, positions: np.ndarray) -> list[tuple[int, int]]:
-    """Return pairs of these sides of edges at one vertex, the straightest pair first. If their number is odd, one side
-    stays single."""
+    """Return pairs of these sides of edges at one vertex, the straightest pair first. If the number of sides is odd,
+    at least one side stays single."""
     here, there = edges.ravel()[sides], edges.ravel()[sides ^ 1]
     directions = positions[there] - positions[here]
     directions = directions / np.maximum(np.linalg.norm(directions, axis=1), np.finfo(float).tiny)[:, None]
@@ -175,7 +175,7 @@ def _straightest_pairs(sides: np.ndarray, edges: np.ndarray, positions: np.ndarr
 
 
 def _walk(start: int, vertex_of_side: list[int], following: list[int], used: list[bool]) -> Chain:
-    """Follow the chain from the side `start` until it ends or closes."""
+    """Return the chain from the side `start` to its end, or until it closes."""
     chain = Chain([], [vertex_of_side[start]])
     side = start
     while side >= 0 and not used[side // 2]:

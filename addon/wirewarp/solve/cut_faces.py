@@ -22,7 +22,7 @@ class Segments:
 
     polygons: np.ndarray  # (s,) int32, the face
     vertices: np.ndarray  # (s,3) int32, the three vertices
-    weights: np.ndarray  # (s,2,3) weights of these vertices for both ends, with the sum 1
+    weights: np.ndarray  # (s,2,3) weights of these vertices at both ends, with the sum 1 at each end
 
 
 @dataclass(frozen=True)

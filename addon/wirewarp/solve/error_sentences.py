@@ -130,15 +130,15 @@ def _not_solvable(facts: ErrorFacts) -> str:
     match facts["reason"]:
         case "helper_wires":
             return (
-                f"No helper wires can be laid between {facts.edge_text} of the piece in double precision. Use the "
-                "method Refined, which needs none, or remesh the piece."
+                f"WireWarp cannot add helper wires between {facts.edge_text} of the piece. Use the method Refined, "
+                "which needs no helper wires, or remesh the piece."
             )
         case "sizes":
             return (
-                "The piece cannot be solved in double precision, because its faces differ too much in size. At "
+                "WireWarp cannot calculate the shape of the piece, because its faces differ too much in size. At "
                 f"{facts.face_text}, merge vertices that are very close together, or remesh the piece."
             )
-    return "The piece cannot be solved in double precision. Remesh it, or cut it in two with a seam."
+    return "WireWarp cannot calculate the shape of the piece. Remesh it, or cut it in two with a seam."
 
 
 def _wrong_option(facts: ErrorFacts) -> str:
@@ -198,12 +198,13 @@ def _no_proposal(facts: ErrorFacts) -> str:
         case "no_gain":
             kind, wires = facts["kind"], facts["wires"]
             loosen = f"loosen {facts.wire_text(wires)} or " if wires else ""
-            cut = "divide the piece by a seam" if kind == "dart" else "move one of its seams to where it curves most"
+            move = "move a seam to the place where the piece curves most"
+            cut = "divide the piece by a seam" if kind == "dart" else move
             return f"No {kind} helps {facts.piece}, which must stretch by {percent(facts['strain'])}: {loosen}{cut}."
-    leads = "from its outline to a point inside" if facts["kind"] == "dart" else "across it"
+    leads = "to a point inside" if facts["kind"] == "dart" else "across it"
     return (
-        f"The piece has no room for a {facts['kind']}: no line along edges leads {leads} without meeting a wire or the "
-        "outline. Subdivide the piece, or mark a seam by hand."
+        f"The piece has no room for a {facts['kind']}. Every line along edges {leads} meets a wire or the outline. "
+        "Subdivide the piece, or mark a seam by hand."
     )
 
 
@@ -217,7 +218,7 @@ SENTENCES: dict[str, Callable[[ErrorFacts], str]] = {
     ),
     "flipped_faces": _flipped,
     "handles": lambda facts: (
-        f"The piece has {counted(facts['num_handles'], 'handle')} like a torus: mark seams that cut each of them."
+        f"The piece has {counted(facts['num_handles'], 'handle')} like a torus. Mark seams that cut every handle."
     ),
     "inconsistent_orientation": _inconsistent_orientation,
     "infeasible_lengths": _infeasible_lengths,

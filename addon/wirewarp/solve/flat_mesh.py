@@ -50,14 +50,15 @@ def _on_lines(result: FlattenResult, arrays: MeshArrays) -> tuple[np.ndarray, np
 def _model_lengths(result: FlattenResult, arrays: MeshArrays, choices: FlattenChoices) -> np.ndarray:
     """Return the lengths (k,) of the model's edges; for thick materials, the lengths in the middle of the thickness.
 
-    A flat edge (dx, dy) has the length of the vector dx f_u + dy f_v on the model. f_u and f_v are the derivatives of
-    the map to the model. The measures of the threads determine their lengths and the angle between them.
+    A flat edge (dx, dy) has the length of the vector dx f_u + dy f_v on the model. Here, f_u and f_v are the
+    derivatives of the map to the model. The strains of the threads determine the lengths of f_u and f_v, and the shear
+    determines the angle between f_u and f_v.
     """
     lengths = edge_lengths(arrays.vertices, arrays.edges)
     if choices.thickness == 0 or choices.surface == "middle":
         return lengths
     weft, warp, shear = (each[:, None] for each in _threads_of_triangles(result))
-    towards = -1 if choices.mirror else 1  # shear is measured from outside
+    towards = -1 if choices.mirror else 1  # shear is measured from outside, and a mirrored layout shows the inside
     dx, dy = (np.roll(result.corner_uv, -1, axis=1) - result.corner_uv).transpose(2, 0, 1)  # (m,3), the sides
     with np.errstate(invalid="ignore"):  # triangles without a layout or without area
         across, along = (1 + weft) * dx, (1 + warp) * dy

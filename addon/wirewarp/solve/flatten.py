@@ -119,7 +119,7 @@ def drop_jobs(*_: object) -> None:
 
 
 def _library_options(choices: FlattenChoices, arrays: MeshArrays) -> Options:
-    """Return the library's options. Its gap is a share of the side of a square with the area of all pieces."""
+    """Return the library's options. Their gap is a share of the side of a square with the area of all pieces."""
     options = asdict(choices)
     side, gap = _side(arrays), gap_between(arrays, options.pop("spacing"))
     options |= {"gap": gap / side if side > 0 else 0.0, "grain": _grain_index(arrays)}
@@ -251,7 +251,7 @@ def polygons_of(arrays: MeshArrays, triangles: Sequence[int] | np.ndarray) -> li
 
 def has_layout(corner_uv: np.ndarray) -> np.ndarray:
     """Return a mask (m,) of the triangles whose flat coordinates (m,3,2) are finite."""
-    return np.isfinite(corner_uv.reshape(-1, 6) @ np.ones(6))  # a sum is finite only if its terms are
+    return np.isfinite(corner_uv.reshape(-1, 6) @ np.ones(6))  # a sum is finite only if its terms are finite
 
 
 def has_cloth(result: FlattenResult) -> bool:
@@ -293,8 +293,8 @@ def looser_wires(proposed: Iterable[tuple[int, float]], arrays: MeshArrays) -> l
 
 
 def round_up(tolerance: float) -> float:
-    """Return the tolerance, rounded up to the three digits that the panel shows, so that it is large enough. inf (free)
-    stays."""
+    """Return the tolerance, rounded up to the three digits that the panel shows, so that it is large enough. The
+    infinite tolerance of free wires does not change."""
     if math.isinf(tolerance):
         return tolerance
     step = 10.0 ** (math.floor(math.log10(tolerance)) - 2)

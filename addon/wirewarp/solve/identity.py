@@ -26,7 +26,7 @@ HALVES = (("Right", "Left"), ("Front", "Back"), ("Lower", "Upper"))  # distingui
 # place
 FACES_ONE_WAY = 0.3
 WORD_ORDER = (2, 1, 0)  # axes of the words in a name: "Upper Front Left"
-# share of the distance between the outermost pieces; a piece closer to their middle gets no word
+# share of the distance between the outermost pieces; a piece closer to the middle between these gets no word
 IN_THE_MIDDLE = 0.13
 BESIDE = 0.05  # share of the model's size; a piece closer to the model's middle, such as a ball, has no side
 ROUNDED = 3  # number of digits of offsets that are compared, because models are seldom exactly symmetric
@@ -75,7 +75,8 @@ def _side(normal: np.ndarray, offset: np.ndarray) -> str:
 
 
 def _places_on(side: str, offsets: np.ndarray) -> list[str]:
-    """Return words that distinguish pieces on one side by their place, such as "Upper Front". Some may be equal.
+    """Return words that distinguish pieces on one side by their place, such as "Upper Front". Pieces may get the same
+    words.
 
     The words for a mirrored pair differ only in "Left" and "Right".
     """
@@ -111,7 +112,8 @@ def _words(axes: Sequence[int], offsets: np.ndarray) -> list[str]:
 
 
 def from_top(offsets: np.ndarray) -> list[int]:
-    """Return the pieces from top to bottom and front to back, so that mirrored pairs get the same numbers."""
+    """Return the pieces from top to bottom and front to back, so that both pieces of a mirrored pair get the same
+    number."""
     x, y, z = offsets.T.round(ROUNDED)
     return np.lexsort((x, np.abs(x), y, -z)).tolist()
 
@@ -135,8 +137,10 @@ def numbered(wanted: Sequence[str], taken: Sequence[str]) -> list[str]:
 
 
 def region_names(piece_of_face: np.ndarray, piece_count: int, regions: FaceRegions) -> list[str | None]:
-    """Return, for each piece, the name of a region that contains most of its faces, but not most faces of every piece.
-    Return None for pieces without such a region."""
+    """Return, for each piece, the name of a region that contains most of its faces; None if there is no such region.
+
+    Regions that contain most faces of every piece are ignored, because they do not distinguish the pieces.
+    """
     faces_in_piece = np.bincount(piece_of_face[regions.sample], minlength=piece_count)
     names: list[str | None] = [None] * piece_count
     for kind in (regions.materials, regions.groups):  # groups come last, because they are more specific
@@ -155,7 +159,7 @@ def _names_by(
     counts = np.array([np.bincount(piece_of_face[each.faces], minlength=len(faces_in_piece)) for each in regions])
     carried = 2 * counts > faces_in_piece  # (regions, pieces)
     pieces_in = carried.sum(axis=1)
-    carried[pieces_in == len(faces_in_piece)] = False  # a region that all pieces have does not distinguish them
+    carried[pieces_in == len(faces_in_piece)] = False  # a region of all pieces does not distinguish them
     best = np.argmin(np.where(carried, pieces_in[:, None], len(faces_in_piece) + 1), axis=0)
     return [(piece, regions[best[piece]].name) for piece in np.flatnonzero(carried.any(axis=0)).tolist()]
 
@@ -201,7 +205,7 @@ def identify_pieces(
     ids = assign_ids(piece_of_triangle, known.ids[arrays.triangle_polygons], shape.triangle_areas, count, set())
     old = [known.names.get(piece_id, "") for piece_id in ids]
     if list(known.names.values()) == [known.model_name]:
-        # a piece that was the whole model may now be only a part, or the model may have been renamed
+        # no old names: the former only piece may now be a part of the model, or the model may have been renamed
         old = [""] * count
     names = _first_of_each(old)
     new = [index for index in from_top(shape.offsets) if not names[index]]
@@ -233,7 +237,7 @@ def assign_ids(owners: np.ndarray, ids: np.ndarray, weights: np.ndarray, count: 
     heavier owner keeps it. Other owners get new ids.
 
     The arrays describe elements, which are faces of pieces or edges of seams: owners (k,) from 0 to count - 1; ids
-    (k,), 0 or less for none; weights (k,). taken: further ids that new ids must not repeat.
+    (k,), 0 or less for none; weights (k,). taken: other ids that new ids must not repeat.
     """
     marked = ids > 0  # other values are not ids
     pairs = owners[marked].astype(np.int64) << 32 | ids[marked].astype(np.int64)
@@ -324,8 +328,8 @@ def identify_seams(result: FlattenResult, arrays: MeshArrays, known: KnownSeams)
 
 
 def _highest_number(kind: str, names: Mapping[int, str], kinds: Mapping[int, str]) -> int:
-    """Return the highest number of a kind, or the number of its seams if that is larger, because renamed seams count,
-    too.
+    """Return the highest number in the names of a kind of seam, or the number of these seams if it is larger, because
+    renamed seams count, too.
 
     If a seam becomes a dart, or a dart becomes a seam, a later seam or dart can get the number of its former name.
 

@@ -14,7 +14,7 @@ class FlatPieces:
 
     vertices: np.ndarray  # (n,2) float64, places of the vertices
     source_vertex: np.ndarray  # (n,) int32, vertex of the model
-    loop_vertices: np.ndarray  # (l,) int32, the corners face by face
+    loop_vertices: np.ndarray  # (l,) int32, the vertex of each corner, face by face
     loop_edges: np.ndarray  # (l,) int32, the edge from each corner to the next corner of its face
     face_sizes: np.ndarray  # (f,) int32, number of corners of each face
     face_piece: np.ndarray  # (f,) int32, index of the piece in the report

@@ -11,8 +11,9 @@ from ..core import pattern
 from .flat_mesh import FlatMesh
 from .outlines import FlatPieces, OutlineEdges, outline_edges, piece_of_vertices
 
-SAMPLE = 100  # number of points by which the place of a piece is stored
-# No points of pieces that have a place but no flat shape at present. Rows (k,4): piece id, source vertex, place (2).
+SAMPLE = 100  # maximum number of points by which the place of a piece is stored
+# Points of pieces that have a place but no flat shape at present are rows (k,4): piece id, source vertex, place (2).
+# This array has no rows.
 NONE_AWAY = np.empty((0, 4))
 # smallest correlation between the points of a piece and of its earlier shape at which the piece keeps its place
 LIKE = 0.7

@@ -85,8 +85,8 @@ class ObjectReport(Report):
     options: dict[str, Any] | None = None  # FlattenChoices and the grain wire; None if the object was not read
     uv_layer: str | None = None
     uv_scale: float | None = None  # Blender units per UV unit
-    flat_object: str | None = None  # None: nothing was written
-    uv_seams: UvSeams | None = None  # None: not tried
+    flat_object: str | None = None  # name of the flat object; None: nothing was written
+    uv_seams: UvSeams | None = None  # result with the seams of the UV map; None: not tried, or not better
 
     @property
     def left_out(self) -> list[str]:
@@ -204,7 +204,7 @@ def _failure_text(reports: Sequence[ObjectReport]) -> str:
     return paragraph(lines[:SHOWN_SENTENCES] + more)
 
 
-ALIKE = 1e-3  # maximum relative difference between outlines and areas of mirrored pieces
+ALIKE = 1e-3  # maximum relative difference of the measures of mirrored pieces, see _measures
 IN_PLACE = 1e-4  # share of a piece's size: maximum distance between a vertex and its mirror image
 Pairs = list[tuple[int, int]]  # vertices
 
@@ -248,7 +248,7 @@ def _are_alike(issue: Issue, other: Issue, measures: np.ndarray, others: np.ndar
 
 
 def _mirrored(issue: Issue, piece: Piece, other: Piece, arrays: MeshArrays) -> Issue | None:
-    """Return the issue with its fixes mirrored to the other piece; None if this piece has no such edges or wires."""
+    """Return the issue with its fixes mirrored to the other piece; None if that piece has no such edges or wires."""
     wanted = [*issue.proposed_seams, *(edge for wire in issue.proposed_tolerances for edge in wire.edges)]
     own = np.intersect1d(np.unique(piece.source_vertex), np.array(wanted).ravel())
     places, others = arrays.vertices[np.unique(piece.source_vertex)], np.unique(other.source_vertex)

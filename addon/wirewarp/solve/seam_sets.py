@@ -111,7 +111,8 @@ def first_sets(
     """Return cut sets for a fabric with a known maximum stretch, or other cuts if no piece needs a set.
 
     The search uses a material without threads, which takes a fraction of the time. Then with_measures() measures the
-    stretch with the fabric. If the fabric has negative ease, its shapes differ too much, so the search uses the fabric.
+    stretch with the fabric. If the fabric has negative ease, the shapes of the pieces differ too much, so the search
+    uses the fabric.
     """
     cloth = choices.cloth
     if cloth is not None and not (cloth.worn_across or cloth.worn_along):
@@ -136,7 +137,7 @@ def with_measures(
     if not cuts[0].is_set:
         return cuts
     measured: list[Cut] = []
-    with suppress(CanceledError):  # the other sets keep the figures of the search
+    with suppress(CanceledError):  # sets that were not measured keep the figures of the search
         yield from reported_as(_measure(cuts, measured, arrays, choices), lambda share: SEARCH + (1 - SEARCH) * share)
     sets = [cut for cut in [*measured, *cuts[len(measured) :]] if math.isfinite(cut.strain)]
     if not sets:
@@ -154,7 +155,7 @@ def _measure(cuts: Sequence[Cut], measured: list[Cut], arrays: MeshArrays, choic
 
 
 def _measured_set(arrays: MeshArrays, choices: FlattenChoices, cut: Cut, solved: Cache) -> Steps[Cut]:
-    """Return the set with the narrowest width of the pieces that it changes, and with whether a piece is too narrow.
+    """Return the set with the narrowest width of the pieces that it changes. Also note whether a piece is too narrow.
 
     If pieces have no room for their allowances, only their widths count. The width is in Blender units; None if no
     piece is flat. If the maximum stretch of the fabric is known, the set also gets the strain of the fabric, and the
@@ -166,7 +167,8 @@ def _measured_set(arrays: MeshArrays, choices: FlattenChoices, cut: Cut, solved:
         vertices, faces, changed = arrays.vertices, arrays.triangles, np.array(cut.cleared)
         arguments["seams"] = arrays.seams[~are_among(arrays.seams, changed)]
     else:
-        # The lines of a set do not divide edges of seams and wires, and vertices keep their numbers.
+        # The lines of a set do not divide edges of seams and wires, and vertices keep their numbers. The arguments
+        # for seams and wires therefore stay valid.
         vertices, faces, changed, _ = cut_mesh(arrays.vertices, arrays.triangles, cut.paths)
         arguments["seams"] = np.concatenate([arrays.seams, changed])
     result = yield from result_of(start(vertices, faces, **arguments, cache=solved))

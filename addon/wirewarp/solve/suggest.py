@@ -69,18 +69,18 @@ class Cut:
 
     edges: Pairs  # edges of the cut; empty if a line crosses faces
     diagonals: Pairs  # edges of the cut that are diagonals of faces
-    paths: list[SurfacePath] = field(compare=False)  # the same cut as lines, for library.cut_mesh
-    segments: Segments = field(compare=False)  # drawn lines
-    piece: int  # number of the piece in the flattening
+    paths: list[SurfacePath] = field(compare=False)  # the cut as lines, for library.cut_mesh
+    segments: Segments = field(compare=False)  # the cut as segments to draw
+    piece: int  # index of the piece
     lengths: list[float]  # length of each line on the model, or total length of a cut set, in Blender units
     strain: float  # after the cut, 99% of the piece, or of its worst part, has at most this strain
     strain_before: float  # strain before the cut; infinite for a cut set
-    num_pieces: int  # number of pieces after the first line or all lines of a cut set, or without the cleared seams
+    num_pieces: int  # number of pieces after the first line, after a cut set, or without the cleared seams
     is_bent: bool = False  # whether a line along edges has a corner
     cleared: Pairs = field(default_factory=list)  # seams to clear; if there are any, nothing is cut
     width: float | None = None  # narrowest width of the pieces of a set, in Blender units; None until it is measured
     is_narrow: bool = False  # whether two allowances of a piece have no room side by side
-    threads: Threads | None = None  # of the piece of a set that exceeds the fabric most; None until measured
+    threads: Threads | None = None  # threads of the piece that exceeds the fabric most; None until measured
 
     @property
     def is_first(self) -> bool:
@@ -89,11 +89,12 @@ class Cut:
 
     @property
     def is_set(self) -> bool:
-        """Return whether the cut is a complete set of seams for a piece or model. The rows are then alternatives."""
+        """Return whether the cut is a complete set of seams for a piece or model. Sets in a list are alternatives."""
         return bool(self.cleared) or (self.is_first and len(self.lengths) == 1)
 
     def excess(self, limits: Sequence[float]) -> float:
-        """Return by how much the worst piece of the set exceeds the fabric, like the verdict; at most 0 if none does.
+        """Return by how much the worst piece of the set exceeds the fabric, as in the verdict; at most 0 if no
+        piece does.
 
         Before the set is measured, its strain is compared with the smaller limit. limits: maximum stretches, the
         smaller direction first.
@@ -254,7 +255,8 @@ def set_for(sets: Sequence[Cut], limits: Sequence[float]) -> int:
 def _steps_of(plan: list[DartProposal], arrays: MeshArrays, piece: int | None) -> list[Cut]:
     """Return the steps of a plan. Two mirror images are one step. piece: the piece to cut; None for any piece."""
     first = plan[0]
-    # If any piece may be cut, the most strained piece may be one that stays whole, not the one that is cut first.
+    # If any piece may be cut, the first cut may be in another piece than the most strained piece. Then strain_left, the
+    # strain after this cut, is that of the most strained piece.
     before = first.strain_before if piece is not None else max(first.strain_before, first.strain_left)
     ends = [index + 1 for index, each in enumerate(plan) if each.twin is None or each.twin < index]
     return [_cut(plan[:end], plan[end - 1].strain_left, before, arrays) for end in ends]

@@ -40,7 +40,7 @@ from ..solve.identity import new_id
 
 @dataclass(frozen=True)
 class SidedMark:
-    """A value that one side of an edge may have. Its methods take meshes in Object Mode."""
+    """A value that one side of an edge may have. Its methods need meshes in Object Mode."""
 
     what: str  # name of the mark in sentences
     value: Mark  # FLOAT, on edges: value of the marked side
@@ -56,7 +56,8 @@ class SidedMark:
         """Raises ObjectError like check_attributes, or if a side is unknown or has two values.
 
         If an edge has only one face left, which is not the marked face, the mark is ignored. has_modifiers: whether
-        modifiers made the mesh. If a Mirror modifier merges the middle, both faces of an edge there have one number.
+        modifiers made the mesh. If a Mirror modifier merges the middle, both faces of an edge in the middle have one
+        number.
         """
         self.check_attributes(mesh)
         _, counts = marked_corners(mesh, self.side)
@@ -128,8 +129,8 @@ def is_set(values: np.ndarray) -> np.ndarray:
 
 
 def number_faces(mesh: bpy.types.Mesh, faces: np.ndarray) -> np.ndarray:
-    """Gives these faces numbers, and new numbers to all faces that share one. Returns the numbers of all faces (f,), 0
-    for none. Known sides remain known. The mesh is in Object Mode."""
+    """Gives these faces numbers, and new numbers to all faces that share a number. Returns the numbers of all faces
+    (f,), 0 for none. Known sides remain known. The mesh must be in Object Mode."""
     numbers = read_values(mesh, FACE)
     _, first, counts = np.unique(numbers, return_inverse=True, return_counts=True)
     renumbered = (numbers != 0) & (counts[first] > 1)
@@ -176,7 +177,7 @@ class MarkedAllowances:
 
 
 def mark_edges(mesh: bpy.types.Mesh, rows: np.ndarray, width: float) -> int:
-    """Set this width on those of the edges that are on seams or outlines. width: in Blender units, NONE for no
+    """Set this width on the edges of `rows` that are on seams or outlines. width: in Blender units, NONE for no
     allowance, 0 for the default. Return the number of changed edges."""
     marked = rows[on_outlines(mesh)[rows]]
     widths = read_values(mesh, ALLOWANCE)
@@ -199,7 +200,7 @@ def mark_sides(mesh: bpy.types.Mesh, corners: np.ndarray, width: float) -> int:
     first = beside[np.searchsorted(loop_edges[beside], rows)]
     last = beside[np.searchsorted(loop_edges[beside], rows, side="right") - 1]
     own, shared = np.where(widths[first] != 0, first, last), np.where(widths[first] != 0, last, first)
-    both[rows] = widths[shared]  # the edge stores the width of one side; SIDE_ALLOWANCES stores a different width below
+    both[rows] = widths[shared]  # the width of one side; below, SIDE_ALLOWANCES gets a different width of the other
     write_marked(mesh, ALLOWANCE, both)
     SIDE_ALLOWANCES.clear(mesh, rows)
     one_sided = own[widths[own] != widths[shared]]

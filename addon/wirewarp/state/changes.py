@@ -36,7 +36,7 @@ def present_state(source: bpy.types.Object, with_modifiers: bool, take: Take = r
 def _state(source: bpy.types.Object, digests: dict, with_modifiers: bool, take: Take) -> dict:
     matrix = np.array(source.matrix_world, dtype=np.float64)
     state = digests | {SCALE: metric(source).tolist(), MATRIX: matrix.ravel().tolist()}
-    if with_modifiers:  # None if Blender does not evaluate them
+    if with_modifiers:  # the value is None if Blender does not evaluate the modifiers
         state[MODIFIED] = take(source, MODIFIED, _modified_state) if shows_modified(source) else None
     return state
 
@@ -64,7 +64,7 @@ def _changes(source: bpy.types.Object, then: dict, take: Take) -> set[str]:
         return {SCALE} if _is_scaled(source, then) else set()
     try:
         now = present_state(source, MODIFIED in then, take)
-    except ObjectError:  # since then, a user or another add-on has made an attribute with one of our names
+    except ObjectError:  # after the state `then`, an attribute with one of our names was made
         return {SHAPE, MARKS}
     changes = {part for part in (SHAPE, MARKS) if then.get(part) != now[part]}
     if _is_scaled(source, then):
@@ -165,7 +165,7 @@ def _marks(mesh: MarkedMesh) -> list[np.ndarray]:
 
 
 def place_sums(points: np.ndarray) -> list[float]:
-    """Return sums of the points (n,3). If a single point moves, they change by at least half as much."""
+    """Return sums of the points (n,3). If a single point moves, the sums change by at least half as much."""
     numbers = np.arange(len(points))
     blocks = numbers * BLOCKS // max(len(points), 1)
     wave = np.cos(2.4 * numbers)

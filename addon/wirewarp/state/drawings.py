@@ -13,9 +13,9 @@ from ..blender.views import redraw_views
 from .memory import all_states, state_of
 
 T = TypeVar("T")
-IDLE_SHARE = 9  # pause after a build as a multiple of the time it took, so that building takes a tenth of all time
+IDLE_SHARE = 9  # pause after a build as a multiple of its time, so that building takes at most a tenth of all time
 MAX_IDLE = 1.0  # longest pause in seconds, so that no drawing is outdated for longer
-FELT = 0.03  # longest time in seconds for a build; a drawing that took longer is built again one redraw later
+FELT = 0.03  # seconds; a drawing whose build takes longer is slow, and is built again one redraw later
 SOON = 0.01  # seconds until the redraw after a slow drawing
 REST = 0.2  # seconds without a change before a build in Edit Mode, where the user may be dragging
 

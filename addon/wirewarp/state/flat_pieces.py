@@ -22,8 +22,8 @@ from .reports import pieces_report
 
 
 def on_flat(elements: Elements, flat: FlatPieces) -> Elements:
-    """Return the elements of the flat pieces that were made from these elements of the model. An edge on a seam has one
-    edge on each side."""
+    """Return the elements of the flat pieces that were made from these elements of the model. For an edge on
+    a seam, return the edges on both sides."""
     in_piece = np.full(len(flat.face_piece), True) if elements.piece is None else flat.face_piece == elements.piece
     if elements.whole_piece:
         return Elements(faces=np.flatnonzero(in_piece))
@@ -45,16 +45,16 @@ LENGTH_ERROR, PLACE_ERROR = 1e-5, 1e-6
 
 
 def is_flat_mesh(mesh: bpy.types.Mesh) -> bool:
-    """Return whether the mesh contains flat pieces in a plane, even if their model has changed. The mesh is not in Edit
-    Mode."""
+    """Return whether the mesh contains flat pieces in a plane, even if their model has changed. The mesh must not be in
+    Edit Mode."""
     if not len(mesh.polygons) or not has_attributes(mesh, *OF_ELEMENTS):
         return False
     return not vertex_places(mesh)[:, 2].any()
 
 
 def read_flat_pieces(mesh: bpy.types.Mesh, scale: float = 1.0) -> FlatPieces:
-    """Return the pieces, with None for missing attributes. The mesh is not in Edit Mode. scale: factor for lengths,
-    which are in Blender units. Raises ObjectError."""
+    """Return the pieces, with None for missing attributes. The mesh must not be in Edit Mode. scale: factor for
+    lengths, which are in Blender units. Raises ObjectError like read_marks."""
     return FlatPieces(
         vertices=vertex_places(mesh)[:, :2].astype(np.float64) * scale,
         source_vertex=find_values(mesh, SOURCE_VERTEX),
@@ -130,7 +130,7 @@ def current_pieces(source: bpy.types.Object) -> tuple[ObjectReport, bpy.types.Ob
 
 
 def _is_edited(mesh: bpy.types.Mesh, report: ObjectReport) -> bool:
-    """Return whether the pieces differ from those that Flatten wrote, except in their places."""
+    """Return whether the pieces differ, except in their places, from the pieces that Flatten wrote."""
     if not has_attributes(mesh, PIECE_INDEX, SOURCE_VERTEX):
         return True
     pieces = find_values(mesh, PIECE_INDEX)

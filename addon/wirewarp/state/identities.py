@@ -163,8 +163,8 @@ def find_wires(target: bpy.types.Object, take: Take = read_anew) -> list[WireSum
 
 
 def repair_names(target: bpy.types.Object) -> dict[int, int]:
-    """Write the names of all wires to the list of names, in either mode. Wires that share an id with an earlier wire
-    need a new id: return the new ids, by edge, which the caller must write."""
+    """Write the names of all wires to the list of names, in Object Mode or Edit Mode. Return, by edge, new ids for
+    wires that share an id with an earlier wire. The caller must write these ids."""
     wires, mesh = find_wires(target), target.data
     ids = [wire.wire_id for wire in wires]
     own = own_ids(ids)

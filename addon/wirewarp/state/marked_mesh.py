@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Reads the data of a mesh on which flat pieces depend as arrays, in either mode, and writes wires and ids."""
+"""Reads from a mesh, as arrays, the data on which its flat pieces depend, and writes wires and ids."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -111,7 +111,7 @@ def read_marked(mesh: bpy.types.Mesh) -> MarkedMesh:
 
 
 def marked_mesh(target: bpy.types.Object, take: Take = read_anew) -> MarkedMesh:
-    """Return the data of the object's own mesh like read_marked, but in either mode. take: read_anew or kept."""
+    """Return the data of the object's own mesh like read_marked, in Edit Mode, too. take: read_anew or kept."""
 
     def gather(_mesh: bpy.types.Mesh) -> MarkedMesh:
         with current_mesh(target) as mesh:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Finds the model of flat pieces and the flat pieces of a model.
 
-Scripts and users may have changed the pointer, and converted or replaced the objects.
+The functions check the stored pointer, because scripts and users may have changed it, or converted or replaced objects.
 """
 
 from collections.abc import Collection

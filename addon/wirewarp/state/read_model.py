@@ -27,7 +27,8 @@ from .allowances import SIDE_EASES, corner_widths, widest_allowance
 from .identities import chain_names
 from .marked_mesh import MarkedMesh, own_ids, read_ids, read_marked
 
-# levels of a new modifier: two levels divide a turn of 60 degrees, the largest of a curve, into turns of 15 degrees
+# Levels of a new modifier. The largest turn that counts as a curve has 60 degrees. Two levels divide it into turns of
+# 15 degrees.
 LEVELS = 2
 MOST_LEVELS = 4  # maximum number of levels, because each level has four times as many faces
 ROUNDING = 1e-5  # rounding error of places with an armature at rest, as a share of the model's size
@@ -53,8 +54,8 @@ def left_out(source: bpy.types.Object, arrays: MeshArrays | None, use_modifiers:
 
 
 def shaped_by(source: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> list[str]:
-    """Return "modifiers" and "shape keys" if these change the shape of the object, which is in Object Mode. Only the
-    evaluated shape counts, so an armature at rest or a modifier of normals does not matter."""
+    """Return "modifiers" and "shape keys" if these change the shape of the object, which must be in Object Mode. Only
+    the evaluated shape counts, so an armature at rest or a modifier of normals does not matter."""
     makers = ["modifiers"] if any(modifier.show_viewport for modifier in source.modifiers) else []
     makers += ["shape keys"] if source.data.shape_keys else []
     if not makers:
@@ -76,7 +77,7 @@ def subdivide(source: bpy.types.Object, is_used: bool) -> None:
 
 def outline_change(source: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> float:
     """Return the relative change of the outlines' length by modifiers, below 0 if outlines become shorter. The object
-    is in Object Mode."""
+    must be in Object Mode."""
     before = _outline_length(source.data)
     with evaluated_mesh(source, depsgraph) as mesh:
         return _outline_length(mesh) / before - 1 if before else 0.0
@@ -105,7 +106,8 @@ def apply_modifiers(source: bpy.types.Object) -> None:
 
 
 def _is_same_shape(base: bpy.types.Mesh, seen: bpy.types.Mesh) -> bool:
-    """Return whether the two meshes have the same shape, even if a modifier has split edges and so repeated places."""
+    """Return whether the two meshes have the same shape. Vertices that a modifier repeats by splitting edges do not
+    matter."""
     if len(base.polygons) != len(seen.polygons):
         return False
     places, seen_places = (vertex_places(mesh) for mesh in (base, seen))
@@ -133,7 +135,7 @@ def object_to_arrays(source: bpy.types.Object, base: MarkedMesh, depsgraph: bpy.
 
 
 def _check_size(source: bpy.types.Object, vertices: np.ndarray) -> None:
-    """Raises ObjectError if areas are not finite in single precision. The core reports coordinates that are not
+    """Raises ObjectError if areas would not be finite in single precision. The core reports coordinates that are not
     finite."""
     if LARGEST < np.abs(vertices).max(initial=0) < np.inf:
         raise object_error(
@@ -194,8 +196,8 @@ def _to_arrays(
 
 
 def own_uv_map(mesh: bpy.types.Mesh) -> bpy.types.MeshUVLoopLayer | None:
-    """Return the user's active UV map; None if there is only the map of the flat pieces. If this map is active, as
-    after Flatten, return the user's map that is active for rendering, or else the user's first map."""
+    """Return the user's active UV map; None if there is only WireWarp's map. If WireWarp's map is active, as after
+    Flatten, return the user's map that is active for rendering, or else the user's first map."""
     active, others = mesh.uv_layers.active, [each for each in mesh.uv_layers if each.name != UV_LAYER]
     if active is None or active.name != UV_LAYER:
         return active
@@ -245,7 +247,8 @@ def _groups(source: bpy.types.Object, mesh: bpy.types.Mesh, sample: np.ndarray) 
 
 
 def _face_attributes(mesh: bpy.types.Mesh, sample: np.ndarray) -> list[Region]:
-    """Return a region for each boolean face attribute. Attributes whose names begin with a dot belong to Blender."""
+    """Return a region for each boolean face attribute. Attributes of Blender, whose names begin with a
+    dot, are left out."""
     found = []
     for attribute in mesh.attributes:
         if (attribute.data_type, attribute.domain) != ("BOOLEAN", "FACE") or attribute.name in NO_REGIONS:

@@ -105,7 +105,7 @@ def write_record(mesh: bpy.types.Mesh, record: FlatRecord) -> None:
 
 
 def read_record(mesh: bpy.types.Mesh) -> FlatRecord | None:
-    """Return the record; None if write_record has not stored one on the mesh."""
+    """Return the record; None if the mesh has no record, or a record of another version."""
     found = unsealed(mesh.get(FLAT_RECORD))
     return FlatRecord(**found) if found and found.keys() == {each.name for each in fields(FlatRecord)} else None
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Declares the settings of a run and of a search, and converts them to the solver's options."""
+"""Declares the settings of a run and of a search, and converts them to the library's options."""
 
 import math
 from collections.abc import Callable
@@ -198,7 +198,12 @@ class FlattenSettings:
             ),
             ("BEST", "Best for the Fabric", "Turn each piece so that the fabric must stretch least. Needs a fabric"),
             ("BOUNDARY", "Longest Straight Edge", "The longest straight section of the outline"),
-            ("UP", "World Up", "The direction that is up (Z) on the model, or the first wire of a level piece"),
+            (
+                "UP",
+                "World Up",
+                "Up (Z) on the model. In pieces that are level as a whole: the first wire, or else the longest outline "
+                "section",
+            ),
         ],
     )
     grain_angle: number(
@@ -211,16 +216,14 @@ class FlattenSettings:
     )
     spacing: number(
         "Gap (mm)",
-        "Space between the cutting lines of the pieces, with the widest allowance. "
+        "Space between the cutting lines of the pieces, if all edges have the widest allowance. "
         "If you change allowances later, pieces move only when you press Lay Out Again",
         (0.0, 10.0, 200.0),  # default: room for the scissors
         step=100,
     )
     keep_places: BoolProperty(
         name="Keep Places",
-        description="Keep pieces where you have moved and rotated them, and place new pieces beside them. A change of "
-        "Layout, Upright, grain wire, Gap or Mirrored moves all pieces, but a rotation of the model does not. Off: all "
-        "pieces are laid out again each time",
+        description="Keep pieces where you have put them, until you change the grain wire or a setting of the layout",
         default=True,
     )
     mirror: BoolProperty(

@@ -103,5 +103,5 @@ def are_current(source: bpy.types.Object, found: Suggestions, take: Take = kept)
         return True
     try:
         return found.no_seam.is_same(take(source, "no seam", read_no_seam))
-    except ObjectError:  # the attribute could be read during the search, so something has changed it since
+    except ObjectError:  # something has changed the attribute, because the search could read it
         return False

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The operators Suggest Darts, Suggest Seams and Simplify Seams, which find cuts and seams to clear with their
+"""The operators Suggest Darts, Suggest Seams and Simplify Seams, which find cuts and seams to clear, and their
 effects.
 """
 
@@ -65,7 +65,7 @@ class Search:
 
     @property
     def is_of_model(self) -> bool:
-        """Return whether the cuts may be in several pieces. They are then listed under the model's name."""
+        """Return whether the cuts may be in several pieces. Such cuts are listed under the model's name."""
         return self.options.kind == "FEWER" or (self.options.target is not None and self.options.piece is None)
 
 
@@ -79,7 +79,7 @@ def begin_search(context: bpy.types.Context, source: bpy.types.Object, kind: str
         raise ObjectError(model.issue)
     depsgraph = context.evaluated_depsgraph_get()
     is_shaped = settings.use_modifiers and bool(shaped_by(source, depsgraph))
-    # Modifiers that keep the shape may split edges.
+    # Even modifiers that keep the shape may split edges, so that the search uses other vertices than the base mesh has.
     is_split = len(model.arrays.vertices) != len(source.data.vertices)
     if is_shaped or is_split:
         check_modifiers(source)
@@ -104,8 +104,8 @@ def begin_search(context: bpy.types.Context, source: bpy.types.Object, kind: str
     names = {each.piece_id: each.name for each in pieces if each.piece_id}
     limits = known_stretch(used.cloth)
     is_for_sets = not is_known or _lacks_seams(known, piece)
-    # The library's default is for soft fabrics. With the limit of swim knit, a ball would become two pieces that need a
-    # stretch of 71%.
+    # The library's default is for soft fabrics. Only a smaller maximum stretch replaces the default: with the larger
+    # limit of swim knit, a ball would become two pieces that need a stretch of 71%.
     strain = limits[0] if limits and limits[0] < SOFT[0] and is_for_sets else None
     options = SearchOptions(kind, piece, target, strain, is_smooth, names)
     if kind == "FEWER":
@@ -231,8 +231,8 @@ class SuggestCuts(OnMesh, WindowSteps):
     def _keep(self, context: bpy.types.Context, cuts: list[Cut], remark: str = "") -> set[str]:
         """Keep the cuts and report them. remark: text before the figures. Raises ObjectError like keep_found.
 
-        This works in any mode, because leaving Edit Mode while a tool runs would crash Blender. The name of the piece
-        comes last, because the status bar cuts off long texts.
+        This must work in any mode, because leaving Edit Mode while a tool runs would crash Blender. The name of the
+        piece comes last, because the status bar cuts off long texts.
         """
         found = keep_found(self._search, cuts, self.place)
         redraw_views()
@@ -255,7 +255,7 @@ class SuggestForPiece(SuggestCuts):
 
     piece: IntProperty(
         name="Piece",
-        description="Index of the piece to cut in the report, from 0, or -1 for the piece that gains most",
+        description="Index of the piece in the report, from 0, or -1 for the piece that gains most from a cut",
         default=-1,
         min=-1,
         options={"HIDDEN", "SKIP_SAVE"},

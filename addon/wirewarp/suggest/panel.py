@@ -22,7 +22,7 @@ from ..ui.window_run import SUGGEST, is_running
 KINDS = ("darts", "seams")
 LABELS = {"DARTS": "Suggested Darts", "SEAMS": "Suggested Seams", "FEWER": "Fewer Seams"}
 TARGET_LABELS = {"DARTS": "Stretch with Darts", "SEAMS": "Stretch with Seams"}
-COLUMNS = "Each row: pieces, stretch, length of {}."
+COLUMNS = "Pieces, stretch, length of {}."
 FROM_FEW = "Above: fewer pieces. Below: less stretch."
 ALL_PIECES = "All Pieces up to a Target"
 WIDTH = "Narrowest place of a piece: {}."
@@ -147,7 +147,8 @@ def _beyond_fabric(found: Suggestions) -> str:
     if any(each.threads and each.excess(limits) <= 0 for each in found.cuts):
         remedy = LESS_STRETCH
     else:
-        # Without a target, Simplify Seams clears no seam that the fabric needs.
+        # Without a target, Simplify Seams clears no seam that the fabric needs. If the fabric does not suffice for a
+        # set of cleared seams, the target was therefore too large.
         remedy = SMALLER_TARGET if cut.cleared else MORE_CUTS
     return f"{set_beyond_fabric(cut.threads)} {remedy}"
 

@@ -122,7 +122,7 @@ def _split_along(
         face = next(each for each in parts if {first, second} <= set(each.verts))
         new, corner = bmesh.utils.face_split(face, first, second)
         parts.append(new)
-        for loop in corner.edge.link_loops:  # Blender has copied these values from corners at which other edges begin
+        for loop in corner.edge.link_loops:  # set to 0, because Blender has copied values of other edges
             for side in _side_layers(edited):
                 loop[side] = 0.0
 
@@ -145,7 +145,7 @@ def _replace(
         values[vertices[index]] = loop
         aside += dict.fromkeys(vertex for part in loop.vert.link_faces for vertex in part.verts)
     following = [loop.vert for loop in face.loops if loop.vert in corners]
-    is_reversed = following.index(corners[1]) != (following.index(corners[0]) + 1) % 3  # an object with negative scale
+    is_reversed = following.index(corners[1]) != (following.index(corners[0]) + 1) % 3  # whether the scale is negative
     for part in triangle.parts:
         new = edited.faces.new([vertices[v] for v in (part[::-1] if is_reversed else part)], face)
         for loop in new.loops:
@@ -179,7 +179,7 @@ def _split_edge(
     for index, share in line[1:-1]:
         edge = edited.edges.get((vertices[first], vertices[last]))
         _, vertex = bmesh.utils.edge_split(edge, vertices[first], (share - start) / (1 - start))
-        for loop in vertex.link_loops:  # the second part of the divided edge begins at this corner
+        for loop in vertex.link_loops:  # the second part of the edge begins here, and has the marks of the first
             for side in _side_layers(edited):
                 loop[side] = loop.link_loop_prev[side]
         vertices[index], first, start = vertex, index, share

@@ -14,7 +14,7 @@ from ..core import Level
 from .window_run import Task, shown_progress
 
 WIDE = 330  # width of a wide sidebar, in pixels at interface scale 1; a new sidebar is half as wide
-BESIDE_TEXT = 90  # pixels of the sidebar's width that icon, margins and tabs take
+BESIDE_TEXT = 90  # pixels of the sidebar's width that icon, margins and tabs need
 FONT = 0  # Blender's number of the interface font
 SIZE, THICKNESS = 64, 0.08  # size of a mark in pixels; half the width of its strokes, as a share of the size
 Stroke = list[tuple[float, float]]  # points from 0 to 1, with y upward
@@ -59,8 +59,8 @@ def draw_cells(layout: bpy.types.UILayout, label: str, cells: list[str], label_s
 
 
 def broken(context: bpy.types.Context, text: str, reserved: int = 0) -> list[str]:
-    """Return the text in lines that fit the region beside an icon. reserved: further pixels to leave free, at interface
-    scale 1."""
+    """Return the text in lines that fit the region beside an icon. reserved: pixels to leave free besides the icon, at
+    interface scale 1."""
     unit = context.preferences.system.ui_scale
     points = context.preferences.ui_styles[0].widget.points
     return _lines(text, context.region.width - (BESIDE_TEXT + reserved) * unit, points * unit)

@@ -139,7 +139,7 @@ def _changed_choices(
     ignored: set[str],
 ) -> list[str]:
     """Return the labels of changed settings that are used. then: options of the earlier run or search; wire_ids: ids of
-    the wires in it; ignored: names of options that are not compared."""
+    its wires; ignored: names of options that are not compared."""
     now = asdict(choices) | {"grain_wire": source.data.wirewarp_grain}
     had_grain = then["grain_wire"] in wire_ids
     if (now["orientation"], then["orientation"]) == ("grain", "up") and not had_grain:
