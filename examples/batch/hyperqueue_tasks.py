@@ -5,8 +5,8 @@ python hyperqueue_tasks.py TASKS [--server DIR] IN... --out DIR [options of pyth
 
 TASKS is the number of tasks that share the models. Use several tasks for each core, so that all cores finish at about
 the same time. --server is the folder of a running server, whose workers may be jobs of Slurm or PBS. Without --server,
-this program starts a server and a worker. Like batch, it prints the lines of all models, and its exit code is that of
-the worst model.
+this program starts a server and a worker. Like batch, this program prints the lines of all models, and ends with the
+exit code of the worst model.
 """
 
 import argparse
@@ -20,7 +20,7 @@ from hyperqueue import Client, Job, LocalCluster
 from hyperqueue.cluster import WorkerConfig
 
 BATCH = (sys.executable, "-m", "wirewarp", "batch")
-TRIES = 3  # number of lost workers after which a task fails; until then, another worker continues it
+TRIES = 3  # a task fails after it has lost this number of workers; before, another worker continues the task
 
 
 def main() -> int:
@@ -33,9 +33,9 @@ def main() -> int:
         one = (*BATCH, *words, "--jobs", "1", "--part", f"{part}/{given.tasks}")
         job.program(one, stdout=None, stderr=None, crash_limit=TRIES)
     with connected(given.server) as client:
-        # A task fails if a model is not ready to cut. The others continue.
+        # If a model is not ready to cut, its task fails. The other tasks continue.
         client.wait_for_jobs([client.submit(job)], raise_on_error=False)
-    # print the lines of all models, and flatten those again that were refused, stopped or lost
+    # print the lines of all models, and flatten refused, stopped and lost models again
     return subprocess.call([*BATCH, *words])
 
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A job type of Flamenco 3. Each task flattens some of the models in a folder that all workers share.
-// Copy this file to the folder `scripts` beside flamenco-manager. In flamenco-manager.yaml, set the variable {python}
-// to a Python with wirewarp[command] on each platform.
+// Copy this file to the folder `scripts` beside flamenco-manager. In flamenco-manager.yaml, define the variable
+// {python} for each platform: the path of a Python in which wirewarp[command] is installed.
 
 const JOB_TYPE = {
     label: "WireWarp Patterns",

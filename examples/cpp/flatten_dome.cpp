@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Flattens a shallow dome over a square of 1 m, and prints the lengths of its lines on the dome and in the flat piece.
-// Two lines cross its middle: one must keep its length, and the other may change its length by 1%.
+// Flattens a shallow dome over a square of 1 m. Two lines cross in the middle of the dome: the rigid line must keep its
+// length, and the elastic line may change its length by 1%. Prints the lengths of both lines and of the outline, on the
+// dome and in the flat piece.
 #include <wirewarp/flatten.h>
 
 #include <cmath>

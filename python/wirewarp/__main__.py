@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs python -m wirewarp flatten MODEL... --out DIR, batch FOLDER... --out DIR, or propose MODEL..."""
+"""Runs python -m wirewarp with the command flatten MODEL... --out DIR, batch IN... --out DIR, or propose MODEL..."""
 
 import os
 import sys

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Raises ImportError if the compiled module does not fit this Python or system. The package imports it first."""
+"""Raises ImportError if the compiled module does not fit this Python or system. The package imports this file first."""
 
 import sys
 import sysconfig

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The only exception type of wirewarp, and its codes, which are made from the table of the compiled core."""
+"""Defines the only exception type of wirewarp, and the codes of errors. The compiled core has the table of codes."""
 
 import copy
 from collections.abc import Iterable, Mapping
@@ -39,15 +39,15 @@ class FlattenError(ValueError):
     """An error of the input (raised), or a fault of one piece (stored as `Piece.error`).
 
     `str(error)` describes the fault, its place and a remedy. `vertices`, `edges` (vertex pairs) and `faces` are the
-    faulty elements, as indices of the input. `has_layout` is true if the piece still has flat coordinates to inspect.
+    faulty elements, as indices of the input. `has_layout` is true if the failed piece has flat coordinates to inspect.
 
     `proposed_seams` are edges (vertex pairs) that fix the piece if they become seams: flatten again with
     `[*seams, *error.proposed_seams]`. `proposed_tolerances` are pairs of the index of a wire and a tolerance within
     which the wire can keep its length. Both are empty if there is no proposal.
 
-    `arguments` are the other values in the sentence, such as lengths, limits and names. Each value is a bool, int,
-    float, str or a list of one of these types. `code.arguments` documents their names. With the code, the elements and
-    the arguments, you can write your own sentence, for example in another language.
+    `arguments` are the other values in `str(error)`, such as lengths, limits and names. Each value is a bool, int,
+    float, str or a list of one of these types. `code.arguments` documents the name of each value. With the code, the
+    elements and the arguments, you can write your own sentence, for example in another language.
     """
 
     __module__ = __package__

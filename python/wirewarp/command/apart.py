@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs every model in its own process. One that crashes, hangs or uses too much memory does not affect the others.
+"""Runs every model in its own process. A model that crashes, hangs or uses too much memory affects no other model.
 
-It does not use the pools of the standard library or of pebble. Their workers share a pipe and a lock, so a worker that
-is killed at the wrong moment breaks the whole pool. psutil measures and ends the children of a process.
+This module does not use the pools of the standard library or of pebble. The workers of a pool share a pipe and a lock,
+so a worker that is killed at the wrong moment breaks the pool. psutil measures and ends the children of a process.
 """
 
 import itertools
@@ -60,7 +60,7 @@ def each_apart(
     """
     CONTEXT.set_forkserver_preload(modules)
     if sys.platform != "win32":
-        resource_tracker.ensure_running()  # started before Ctrl+C is blocked, because its start unblocks Ctrl+C
+        resource_tracker.ensure_running()  # before Ctrl+C is blocked, because starting the tracker unblocks Ctrl+C
     waiting = enumerate(items)
     running: list[_Run[Result]] = []
     looked = time.monotonic()

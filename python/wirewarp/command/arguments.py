@@ -283,7 +283,7 @@ def _request(found: Found, given: argparse.Namespace) -> Request:
 
 
 def _made(kind: type[T], given: argparse.Namespace, **others: object) -> T:
-    """Return a request of this kind. Its fields have the values in `others`, or those of arguments with their names."""
+    """Return a request of this kind. Each field has the value of its name in `others`, or else in the arguments."""
     names = [each.name for each in fields(kind)]  # type: ignore[arg-type]
     return kind(**{name: others[name] if name in others else getattr(given, name) for name in names})
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Flattens Blender files with the add-on, in Blender without a window, with the marks and settings in the files."""
+"""Flattens Blender files with the add-on, in a Blender without a window. Marks and settings come from the files."""
 
 import json
 import shutil
@@ -21,7 +21,8 @@ class BlenderError(Exception):
 
 
 def flatten_blend(request: Request, folder: Path) -> tuple[Line, dict[str, Any]]:
-    """Write patterns to the folder. Return the line to print, and the rest of the report. Raises InputError."""
+    """Write patterns to the folder. Return the line to print, and the rest of the report. Raises InputError, or
+    BlenderError if Blender crashed."""
     program = shutil.which(request.blender)
     if program is None:
         raise InputError(f'There is no Blender at "{request.blender}": give --blender PATH.')

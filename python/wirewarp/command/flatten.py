@@ -28,7 +28,7 @@ WHEREABOUTS = ("blender", "folder", "model", "refusal", "resume", "seams", "wire
 
 @with_faults_answered
 def flatten_model(request: Request) -> Line:
-    """Return the line to print. It contains faults of the model, the folder or a written file, which do not raise."""
+    """Return the line to print. Faults of the model, the folder or a written file are in the line, not raised."""
     try:
         return _line(request)
     except RuntimeError as error:  # raised if the written file differs from the pattern
@@ -58,7 +58,8 @@ def _line(request: Request) -> Line:
 
 
 def _done_before(request: Request, made_of: str) -> Line | None:
-    """Return the line of the previous run, if the model and the request have not changed and all files exist."""
+    """Return the line of the previous run. Return None if the model or the request has changed, or if a file is
+    missing."""
     path = request.report_path
     if not request.resume or not path.is_file():
         return None
@@ -167,7 +168,7 @@ def material_options(material: MaterialRequest, unit: str) -> Options:
 
 
 def _timeless(result: dict[str, Any]) -> dict[str, Any]:
-    """Remove the durations, so that the same model always gives the same file."""
+    """Return the result without durations, so that the same model always gives the same file."""
     for each in (result, *result["pieces"]):
         del each["report"]["seconds"]
     return result

@@ -40,7 +40,7 @@ def is_marked(target: bpy.types.Object) -> bool:
 
 
 def settings_of(operator: Any) -> dict[str, Any]:  # noqa: ANN401 (bpy.ops has no types)
-    """Return the scene's settings for the properties of the operator, by name."""
+    """Return the scene's settings that are also properties of the operator, by name. Empty texts are left out."""
     scene = bpy.context.scene.wirewarp
     names = set(operator.get_rna_type().properties.keys()) & set(scene.bl_rna.properties.keys()) - {"rna_type", "name"}
     return {name: getattr(scene, name) for name in names if getattr(scene, name) != ""}
@@ -106,7 +106,7 @@ def export(job: dict[str, Any], models: list[bpy.types.Object], folder: Path) ->
             bpy.ops.object.wirewarp_export(**paths, **settings_of(bpy.ops.object.wirewarp_export))
             warnings += json.loads(report_path.read_text(encoding="utf-8"))["warnings"]
             report_path.unlink()
-    return files, list(dict.fromkeys(warnings))  # without duplicates, because most warnings are about every format
+    return files, list(dict.fromkeys(warnings))  # each once, because most warnings are repeated for every format
 
 
 threading.Thread(target=end_with_caller, daemon=True).start()

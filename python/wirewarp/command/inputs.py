@@ -17,7 +17,7 @@ Options = dict[str, str | int | float | bool]
 class Found:
     model: Path
     folder: Path  # relative to the output folder
-    options: Options = field(default_factory=dict)  # by their names on the command line, without "--"
+    options: Options = field(default_factory=dict)  # values by the name of the option, without "--"
     source: str = ""  # the path of the list, and the number of the line with the options
 
 
@@ -30,7 +30,7 @@ def found_models(inputs: Iterable[Path]) -> list[Found]:
         elif path.suffix.lower() == LIST:
             found = list(_in_list(path))
         else:
-            found = [Found(path, Path())]  # a missing file is reported in the line of the model
+            found = [Found(path, Path())]  # if the file is missing, the line that is printed for the model says so
         if not found:
             raise InputError(f'there is no model in "{path}": models end in {", ".join(SUFFIXES)}')
         models += found

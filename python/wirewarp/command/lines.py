@@ -14,7 +14,7 @@ from .. import Ease, FlattenError, Wire
 from .model import Model
 from .request import InputError
 
-SHARP = math.radians(30)  # as in Blender's Select Sharp Edges
+SHARP = math.radians(30)  # radians; the default angle of Select Sharp Edges in Blender
 KEYS = {"vertices": {"vertices", "tolerance", "name", "ease"}, "side": {"side", "ease"}}
 LARGEST = np.iinfo(np.int64).max
 SAME_UV = 1e-6  # largest difference of equal UV coordinates, because files have about six decimals
@@ -49,7 +49,7 @@ class Lines:
 
 
 def lines_of(path: str) -> Lines:
-    """Return the wires and the eases of one side in a file. Raises InputError."""
+    """Return the wires in a file, and the eases along outlines or along one side of a seam. Raises InputError."""
     if not path:
         return Lines()
     entries = _read(Path(path))
@@ -76,7 +76,7 @@ def _add_wire(lines: Lines, entry: dict[str, Any]) -> None:
 
 
 def _add_ease(lines: Lines, entry: dict[str, Any]) -> None:
-    """Add the ease. Each step of the list is an edge, in the direction of the triangle on the eased side."""
+    """Add the ease. Two successive vertices are an edge, in the direction of the triangle on the eased side."""
     lines.eases.append(Ease(list(pairwise(entry["side"])), entry.get("ease", 0.0)))
 
 

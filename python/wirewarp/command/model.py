@@ -39,7 +39,7 @@ def read_model(path: Path) -> Model:
         raise InputError("Models are read by trimesh, which is missing: pip install wirewarp[command]") from error
     logging.getLogger("trimesh").setLevel(logging.CRITICAL)  # errors are reported by InputError instead
     kind = path.suffix.lower()[1:]
-    is_gltf = kind in ("gltf", "glb")  # trimesh reads the files beside a glTF file
+    is_gltf = kind in ("gltf", "glb")  # trimesh needs the path, because it also reads the files beside a glTF file
     try:
         mesh = trimesh.load_mesh(path if is_gltf else _contents(path, kind), file_type=kind, process=False)
     except (InputError, MemoryError, OSError):

@@ -10,7 +10,7 @@ from ..report import counted
 from .lines import Lines
 from .model import Model
 
-# Closed parts need one round, handles a second one, and short outlines a third. Few models need four rounds.
+# Closed parts need one round, handles a second round, and short outlines a third. Few models need four rounds.
 MOST_ROUNDS = 10
 
 

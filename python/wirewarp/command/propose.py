@@ -21,7 +21,7 @@ IN_BLENDER = "propose reads OBJ, PLY, STL or glTF. For .blend files, use the add
 
 @with_faults_answered
 def propose_for(request: CutRequest) -> Line:
-    """Return the line to print. It contains faults of the model, which do not raise."""
+    """Return the line to print. Faults of the model are reported in the line, not raised."""
     if request.model.suffix.lower() == BLEND:
         raise InputError(IN_BLENDER)
     model = read_model(request.model)
@@ -63,7 +63,10 @@ def propose_for(request: CutRequest) -> Line:
 
 
 def _width_of_set(mesh: dict[str, Any], cut: DartProposal, meters: float) -> dict[str, Any]:
-    """Return {"narrowest_width_m": width} for the pieces that a set of seams makes, or {} for a single cut."""
+    """Return {"narrowest_width_m": width} for the pieces that a set of seams makes, or {} for a single cut.
+
+    A set is recognized by its strain_before, which is infinite.
+    """
     if math.isfinite(cut.strain_before):
         return {}
     seams = np.concatenate([np.reshape(mesh["seams"], (-1, 2)), cut.edges])
@@ -71,13 +74,13 @@ def _width_of_set(mesh: dict[str, Any], cut: DartProposal, meters: float) -> dic
 
 
 def _narrowest(mesh: dict[str, Any], seams: np.ndarray, changed: np.ndarray, meters: float) -> float | None:
-    """Return the narrowest width in meters of the flat pieces that contain changed edges; None without such pieces."""
+    """Return the width in meters of the narrowest flat piece with changed edges; None if all such pieces failed."""
     own = pieces_along(flatten(**mesh | {"seams": seams}).pieces, changed)
     return min((piece_width(piece) * meters for piece in own if not piece.error), default=None)
 
 
 def _fewer(mesh: dict[str, Any], proposal: SeamProposal, meters: float) -> Line:
-    """Return the line to print, with the seams that can be left out."""
+    """Return the line to print. Its "lines" are the seams to keep."""
     if len(proposal.opened) == 0:
         return unfinished(NOTHING, "no_proposal", ALL_NEEDED if len(proposal.edges) else NO_SEAMS)
     described = {
@@ -105,7 +108,7 @@ def _fewer(mesh: dict[str, Any], proposal: SeamProposal, meters: float) -> Line:
 def _proposal(cut: DartProposal, meters: float, has_mirror_image: bool) -> dict[str, Any]:
     """Return a proposal, with lines in the form that --seams reads. meters: length of the model's unit.
 
-    has_mirror_image: whether to add the keys for the mirror image, which is another proposal.
+    has_mirror_image: whether to add the keys for the mirror image of the cut, which is another proposal.
     """
     described: dict[str, Any] = {
         "piece": cut.piece + 1,

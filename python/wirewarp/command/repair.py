@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Repairs a triangle mesh, and describes each repair in a sentence. Vertices keep their numbers.
 
-Lines that contain a merged vertex or a divided edge are converted. Check and Repair in the add-on also removes interior
-faces, which are kept here, and loose edges, which do not exist in files of triangles.
+Seams and wires that contain a merged vertex or a divided edge are converted to the repaired mesh. Check and Repair in
+the add-on also removes interior faces, which are kept here, and loose edges, which do not exist in files of triangles.
 """
 
 from collections import defaultdict
@@ -14,8 +14,8 @@ import numpy as np
 from ..report import counted
 from .model import Model
 
-CLOSE = 1e-5  # distance as a fraction of the model's size; files store coordinates with five or six digits
-OBLIQUE = np.array([0.3, 0.5, 0.81])  # a direction in which few vertices of a model have equal positions
+CLOSE = 1e-5  # closer vertices are merged; a fraction of the model's size, because files have five or six digits
+OBLIQUE = np.array([0.3, 0.5, 0.81])  # a direction; few vertices of a model are at the same place along it
 
 
 @dataclass(frozen=True)
@@ -25,7 +25,7 @@ class Repaired:
     done: list[str]  # a sentence about each repair
     labels: np.ndarray  # (n,) the vertex with which each vertex was merged, or the vertex itself
     divided: dict[frozenset[int], int]  # divided edges, and the vertex that divides each
-    reversed: set[tuple[int, int]]  # directed edges of faces that were flipped
+    reversed: set[tuple[int, int]]  # edges of flipped faces, in their direction before the flip
 
     def chain(self, vertices: np.ndarray) -> list[int]:
         """Return a line of vertices of the file as vertices of the repaired mesh."""
@@ -105,7 +105,7 @@ def _labels(vertices: np.ndarray, close: float) -> np.ndarray:
 
 
 def _with_merged_vertices(model: Model, labels: np.ndarray) -> tuple[Model, int]:
-    """Return the mesh, and the number of vertices of faces that were merged into others."""
+    """Return the mesh, and the number of vertices that were merged into others. Loose vertices do not count."""
     faces = labels[model.faces]
     merged = len(np.unique(model.faces)) - len(np.unique(faces))
     a, b, c = faces.T
@@ -129,10 +129,10 @@ def _close_pairs(vertices: np.ndarray, close: float) -> np.ndarray:
 
 
 def _without_flat_faces(model: Model, close: float) -> tuple[Model, int, dict[frozenset[int], int]]:
-    """Remove each flat face, which has a vertex on its longest edge, and cut other faces with this edge at the vertex.
+    """Remove flat faces. A flat face has a vertex on its longest edge. Other faces at this edge are cut at the vertex.
 
     Faces are treated one after the other, because cutting a flat face makes flat parts. Returns the mesh, the number of
-    flat faces, and the vertices that divide the cut edges.
+    flat faces, and the divided edges, each with the vertex that divides it.
     """
     faces = [tuple(face) for face in model.faces.tolist()]
     uv = [None] * len(faces) if model.corner_uv is None else list(model.corner_uv)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The request for one model, and the error for faulty input."""
+"""Defines the request for one model, and the error for faulty input."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -34,7 +34,7 @@ class MarkerRequest:
 
 @dataclass(frozen=True)
 class MaterialRequest:
-    """The material of the pieces and its direction, as in Options. The thickness is in millimeters."""
+    """The material and the orientation of the pieces, as in Options. The thickness is in millimeters."""
 
     cloth: str  # a name for Cloth.preset, or "" for none
     orientation: Orientation
@@ -105,7 +105,8 @@ class Request(ModelRequest):
 
     @property
     def all_paths(self) -> list[Path]:
-        """Return all possible output files. Files for several objects are missing, because only Blender knows them."""
+        """Return the paths of all files that may be written. If a .blend file has several objects, the files of single
+        objects are missing, because only Blender knows the objects."""
         drawn = [path(kind) for kind in self.formats for path in (self.pattern_path, self.marker_path)]
         return [*drawn, self.picture_path, self.report_path]
 

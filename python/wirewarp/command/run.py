@@ -30,7 +30,7 @@ def run(arguments: Arguments) -> int:
     # Matrices are small and there are many models, so threads for each matrix would only slow the run down.
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     for request in with_left([each for each in arguments.requests if isinstance(each, Request)]):
-        _remove_staged(request)  # done here, because models that are skipped below would keep their remains
+        _remove_staged(request)  # before all models, because skipped models would keep their hidden folders
     worst = 0
     # with disable=None, the bar is drawn only if standard error is a terminal
     with (

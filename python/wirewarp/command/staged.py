@@ -40,7 +40,7 @@ def with_left(requests: Sequence[Request]) -> list[Request]:
 
 
 def listed_files(report: Path) -> list[str]:
-    """Return the names of files that our report lists, including itself. Return none if the file is not our report."""
+    """Return the names of the files that a report lists, including the report; none if the file is not our report."""
     try:
         names = json.loads(report.read_text(encoding="utf-8"))["line"]["files"]
         # only names of files beside the report are accepted, because another program may have written the report
@@ -52,7 +52,7 @@ def listed_files(report: Path) -> list[str]:
 def take_places(staged: Path, request: Request) -> None:
     """Move the new files to their places, and the earlier files into the staged folder, which is removed later.
 
-    The earlier report is moved first and the new report last, so that all files belong to a report whenever one exists.
+    The earlier report is moved first and the new report last. So whenever a report exists, all files belong to it.
     Raises InputError if a new file would replace a file that the earlier report does not list.
     """
     earlier = listed_files(request.report_path)
@@ -81,7 +81,7 @@ def _remove(staged: Path, request: Request) -> None:
 def _put_back(staged: Path, request: Request) -> None:
     """Move new files back into the staged folder, and earlier files back to their places.
 
-    If this function is killed, it can be repeated: a new file that is not in the staged folder is in its place.
+    If this function is killed, it can be called again, because it moves only files that are not moved yet.
     """
     for name in listed_files(staged / request.report_path.name):
         if not (staged / name).exists() and (request.folder / name).exists():

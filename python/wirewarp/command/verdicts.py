@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The possible results of a model, and the line that reports each."""
+"""Defines the possible results of a model, and makes the line that reports a result."""
 
 from collections.abc import Callable, Sequence
 from functools import wraps
@@ -13,7 +13,8 @@ from .request import AnyRequest, InputError
 READY, NEEDS_STRETCH = "ready to cut", "needs stretch fabric"
 FAILED, REFUSED, STOPPED = "not ready to cut", "refused", "stopped"
 PROPOSED, NOTHING = "proposed", "nothing to propose"
-# The command ends with the exit code of the worst model. 0: no piece failed, and some fabric stretches far enough.
+# The command ends with the exit code of the worst model. After flattening, 0 means that no piece failed, and that some
+# fabric stretches far enough.
 EXIT_CODES = {READY: 0, NEEDS_STRETCH: 0, PROPOSED: 0, FAILED: 1, NOTHING: 1, REFUSED: 2, STOPPED: 3}
 Line = dict[str, Any]
 R = TypeVar("R", bound=AnyRequest)
@@ -49,7 +50,7 @@ def unfinished(word: str, code: str, problem: str) -> Line:
 
 
 def with_faults_answered(work: Callable[[R], Line]) -> Callable[[R], Line]:
-    """Return a function that calls work, and returns a line with the fault if work raises one."""
+    """Return a function that calls work. If work raises an error, the function returns a line with the fault."""
 
     @wraps(work)
     def answer(request: R) -> Line:

@@ -42,11 +42,11 @@ def signed_area(outline: np.ndarray) -> float:
 
 
 def are_inside(points: np.ndarray, outlines: Sequence[np.ndarray]) -> np.ndarray:
-    """Return (p,) bool: whether each point (p,2) is inside, because a ray from it crosses an odd number of sides."""
+    """Return (p,) bool: whether each point (p,2) is inside. Rays from points inside cross an odd number of sides."""
     a, b = _sides(outlines)
     x, y = points[:, :1], points[:, 1:]
     crosses = (a[:, 1] > y) != (b[:, 1] > y)
-    with np.errstate(divide="ignore", invalid="ignore"):  # a horizontal side is divided by 0, but no ray crosses it
+    with np.errstate(divide="ignore", invalid="ignore"):  # divides by 0 for horizontal sides, which no ray crosses
         at = a[:, 0] + (y - a[:, 1]) * ((b - a)[:, 0] / (b - a)[:, 1])
     inside: np.ndarray = (crosses & (x < at)).sum(axis=1) % 2 == 1
     return inside
@@ -96,7 +96,7 @@ def _distances(points: np.ndarray, obstacles: np.ndarray) -> np.ndarray:
 
 
 def crossings(point: np.ndarray, direction: np.ndarray, a: np.ndarray, b: np.ndarray) -> np.ndarray:
-    """Return the lengths (n,) from the point (2,) to the segments that the line through it crosses.
+    """Return the lengths (n,) from the point (2,) to the segments that the line through the point crosses.
 
     direction (2,): unit vector of the line. a, b (s,2): ends of all segments. Lengths behind the point are negative.
     """

@@ -27,7 +27,7 @@ class Size:
     y: float
 
     def is_like(self, other: "Size") -> bool:
-        """Return whether the outlines may differ by no more than SAME, judged by size, area and centroid."""
+        """Return whether both sizes may belong to the same outline, with differences of at most SAME millimeters."""
         lengths = (self.width - other.width, self.height - other.height, self.x - other.x, self.y - other.y)
         is_same_area = abs(self.area - other.area) <= SAME * 2 * (self.width + self.height)
         return self.piece == other.piece and is_same_area and max(map(abs, lengths)) <= 2 * SAME
@@ -75,7 +75,7 @@ class Marker:
     gap: float  # smallest distance between pieces
     placements: tuple[Placement, ...]
     efficiency: float  # share of the fabric that becomes pieces; the last sheet counts as a whole
-    by: str  # method: "spyrrow", or "slides" if spyrrow is missing or found nothing shorter
+    by: str  # the search that found the marker: "slides", or only for rolls "spyrrow"
     made_of: tuple[Size, ...]  # sizes of the pieces, in the order of the pattern
     warnings: tuple[str, ...] = ()
 

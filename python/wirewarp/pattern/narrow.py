@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The narrowest width of flat pieces, which decides whether they can be sewn with an allowance."""
+"""Finds the narrowest width of flat pieces. This width decides whether they can be sewn with an allowance."""
 
 from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from .._wirewarp import Piece
 
 SCRAP = 0.1  # share of the area; parts below it, such as the tip of a tail, do not count
-MOST = 0.5  # least share of the area that disks must cover; disks never fill corners
+MOST = 0.5  # least share of the area that disks must cover; far below 1, because disks never fill corners
 # Number of steps of the radius, and of halvings of the last step. A step is 1/24 of the radius of a disk with the area
 # of the shape. The search finds each waist that is narrower than its surroundings by one step. After ten halvings, the
 # error is 1/24,000 of this radius, less than a thread even in a piece a meter wide.
@@ -29,9 +29,9 @@ def narrowest_width(outlines: Sequence[np.ndarray], most: float = np.inf) -> flo
 
     most: if a disk of this diameter can move through the shape, the result may be too small, but is at least `most`.
 
-    The result is twice the largest inward offset that leaves the shape in one part, and with which disks cover at least
-    half of its area. Parts in which disks cover less than a tenth of the area do not count. Holes must run in the
-    opposite direction to the outer outline. Lengths may have any unit.
+    The result is twice the largest inward offset that leaves the shape in one part. Disks with this radius must cover
+    at least half of the area of the shape. Parts in which disks cover less than a tenth of this area do not count.
+    Holes must run in the opposite direction to the outer outline. Lengths may have any unit.
     """
     points = np.concatenate(outlines)
     low = points.min(axis=0)
@@ -79,7 +79,7 @@ def outline_has_room(
 ) -> bool:
     """Return the result of has_room() for a shape.
 
-    vertices (p,2): its vertices; source_vertex (p,): their vertices of the model; outline (b,2): its outline sides.
+    vertices (p,2): places of the vertices; source_vertex (p,): vertices of the model; outline (b,2): outline sides.
     """
     count = 1 + int(max(source_vertex.max(), np.max(sides, initial=0)))
     given = dict(zip((np.reshape(sides, (-1, 2)) @ [count, 1]).tolist(), np.ravel(widths).tolist(), strict=True))

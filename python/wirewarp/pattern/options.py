@@ -16,7 +16,8 @@ class PatternOptions(TypedDict, total=False):
     allowance: float  # width of the allowance at every seam (10)
     hem: float | None  # width of the allowance at every outline that is not sewn (None: the same as allowance)
     allowances: npt.ArrayLike | None  # (k,3) both vertices of an edge of the model, and the width on all its sides
-    # (k,3) two vertices and a width: for the triangle in which the edge runs from the first vertex to the second
+    # (k,3) both vertices of an edge, and the width on the side of the triangle in which the edge runs from the first
+    # vertex to the second
     side_allowances: npt.ArrayLike | None
     folds: npt.ArrayLike | None  # (k,2) edges of the outline at which the fabric is folded instead of cut
     pairs: bool  # draw equal pieces once ("Cut 4"), and mirror images, too ("Cut 1 pair") (False)
@@ -26,8 +27,8 @@ class PatternOptions(TypedDict, total=False):
     # "mitre", "right angle", "fold-back", "extend", "step" or "round" for all corners, or "auto", which chooses by the
     # sewing order ("auto")
     corner: str
-    # "close" cuts straight across the mouths of darts, "cut" cuts darts out with an allowance on the legs, and "slit"
-    # cuts along the legs ("close")
+    # "close" keeps the fabric in darts and shapes their mouths, so that folded darts continue the outline. "cut" cuts
+    # darts out with an allowance on the legs, and "slit" cuts along the legs ("close")
     darts: str
     material: str  # text about the material on the pieces
     date: str  # text with the date on the pieces

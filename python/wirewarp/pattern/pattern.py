@@ -288,7 +288,7 @@ class Pattern(PatternData):
         progress: Progress | None = None,
         **options: Any,  # noqa: ANN401
     ) -> Written:
-        """Write a file in the format of its suffix. The file is read again and checked before it replaces an older one.
+        """Write a file in the format of its suffix. The file is read again and checked before it replaces an old file.
 
         Options: `paper`, `proof` and `keep_places` for .pdf, `preset` for .svg, `dialect` and `control_square` for
         .dxf. docs/pattern.md describes them. progress: called as progress(stage, fraction) about ten times a second. If

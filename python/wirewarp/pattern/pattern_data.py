@@ -35,7 +35,7 @@ StepKind = Literal["dart", "flat", "ring", "all around", "closing"]
 
 @dataclass(frozen=True)
 class SewingStep:
-    """A step of sewing: one seam. After a step of the kind "closing", its pieces have no open edge."""
+    """A step of sewing: one seam. After a step of the kind "closing", the sewn pieces have no open edge."""
 
     seam: str
     kind: StepKind
@@ -108,7 +108,7 @@ class PatternData:
         return self.placed(Motion(-self.bounds[0]))
 
     def with_corners(self, corners: np.ndarray) -> Self:
-        """Return the pattern with the lower left corner of each piece at its point of corners (p,2)."""
+        """Return the pattern with each piece moved. corners (p,2): new lower left corner of each piece."""
         moved = [piece.moved(to - piece.bounds[0]) for piece, to in zip(self.pieces, corners, strict=True)]
         return replace(self, pieces=moved)
 

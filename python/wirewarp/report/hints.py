@@ -13,12 +13,12 @@ from .strain import PieceStrain, connected_regions, edge_keys, percent_text, thr
 from .wording import needs_text, strain_text
 from .words import tolerance_text
 
-# Stretch above which a dart may help. Stretch fabric can reach it, but pulls at such places.
+# Strain above which a dart may help. Stretch fabric can stretch so far, but pulls at such places.
 STRAIN_LIMIT = 0.08
 LARGEST_SHARE = 0.25  # share of a piece's area; if more is strained, only the worst part is shown
 MOST_PIECES = 4  # largest number of pieces in the list
 MOST_REGIONS = 2  # largest number of places in one piece, besides the place with the largest strain
-LEAST_AMOUNT = 0.1  # share of the piece's largest Region.amount; places with less are single faces
+LEAST_AMOUNT = 0.1  # share of the piece's largest Region.amount; smaller places, mostly single faces, get no hint
 TORN, STRAINED, BEYOND_FABRIC, WIRE_AT_LIMIT = "torn", "strained", "beyond_cloth", "wire_at_limit"
 TORN_ADVICE = (
     "Some edges overlap but are not joined. If they should be, select them, use Mesh > Merge > By Distance (or Merge "
@@ -108,7 +108,10 @@ def _regions(piece: Piece, strain: PieceStrain, places: Places) -> list[Region]:
 
 
 def _worst_part(strain: np.ndarray, areas: np.ndarray) -> float:
-    """Return the strain that triangles with the share LARGEST_SHARE of the area exceed. areas (q,): their areas."""
+    """Return the strain that triangles with the share LARGEST_SHARE of the area exceed.
+
+    areas (q,): areas of the triangles.
+    """
     order = np.argsort(-strain)
     inside = np.searchsorted(np.cumsum(areas[order]), LARGEST_SHARE * areas.sum())
     return float(strain[order[min(inside, len(order) - 1)]])

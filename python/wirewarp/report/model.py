@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The report as dataclasses. Lengths and areas are in units of the model. Indices of elements refer to its mesh.
+"""The report as dataclasses. Lengths and areas are in units of the model. Indices of elements refer to the model.
 
 Names of fields are the keys of the JSON form (json_form.py). A missing number is None, for example the flat length of a
 piece without a layout.
@@ -164,8 +164,8 @@ class Piece:
     aspect_ratio_max: float | None
     stretch_max: float | None  # largest stretch of a triangle
     stretch_faces: list[int]  # faces around this triangle
-    ease_max: float | None
-    ease_faces: list[int]
+    ease_max: float | None  # largest compression of a triangle
+    ease_faces: list[int]  # faces around this triangle
     angle_deviation_rms: float | None
     angle_deviation_max: float | None
     flipped_faces: int

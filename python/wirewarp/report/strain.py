@@ -68,7 +68,7 @@ class Wanted:
 
 
 def wanted_strain(ratios: Sequence[float]) -> Wanted:
-    """Return the largest factor of both kinds.
+    """Return the largest factor of stretch and the largest factor of compression.
 
     ratios: eases of the lines of a piece, as fractions of their lengths on the model.
     """

@@ -110,7 +110,7 @@ def as_seen(found: Verdict, makers: Iterable[str]) -> Verdict:
 
 
 def with_narrow(found: Verdict, narrow: Mapping[str, Sequence[str]]) -> Verdict:
-    """Return the verdict with a line about pieces without room for their allowances, which reports do not contain.
+    """Return the verdict with a line about pieces without room for their allowances. Reports do not contain allowances.
 
     Lines that say that pieces are ready to cut are left out. narrow: names of the narrow pieces, by object.
     """
@@ -198,12 +198,12 @@ def _names(entries: Sequence[_Entry], with_objects: bool) -> str:
 
 
 def listed(names: Iterable[str], between: str = ", ") -> str:
-    """Return a text that lists each name once. Of many names, it has the first and the number of the others."""
+    """Return a text that lists each name once. Names beyond SHOWN_NAMES are only counted."""
     every = list(dict.fromkeys(names))
     shown, hidden = every[:SHOWN_NAMES], len(every) - SHOWN_NAMES
     if hidden > 0:
         return f"{between.join(shown)} and {hidden} more"
-    if between != ", ":  # then the names contain commas, and "and" would be ambiguous
+    if between != ", ":  # the names contain commas, so "and" would be ambiguous
         return between.join(shown)
     *others, last = shown
     return f"{', '.join(others)} and {last}" if others else last

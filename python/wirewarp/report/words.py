@@ -5,7 +5,8 @@ import math
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-# By unit of length: another unit for areas, and its length in the unit of length. Areas in mm² would have six digits.
+# For some units of length, areas have a larger unit, because areas in mm² would have six digits. Values: the larger
+# unit, and its length in the unit of length.
 _AREA_UNITS = {"mm": ("cm", 10.0), "um": ("cm", 1e4), "thou": ("in", 1000.0)}
 _DECIMALS = {"mm": 2, "cm": 3, "m": 4, "in": 3}
 _AREA_DECIMALS = {"mm": 1, "um": 1, "cm": 1, "in": 2, "thou": 2, "ft": 3}

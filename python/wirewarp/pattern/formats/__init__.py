@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""All kinds of files for patterns, and the function that writes a file."""
+"""Lists the kinds of files for patterns, and writes and checks a file."""
 
 from collections.abc import Mapping
 from inspect import signature

@@ -116,7 +116,7 @@ class _Writer:
         return tags
 
     def control(self) -> Tags:
-        """Return the block of the control square. Its side shows the unit of the file after import."""
+        """Return the block of the control square. After import, the length of its side shows the unit of the file."""
         tags = self._opened("CONTROL_100MM")
         square = CONTROL * np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]) - (2 * CONTROL, 0)
         tags.polyline("1", square, closed=True, repeat=True)
@@ -139,9 +139,9 @@ class _Writer:
         if role in ("grain", "fold"):
             tags.line(layer, points)
             if role == "grain":
-                tags.line("5", points)  # as the reference line for grading
+                tags.line("5", points)  # layer 5 is for the reference line of grading
             return
-        # An open cutting line belongs to a half piece. For AccuMark, it ends at its first point, without a closed flag.
+        # An open cutting line belongs to a half piece. AccuMark needs a repeated first point, but no closed flag.
         if role == "cut" and not closed:
             points = np.concatenate([points, points[:1]])
         tags.polyline(layer, points, closed, repeat=True)

@@ -27,7 +27,7 @@ def escaped_text(text: str) -> str:
 
 def block_names(names: list[str], longest: int) -> list[str]:
     """Return unique block names of at most `longest` capitals, digits and underscores. A name without such letters
-    becomes PIECE_3, with the number of the piece."""
+    becomes PIECE_3 for the third piece."""
     found: list[str] = []
     for number, name in enumerate(names, start=1):
         plain = re.sub(r"[^A-Z0-9]+", "_", plain_text(name).upper()).strip("_")[:longest] or f"PIECE_{number}"
@@ -39,7 +39,7 @@ def block_names(names: list[str], longest: int) -> list[str]:
 
 
 class Tags:
-    """Entities of a file or of a block. decimals: number of decimals in coordinates; scale: units in a millimeter."""
+    """Entities of a file or of a block. decimals: decimals of coordinates; scale: units of the file in a millimeter."""
 
     def __init__(self, decimals: int, scale: float = 1.0) -> None:
         self._lines: list[str] = []

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Describes a kind of file. Commands, dialogs and tests use the descriptions, so they do not know single formats."""
+"""Describes a kind of file. Commands, dialogs and tests use the descriptions, so they need no code for each format."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
@@ -28,7 +28,7 @@ class Option:
     label: str
     description: str
     choices: tuple[Choice, ...] = ()  # the first choice is the default; without choices, the option is on or off
-    unless: tuple[str, str] | None = None  # (name, value) of another option; with this value, it disables this option
+    unless: tuple[str, str] | None = None  # (name, value): disabled if the option of this name has this value
 
 
 @dataclass(frozen=True)
@@ -42,4 +42,5 @@ class Format:
     options: tuple[Option, ...] = ()
     has_pages: bool = False  # whether the writer also accepts `paper` and `keep_places`
     is_along_cloth: bool = False  # whether x is along the fabric in markers
-    size_of: Callable[[PatternData], np.ndarray] = lambda pattern: pattern.size  # returns (2,), for files without pages
+    # returns the size (2,) of a file without pages, in millimeters
+    size_of: Callable[[PatternData], np.ndarray] = lambda pattern: pattern.size

@@ -19,7 +19,7 @@ CUT_PEN = 1
 def write_plt(path: Path, pattern: PatternData) -> Steps[tuple[int, list[str]]]:
     """Write the file in steps, pen by pen, with cutting lines last. Return 1 for one page, and no warnings.
 
-    Texts are left out, because HPGL would use the plotter's own letters.
+    Texts are left out, because a plotter draws texts in HPGL with its own letters.
     """
     strokes: list[Stroke] = []
     for number, piece in enumerate(pattern.pieces):

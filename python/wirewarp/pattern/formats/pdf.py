@@ -28,9 +28,9 @@ def write_pdf(
     """Write the file in steps. Return the number of pages, and sentences about texts that could not be drawn.
 
     paper: "a4", "letter", "a4-letter" (fits both), "a3", "tabloid", "a0", "36in", "24in", "projector", or the width of
-    a roll in millimeters. None means A4, or for a marker a roll of the necessary width. proof: whether to add pages
-    with all pieces, finished measures, all seams, and a sewing order. keep_places: whether pieces keep their places on
-    sheets and rolls; otherwise they are arranged anew.
+    a roll in millimeters. None means A4 for a pattern, and a roll of the necessary width for a marker. proof: whether
+    to add pages with all pieces, finished measures, all seams, and a sewing order. keep_places: whether pieces keep
+    their places on sheets and rolls; otherwise they are arranged anew.
     """
     planned = yield from _with_texts_on_sheets(plan(pattern, paper, keep_places))
     document = Document(pattern.title or "Pattern", [*LAYERS, *planned.layers], planned.hidden)
@@ -101,7 +101,7 @@ def _with_texts_on_sheets(planned: Plan[PatternData]) -> Steps[Plan[PatternData]
             if np.all(line.min(axis=0) < high[index]) and np.all(line.max(axis=0) > low[index])
         ]
         can_cross = borders or any(text.is_beside for text in piece.texts)
-        if can_cross and piece.of_role("sew") and piece.texts:  # names need their stitching lines
+        if can_cross and piece.of_role("sew") and piece.texts:  # names are placed along stitching lines
             near = np.all((low - BORDER < high[index]) & (high + BORDER > low[index]), axis=1)
             others = [line for n in np.flatnonzero(near) if n != index for line in cut[n]]
             sheets = planned.text_sheets._replace(borders=borders, others=[*others, *beside])

@@ -17,7 +17,7 @@ POINT = 72 / 25.4  # units of PDF in a millimeter
 
 
 class Content:
-    """A stream of drawing commands in millimeters. thinnest: least width of its lines."""
+    """A stream of drawing commands in millimeters. thinnest: least width of the lines."""
 
     def __init__(self, thinnest: float = 0.0) -> None:
         self._thinnest = thinnest
@@ -120,7 +120,7 @@ class Document:
         self._forms[name] = form.reference
 
     def add_page(self, size: np.ndarray, content: Content) -> None:
-        """Add a page. size (2,): width and height. The origin of the content is the lower left corner of the page."""
+        """Add a page. size (2,): width and height in millimeters. 0, 0 is the lower left corner of the page."""
         scaled = pydyf.Stream([f"{POINT:.12f} 0 0 {POINT:.12f} 0 0 cm".encode(), content.data()], compress=True)
         self._pdf.add_object(scaled)
         resources = self._resources | {"XObject": pydyf.Dictionary(self._forms)}

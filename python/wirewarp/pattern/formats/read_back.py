@@ -43,7 +43,8 @@ def check(found: Iterator[np.ndarray], outlines: Sequence[np.ndarray]) -> Steps[
 
 
 def _nearest(found: np.ndarray, waiting: Sequence[np.ndarray]) -> tuple[float, int]:
-    """Return the distance to the first outline within WORST, and its index. If there is none, use the nearest."""
+    """Return the distance to the first outline within WORST, and its index. If no outline is so near, return the
+    distance and the index of the nearest outline."""
     best, place = math.inf, -1
     for number, outline in enumerate(waiting):
         if len(outline) == len(found):

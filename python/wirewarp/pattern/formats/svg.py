@@ -40,7 +40,7 @@ class Preset:
     stroke: float | None = None  # width of all lines in millimeters; None: each line has its own width
     has_texts: bool = True
     has_dashes: bool = True
-    # whether lengths are in pixels (96 per inch) and the file has no viewBox, which some programs ignore
+    # whether lengths are in pixels (96 per inch), without a viewBox, for programs that ignore units and viewBox
     in_pixels: bool = False
 
 

@@ -21,7 +21,7 @@ def levels(letters: Sequence[str]) -> list[int]:
     weak = _weak(kinds, outer)
     _settle_brackets(letters, kinds, weak, outer)
     found = [base + _above(base, kind) for kind in _neutral(weak, outer)]
-    for row in range(len(letters) - 1, -1, -1):  # rule L1: spaces at the end of the line keep its direction
+    for row in range(len(letters) - 1, -1, -1):  # rule L1: spaces at the end get the direction of the line
         if kinds[row] not in ("WS", "BN"):
             break
         found[row] = base
@@ -128,7 +128,7 @@ def _neutral(weak: Sequence[str], outer: str) -> list[str]:
 
 
 def _direction(kind: str) -> str:
-    """Return the direction "L" or "R", which is "R" for numbers, or "" for signs."""
+    """Return the direction of a class: "L" or "R" for letters, "R" for numbers, and "" for signs."""
     return "R" if kind in NUMBERS else kind if kind in ("L", "R") else ""
 
 

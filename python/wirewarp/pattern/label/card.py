@@ -25,7 +25,7 @@ class Sheets(NamedTuple):
     """Sheets of paper below a pattern. Each text stays on one sheet if there is room."""
 
     boxes: Sequence[Box] = ()  # the part of the pattern that each sheet shows
-    borders: Sequence[np.ndarray] = ()  # (2,2) middle lines of the overlaps of sheets, which no text may cross
+    borders: Sequence[np.ndarray] = ()  # (2,2) middle lines of the overlaps of sheets; texts avoid them
     others: Sequence[np.ndarray] = ()  # (k,2) closed lines around other pieces and their texts
 
 
@@ -73,7 +73,10 @@ def _name_with_copies(piece: PatternPiece) -> str:
 def with_card_anew(
     piece: PatternPiece, count: int, heading: str, units: UnitSystem, sheets: Sheets = ANYWHERE
 ) -> PatternPiece:
-    """Return a changed piece with its texts placed again. Kinds of texts that it did not have are left out."""
+    """Return the piece with its texts placed again, for example after a change of its lines.
+
+    Kinds of texts that the piece does not have are not added.
+    """
     roles = {text.role for text in piece.texts}
     whole = with_card(piece, piece.number, count, heading, units, sheets)
     left_out = {LEADERS[role] for role in LEADERS if role not in roles}

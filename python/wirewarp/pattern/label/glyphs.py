@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Draws letters of any script as outlines. HarfBuzz joins and orders the letters."""
+"""Draws letters of any script as outlines. HarfBuzz joins the letters, and bidi.py orders runs of letters."""
 
 import unicodedata
 from collections.abc import Iterator, Sequence
@@ -21,8 +21,8 @@ class NoLettersError(Exception):
 
 @dataclass(frozen=True)
 class Line:
-    parts: list[Part]  # outlines in heights of the text, from 0, 0 on the base line
-    width: float  # in heights of the text
+    parts: list[Part]  # outlines; the line begins at 0, 0 on the base line, and 1 is the height of the text
+    width: float  # as a multiple of the height of the text
 
 
 @dataclass(frozen=True)
@@ -61,7 +61,10 @@ def _runs(letters: Sequence[str], own_levels: Sequence[int]) -> Iterator[_Run]:
 
 
 def _font_of(letter: str, before: Font | None) -> Font:
-    """Return the font of the previous letter if it has this letter, otherwise another font. Raises NoLettersError."""
+    """Return the font of the previous letter if that font has this letter, otherwise another font.
+
+    Raises NoLettersError.
+    """
     if before and (before.has(letter) or unicodedata.category(letter) in JOINING):
         return before
     found = font_with("n" if letter.isspace() else letter)

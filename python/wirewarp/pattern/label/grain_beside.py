@@ -25,10 +25,11 @@ def grain_beside(
     limits: Sequence[np.ndarray],
     allowance: float,
 ) -> Line:
-    """Return the grain line. If it crosses the text, it is moved to the place beside the text with the most room.
+    """Return the grain line, moved to the place beside the text with the most room.
 
-    If there is too little room inside the stitching lines, it keeps its place. outlines: cutting lines; lines_inside
-    and limits: as for grain_line(). allowance: widest allowance of the piece, in millimeters.
+    The line keeps its place if it does not cross the text, or if there is too little room inside the stitching lines.
+    outlines: cutting lines; lines_inside and limits: as for grain_line(). allowance: widest allowance of the piece, in
+    millimeters.
     """
     if not touches(text, (grain.points[:1], grain.points[1:]), BESIDE):
         return grain

@@ -20,7 +20,8 @@ NEAREST, FARTHEST, STEP = 2.0, 40.0, 0.5  # millimeters from the named line to t
 TURNS = (0, 30, -30, 60, -60, 90, -90, 135, -135, 180)  # degrees from the direction straight out, the best turn first
 # Angles of the text in degrees, the easiest to read first. Turned text stays close to a narrow piece.
 ANGLES = (0.0, 90.0, 45.0, -45.0)
-REACH = GAP / 2  # millimeters beyond the box of the cutting lines; texts of two pieces in rows do not meet
+# Largest distance of a text from the box of the cutting lines, in millimeters. Texts of neighboring pieces cannot meet.
+REACH = GAP / 2
 # Largest distance from the cutting lines, in millimeters. Sheets overlap by more, so the text is on the piece's sheet.
 NEAR = OVERLAP - STEP
 
@@ -31,7 +32,7 @@ class Box(NamedTuple):
 
 
 class Beside:
-    """The surroundings of one piece."""
+    """The free places around one piece."""
 
     def __init__(
         self, outlines: Sequence[np.ndarray], sheets: Sequence[Box] = (), others: Sequence[np.ndarray] = ()
@@ -101,8 +102,8 @@ class Beside:
 
 
 def _leaders(text: Text, centers: np.ndarray, target: np.ndarray) -> np.ndarray:
-    """Return a leader line (3,2) for each center (c,2) of the text. It does not cross the letters: it leads from the
-    target to the nearer end of their top or bottom edge, and then along this edge."""
+    """Return a leader line (3,2) for each center (c,2) of the text. The line does not cross the letters: it leads from
+    the target to the nearer end of the top or bottom edge of the text, and then along this edge."""
     sides = np.where((target - centers) @ axes(text) > 0, 1, -1)
     along, up = (sides[:, [side]] * axes(text)[:, side] for side in (0, 1))
     edges = centers + (text.height / 2 + 2 * CLEAR) * up

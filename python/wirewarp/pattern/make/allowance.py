@@ -18,7 +18,7 @@ from .corners import MITRE_LIMIT, CornerType, corner_path
 
 
 def strip(points: np.ndarray, width: float) -> np.ndarray:
-    """Return a counterclockwise polygon (m,2) between the line (k,2) and the parallel line at the width to its right.
+    """Return a counterclockwise polygon (m,2) between the line (k,2) and a parallel line to its right, `width` away.
 
     The polygon ends square at both ends. A closed line must repeat its first point. The polygon consists of rectangles
     along the steps of the line, which are joined by wedges at left turns and shortened at right turns. It may overlap
@@ -192,14 +192,14 @@ class _Place:
         return _beyond(path[-1], inner, -ahead * self._along_b)
 
     def _only_trims(self, second: bool) -> bool:
-        """Return whether the rule trims only the other strip, because a folded-back allowance does not change its
-        neighbor. second: whether the other strip is the second."""
+        """Return whether the rule trims only one strip: the second strip if `second` is true, otherwise the first. Such
+        a rule folds the strip back, which does not change the other strip."""
         return self._corner.kind == "fold-back" and self._corner.of_next == second
 
 
 def _beyond(end: np.ndarray, inner: np.ndarray, shift: np.ndarray) -> np.ndarray:
-    """Return a parallelogram between the line through both points and the line shifted by `shift`. It extends beyond
-    `end`, because strips of curves bulge."""
+    """Return a parallelogram between the line through `end` and `inner` and this line shifted by `shift`. It extends
+    beyond `end`, because strips of curves bulge."""
     outside = end + (end - inner) / 2
     return np.array([outside, inner, inner + shift, outside + shift])
 

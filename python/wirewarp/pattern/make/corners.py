@@ -86,8 +86,8 @@ def _extend(turn: float, a: float, b: float) -> np.ndarray:
 
 
 def _step(turn: float, a: float, b: float) -> np.ndarray | None:
-    """Return a path that ends the wider allowance square to its stitching line, where the narrower allowance ends, too.
-    Return None if they do not meet there."""
+    """Return a path that ends the wider allowance square to its stitching line, up to the narrower cutting line. Return
+    None if the path meets the narrower cutting line only beyond the wider allowance."""
     cosine = math.cos(turn)
     if cosine <= 1e-9 or min(a, b) / cosine > max(a, b):
         return None

@@ -19,7 +19,7 @@ ALONG = math.sin(math.radians(0.5))
 
 
 def folded(piece: PatternPiece, fold: np.ndarray) -> PatternPiece:
-    """Return the half of the piece to the right of the fold (2,2), which is not cut. Lines end at the fold."""
+    """Return the half of the piece to the right of the fold (2,2). Lines end at the fold, and the fold is not cut."""
     along = (fold[1] - fold[0]) / np.linalg.norm(fold[1] - fold[0])
     outward = np.array([along[1], -along[0]])
     lines = [Line("fold", fold, name=FOLD_NAME)]
@@ -50,7 +50,7 @@ def _kept(line: Line, origin: np.ndarray, outward: np.ndarray) -> list[tuple[np.
     """
     points = line.path
     height = (points - origin) @ outward
-    is_along_fold = np.all(np.abs(height) <= ON_FOLD)  # true for a wire
+    is_along_fold = np.all(np.abs(height) <= ON_FOLD)  # true for a wire along the fold
     if is_along_fold or np.all(height > ON_FOLD):
         return [(line.points, line.closed)]
     height[np.abs(height) <= ON_FOLD] = 0.0
@@ -105,7 +105,7 @@ def unfolded(piece: PatternPiece) -> PatternPiece:
 
 
 def _without_fold(outline: np.ndarray, is_on_fold: np.ndarray) -> np.ndarray:
-    """Return a closed line (k,2) as an open line without its part along the fold. It must have one such part."""
+    """Return a closed line (k,2) as an open line without its part along the fold. The line must have one such part."""
     first = int(np.flatnonzero(is_on_fold & ~np.roll(is_on_fold, -1))[0])  # row at which the outline leaves the fold
     turned, is_on_fold = np.roll(outline, -first, axis=0), np.roll(is_on_fold, -first)
     return turned[: int(np.flatnonzero(is_on_fold[1:])[0]) + 2]

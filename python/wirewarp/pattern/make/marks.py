@@ -40,7 +40,8 @@ def marks(
             if any(id(own.side) in closed for own in sides):
                 continue
             sewn = SewnLengths.of(sides)
-            if any(own.side.piece in at_back for seam in group.turned for own in seams[seam]):  # seams of back pieces
+            # seams of back pieces have double notches
+            if any(own.side.piece in at_back for seam in group.turned for own in seams[seam]):
                 doubled = [place + aside for place in places for aside in (-DOUBLE / 2, DOUBLE / 2)]
                 places = [place % sewn.whole for place in doubled] if is_ring else doubled
             for order, place in enumerate(place for place in places if 0 <= place < sewn.whole):
@@ -96,7 +97,7 @@ def _widths(laid: Sequence[Laid]) -> dict[int, float]:
 
 
 def _legs(laid: Sequence[Laid]) -> set[int]:
-    """Return the id() of each leg of a dart that is not cut out. Without an allowance, a leg cannot be notched."""
+    """Return the id() of each leg of a dart that is not cut out. Such a leg has no allowance for notches."""
     darts = (dart for piece in laid for outline in piece.outlines for dart in outline.darts)
     return {id(side) for dart in darts for side in (dart.first, dart.second)}
 

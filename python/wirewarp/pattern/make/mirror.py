@@ -47,7 +47,8 @@ class Congruence:
         return np.column_stack([images.real, images.imag])
 
     def of_outline(self, points: np.ndarray) -> np.ndarray:
-        """Return the images of points (k,2) along an outline, in the order of the other outline."""
+        """Return the images of points (k,2) along an outline. A reflection also reverses their order, so that the piece
+        stays on the left."""
         return self.image(points[::-1] if self.is_mirror else points)
 
 
@@ -66,10 +67,12 @@ def congruences(first: PatternPiece, second: PatternPiece, *, is_mirror: bool) -
     steps, turned = np.roll(outer, -1) - outer, np.roll(image, -1) - image
     if abs(np.abs(steps).sum() - np.abs(turned).sum()) > ALIKE:
         return
-    # The sum of the products of steps and conjugate steps is largest if both are in phase, and its angle is the turn.
+    # Each entry of match is a sum of products: steps of one outline times conjugate steps of the other. The sum is
+    # largest if both outlines are in phase, and the angle of the largest sum is the turn.
     match = np.fft.ifft(np.fft.fft(steps) * np.conj(np.fft.fft(turned)))
     best = np.flatnonzero(np.abs(match) >= (1 - IN_PHASE) * np.abs(match).max(initial=np.finfo(float).tiny))
-    sign = 1 if is_mirror else -1  # a reflection in a vertical axis has the turn -1
+    # sorts by closeness to the turn -1 (reflection in a vertical axis), or 1 (no rotation)
+    sign = 1 if is_mirror else -1
     for phase in sorted(best.tolist(), key=lambda phase: round(sign * float(match[phase].real / abs(match[phase])), 6)):
         turn = complex(match[phase] / abs(match[phase]))
         shift = complex((outer - turn * np.roll(image, phase)).mean())
@@ -81,7 +84,7 @@ def congruences(first: PatternPiece, second: PatternPiece, *, is_mirror: bool) -
 
 def fold_of(piece: PatternPiece, mirror: Congruence) -> np.ndarray | None:
     """Return the upward line (2,2) along which the piece can be folded onto itself. Return None if the reflection also
-    shifts along its axis."""
+    shifts along its axis, or if the axis does not cross the piece."""
     point, along = mirror.axis
     if abs((mirror.shift * np.conj(np.sqrt(mirror.turn))).real) > ALIKE:
         return None
@@ -104,7 +107,7 @@ def _outline_loops(piece: PatternPiece) -> list[np.ndarray]:
 
 
 def _rest_fits(found: Congruence, outlines: list[list[np.ndarray]], first: PatternPiece, second: PatternPiece) -> bool:
-    """Return whether holes, cutting lines and wires match within ALIKE. outlines: those of both pieces."""
+    """Return whether holes, cutting lines and wires match within ALIKE. outlines: outlines of both pieces."""
     if not _covers(outlines[0][1:], [found.image(loop) for loop in outlines[1][1:]]):
         return False
     kinds = {("cut", ""), ("inner_cut", ""), *(("wire", line.kind) for line in first.lines + second.lines)}

@@ -18,12 +18,12 @@ from .sections import LEAST_GAP, Dart
 DEEPEST = 5.0  # millimeters: largest depth of a notch
 SHARE = 0.5  # depth as a share of the allowance; notches never reach the stitching line
 ACROSS = 0.3  # depth without allowance, as a share of the distance across the piece; opposite notches do not meet
-NEXT_TO = 2e-3  # millimeters between a line and a point that must be beside the line
+NEXT_TO = 2e-3  # millimeters; a ray starts this far from its own line, so that it does not meet the line; a tolerance
 LEAST_SPACING = 1.0  # millimeters between notches
 MOST = 10_000  # largest number of notches along one seam
 CLEAR = 0.2  # share of the spacing; no notch is closer to another notch or to the end of the seam
 LEAST_SEAM = 15.0  # millimeters; a shorter seam has notches only at ends of wires
-LOPSIDED = 5.0  # millimeters by which the place of some notch must change if the seam is reversed
+LOPSIDED = 5.0  # millimeters; in a reversed seam, at least one notch is this far off, so the mistake is noticed
 STARTS = (1.0, 0.8, 0.6, 0.4)  # places to try for the first notch of a seam, as multiples of the spacing
 DOUBLE = 6.0  # millimeters between the strokes of a double notch
 CORNER = math.radians(30)  # radians; nobody can find a corner with a smaller turn on fabric
@@ -93,8 +93,8 @@ def notch(own: SewnSide, length: float, rays: Rays, width: float, pair: tuple[in
 
 
 def _notch_at(at_sew: np.ndarray, outward: np.ndarray, rays: Rays, width: float) -> Point | None:
-    """Return the notch for a point (2,) of the stitching line. It begins where the line in the direction outward (2,)
-    meets the cutting line. Returns None if the cutting line is much farther than the width."""
+    """Return the notch for a point (2,) of the stitching line. It begins on the cutting line, at the end of a ray
+    from the point in the direction outward (2,). Returns None if the cutting line is much farther than the width."""
     allowance = rays.length(at_sew, outward)
     if allowance > MITRE_LIMIT * width + NEXT_TO:
         return None
@@ -103,8 +103,8 @@ def _notch_at(at_sew: np.ndarray, outward: np.ndarray, rays: Rays, width: float)
 
 
 def leg_notches(dart: Dart, rays: Rays, width: float) -> list[Point]:
-    """Return the notches of a closed dart, on the extensions of its legs. They meet when the dart is folded. A dart
-    without a gap has one notch. width: widest allowance of the outline, in millimeters."""
+    """Return the notches of a closed dart, on the extensions of its legs. The notches meet when the dart is folded.
+    A dart without a gap has one notch. width: widest allowance of the outline, in millimeters."""
     legs = [dart.first.points, dart.second.points[::-1]]
     if np.linalg.norm(dart.mouth[1] - dart.mouth[0]) <= LEAST_GAP:
         del legs[1]

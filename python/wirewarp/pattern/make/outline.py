@@ -69,7 +69,7 @@ def _wires(piece: "Piece", sides: np.ndarray) -> list[FlatWire]:
     return found
 
 
-# Millimeters from the origin. Any fabric is smaller, and Clipper's integers can be 1000 times as large.
+# Millimeters from the origin. Any fabric is smaller, and Clipper's integers allow a million times this distance.
 FARTHEST = 1e8
 
 

@@ -13,7 +13,7 @@ from ..geometry import lengths_along, right_normals
 from ..units import UnitSystem
 from .outline import Side
 
-LEAST = 0.5  # millimeters; smaller differences are ignored (errors of single precision are far smaller)
+LEAST = 0.5  # millimeters; a smaller difference needs no ease. Errors of single precision are far smaller
 GATHERED = 0.15  # share of the shorter side; a side with more ease is gathered, because it would get pleats
 
 
@@ -72,7 +72,7 @@ class SewnSide:
         nearest = row + round(share)
         steps = points[row : row + 2]
         if abs(along[nearest] - length) < AT_VERTEX:
-            # The mean of the normals on both sides is used, so that symmetric places stay symmetric.
+            # The mean of the normals before and after the point is used, so that symmetric places stay symmetric.
             if 0 < nearest < len(points) - 1:
                 steps = points[nearest - 1 : nearest + 2]
             elif self.side.is_closed:
@@ -85,7 +85,7 @@ class SewnSide:
 
 @dataclass(frozen=True)
 class SewnLengths:
-    """Lengths along a seam as it is sewn, which are those of its shortest side.
+    """Sewn lengths along a seam: the lengths along its shortest side.
 
     All sides are the same chain of edges of the model, so their edges correspond one by one. Within an edge, ease is
     spread evenly.
@@ -96,7 +96,8 @@ class SewnLengths:
     @classmethod
     def of(cls, sides: Sequence[SewnSide]) -> "SewnLengths":
         lengths = [side.along for side in sides]
-        return cls(min(lengths, key=lambda along: round(float(along[-1]) / SAME_LENGTH)))  # the first of equal lengths
+        # of equally long sides, the first side is chosen
+        return cls(min(lengths, key=lambda along: round(float(along[-1]) / SAME_LENGTH)))
 
     @property
     def whole(self) -> float:

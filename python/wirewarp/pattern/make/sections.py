@@ -22,7 +22,9 @@ Darts = Literal["close", "cut", "slit"]
 WIDEST_DART = math.radians(50)
 WIDEST_FOLD = 50.0  # millimeters of fabric in a closed dart, 25 on each side; tailors cut wider darts out
 LEAST_GAP = 0.01  # millimeters; a narrower dart has no room between its legs, and is cut as one line
-HIGHEST_CAP = 1.0  # height of a cap as a multiple of the mouth of the dart; a higher cap is replaced by a line
+# A cap is the cutting line across the mouth of a closed dart. A cap is straight if its peak would be farther than
+# this multiple of the mouth from the middle of the mouth.
+HIGHEST_CAP = 1.0
 
 
 @dataclass(frozen=True)
@@ -46,7 +48,7 @@ class Dart:
 
     @property
     def mouth(self) -> np.ndarray:
-        """Return the points (2,2) of the outline at which both legs begin."""
+        """Return the ends (2,2) of both legs on the outline."""
         return np.array([self.first.points[0], self.second.points[-1]])
 
     @property
@@ -152,13 +154,13 @@ def _runs(side: Side, widths: np.ndarray, folds: np.ndarray) -> list[Run]:
 
 
 def _width_before(by_side: Sequence[Sequence[Run]], number: int) -> float:
-    """Return the allowance of the last run before a side, except legs of closed darts. number: index of the side."""
+    """Return the width of the last allowance before a side. Closed darts have none. number: index of the side."""
     runs = [run for own in (*by_side[number:], *by_side[:number]) for run in own]
     return next(run.width for run in reversed(runs) if run.width is not None)
 
 
 def _cap(dart: Dart, before: Run, after: Run) -> np.ndarray:
-    """Return the line (k,2) across the mouth of a dart.
+    """Return the cutting line (k,2) across the mouth of a dart.
 
     When the dart is folded, the line continues the outlines before and after the dart. It therefore consists of these
     outlines, each reflected at its leg, up to the point where they meet.

@@ -81,7 +81,7 @@ def _fitness(side: Side) -> tuple[bool, float]:
 
 
 def _likeness(sides: Sequence[Side]) -> Likeness:
-    """Return the pieces and the rounded length of a seam. A seam with the same pieces and length is sewn next."""
+    """Return the pieces and the rounded length of a seam. Seams with equal pieces and lengths are sewn in sequence."""
     return {side.piece for side in sides}, round(float(sides[0].along[-1]), 1)
 
 
@@ -118,7 +118,7 @@ class _Assemblies:
         return "flat" if any(between) else "closing"
 
     def sew(self, sides: Sequence[Side]) -> StepKind:
-        """Sew the first two sides, and return the kind of step. More sides, such as those of a pocket, are on top."""
+        """Sew the first two sides, and return the kind of step. Other sides, for example of a pocket, are on top."""
         kind, (first, second) = self.kind(sides), sides[:2]
         if self._of_side[id(first)] == self._of_side[id(second)]:
             left = self._between(first, second)

@@ -33,8 +33,8 @@ class _Profile:
     """The start and end of an item in each row, after one of its turns. Lengths are in millimeters."""
 
     angle: float
-    low: np.ndarray  # (r,) start in each row that the item covers, above its lowest point
-    high: np.ndarray  # (r,) end in each row, above its lowest point
+    low: np.ndarray  # (r,) start in each row that the item covers, from the lowest point of the item
+    high: np.ndarray  # (r,) end in each row that the item covers, from the lowest point of the item
     corner: np.ndarray  # (2,) lower left corner of the box of the turned item
 
     @property

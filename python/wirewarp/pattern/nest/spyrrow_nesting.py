@@ -71,7 +71,7 @@ def searched(
 
 
 def _described(item: Item, grain: Grain) -> dict[str, object]:
-    """Return an item for spyrrow, turned by -90 degrees, because its strip has x along the fabric."""
+    """Return an item for spyrrow, turned by -90 degrees, because spyrrow has x along the fabric."""
     allowed = None if grain == "free" else [angle % 360.0 for angle in angles(item, grain, math.inf)]
     return {"outline": item.turned(-90.0).tolist(), "count": item.count, "angles": allowed}
 

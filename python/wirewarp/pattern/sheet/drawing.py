@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Divides a pattern into strokes and texts with roles, which every writer draws. A role decides the look."""
+"""Divides a pattern into strokes, which every writer draws. The role of a stroke or text decides its look."""
 
 import math
 from collections.abc import Iterator
@@ -48,7 +48,7 @@ LAYERS = tuple(dict.fromkeys(look.layer for look in LOOKS.values()))
 
 
 ARROW = 6.0  # millimeters: length of the heads of grain arrows
-CROSS = 4.0  # millimeters; the cross of a drill hole is half as wide as the sum of this and the diameter
+CROSS = 4.0  # millimeters; the cross of a drill hole is half as wide as CROSS and the diameter together
 
 
 @dataclass(frozen=True)
@@ -114,6 +114,6 @@ def letters_baselines(text: Text, line_height: float) -> Iterator[tuple[str, np.
 def base_lines(text: Text, line_height: float) -> Iterator[tuple[str, float]]:
     """Yield each line of the text with the distance of its base line below the center of the text, in millimeters."""
     for number, line in enumerate(text.lines):
-        # the height of capitals is 0.72 of the font size
+        # 0.36 is half of the height of capitals, as a share of the font size
         below = line_height * (number - (len(text.lines) - 1) / 2) + 0.36
         yield line, below * text.height

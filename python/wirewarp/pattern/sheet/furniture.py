@@ -147,7 +147,7 @@ def _own_names(plan: Tiles, tile: Tile) -> list[Text]:
 
 
 def _segments(pieces: Sequence[PatternPiece], marks: Sequence[Stroke], offset: np.ndarray) -> Segments:
-    """Return the segments of the marks, and those of the lines and texts of the pieces, moved by the offset (2,)."""
+    """Return the segments of the marks, and of the lines and texts of the pieces. offset (2,): moves the pieces."""
     texts = [text_strokes(text) for piece in pieces for text in piece.texts]
     first, second = joined([*(stroke.segments for piece in pieces for stroke in strokes_of(piece)), *texts])
     return joined([(first + offset, second + offset), *(mark.segments for mark in marks)])

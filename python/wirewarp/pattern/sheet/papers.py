@@ -32,7 +32,7 @@ PAPERS = {
 }
 SHEETS = {name: (paper.width, paper.height) for name, paper in PAPERS.items() if paper.width and paper.height}
 LONGEST = 5000.0  # millimeters: longest page; PDF viewers support pages up to 5.08 m
-MARGIN = 10.0  # millimeters; few printers print nearer to the edge of a sheet
+MARGIN = 10.0  # millimeters; almost every printer can print this near to the edge of a sheet
 
 
 @dataclass(frozen=True)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Plans the pages of a PDF, each with a part of the pattern and its marks. Only this module distinguishes papers."""
+"""Plans the pages of a PDF, each with a part of the pattern and its marks. No other module distinguishes papers."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass

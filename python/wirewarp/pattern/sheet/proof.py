@@ -16,7 +16,7 @@ from .papers import MARGIN
 
 HEIGHT, LINE = 3.2, 5.0  # millimeters: height of letters, and distance between the base lines of rows
 COLUMNS = (0.0, 0.32, 0.55, 0.77, 0.89)  # starts of the columns, as shares of the width
-SHOWN = 0.0005  # millimeters; a smaller difference is printed as 0.000 mm
+SHOWN = 0.0005  # millimeters; a smaller deviation is left out, because it would be printed as 0.000 mm
 CLOTHS = (900.0, 1400.0, 1500.0)  # millimeters: usual widths of fabric
 AT_ONCE = 6  # number of notches whose places are printed in one row
 SHORTENED = "..."

@@ -128,7 +128,7 @@ def _mark(whole: np.ndarray, part: np.ndarray, at: np.ndarray) -> None:
 
 def _collides(taken: np.ndarray, cells: np.ndarray) -> np.ndarray:
     """Return for each start cell whether the piece would overlap other pieces."""
-    shape = [_quick(size) for size in taken.shape]  # wrong counts, where the piece does not fit, are not used
+    shape = [_quick(size) for size in taken.shape]  # where the piece does not fit, counts are wrong and not used
     product = np.fft.rfft2(taken, shape) * np.conj(np.fft.rfft2(cells, shape))
     counts = np.fft.irfft2(product, shape)
     fits = [size - own + 1 for size, own in zip(taken.shape, cells.shape, strict=True)]

@@ -77,8 +77,9 @@ class Shape(NamedTuple):
 def divided(pattern: P, paper: str, keep_places: bool) -> Tiles[P]:
     """Return the pattern on the fewest sheets, which are all upright or all turned.
 
-    If this needs no more sheets, each piece is on one sheet. Markers keep their places. keep_places: whether other
-    patterns keep their places, too. Raises FlattenError for too many sheets.
+    An arrangement with each piece on one sheet is preferred if it needs no more sheets. The pieces of a marker keep
+    their places. keep_places: whether the pieces of other patterns keep their places, too. Raises FlattenError for too
+    many sheets.
     """
     if pattern.marker or keep_places:
         moved = pattern.at_origin()
@@ -127,7 +128,7 @@ def _taped(pattern: P, paper: str) -> Tiles[P]:
             count = int(np.prod(_counts(taken, step)))
             if in_row is None or count < in_row[0]:
                 in_row = (count, width, sheet)
-            if count > MOST_SHEETS:  # more columns would take too long
+            if count > MOST_SHEETS:  # for such a large pattern, trying more columns would take too long
                 break
     assert in_row is not None
     count, width, sheet = in_row
