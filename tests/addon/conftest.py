@@ -49,9 +49,9 @@ def model():
 def everything_answers(model, addon, tmp_path, capfd):
     """Return a function that damages the file with spoil(), then uses every panel, overlay and command.
 
-    The function makes each object active in turn, and damages the file again before each. in_turn: modes for the
-    objects, repeated; without it, each object is used in both modes. Shapes of models must stay. No traceback may be
-    printed, not even by a handler that Blender calls.
+    The function makes each object active in turn, and damages the file again before each object. in_turn: a mode for
+    each object, repeated; if None, each object is used in both modes. Shapes of models must not change. No traceback
+    may be printed, not even by a handler that Blender calls.
     """
 
     def shapes():

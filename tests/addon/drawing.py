@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Reads an exported pattern back from its file. Does not use Blender, because tests/bindings uses it, too."""
+"""Reads an exported pattern back from its file. This module does not use Blender, because tests/bindings imports it."""
 
 import re
 import xml.etree.ElementTree as ElementTree

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Uses every panel, overlay and operator in turn. With every file, each must work or report why it does not."""
+"""Uses every panel, overlay and operator in turn. In any file, each of them must work or report why it does not."""
 
 from types import SimpleNamespace
 
@@ -12,7 +12,7 @@ EDGE = {"edge": 0}
 OURS = ("wirewarp_", "source_", "flat_", "piece")  # prefixes of the names of our attributes and properties
 KINDS = ("SEAM", "WIRE", "OUTLINE", "PIECE", "STRETCH", "EASE", "ISSUE", "HINT")
 MENDS = ("SEAMS", "TOLERANCES", "MODIFIERS", "DISSOLVE", "MERGE", "NORMALS", "SUGGESTION", "APPLY")
-COMMANDS = [  # operators that write come last
+COMMANDS = [  # operators that change marks or pieces come last
     ("object.wirewarp_copy_report", {}),
     ("mesh.wirewarp_select_issues", {}),
     *(("mesh.wirewarp_select_result", {"what": what, "index": 0}) for what in KINDS),

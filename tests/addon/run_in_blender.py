@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Installs the zip named by WIREWARP_ZIP as users do, then runs pytest inside Blender; exits with its code.
+"""Installs the zip named by WIREWARP_ZIP as users do, then runs pytest inside Blender. Exits with the code of pytest.
 
 blender --background --factory-startup --python-exit-code 1 --python tests/addon/run_in_blender.py -- PYTEST_ARGUMENTS
 python tests/addon/run_in_blender.py -- PYTEST_ARGUMENTS        (a Python with bpy)

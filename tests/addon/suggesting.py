@@ -39,7 +39,7 @@ def pairs(edges):
 
 
 def needed(addon, source):
-    """Flatten the model, and return the maximum stretch of the worst piece, which 99% of its area does not exceed."""
+    """Flatten the model, and return the maximum stretch of its worst piece."""
     bpy.ops.object.wirewarp_flatten()
     return max(piece.needed for piece in addon.state.reports.last_report(source).pieces)
 
@@ -55,7 +55,7 @@ def places(source):
 
 
 def add_layers(source):
-    """Add a UV map, a vertex group, materials and shape keys, whose values follow from the place of each element."""
+    """Add a UV map, materials and shape keys that depend on the place of each element. Add a group with weight 0.5."""
     mesh = source.data
     corners = places(source)[read(mesh.loops, "vertex_index", np.int32)]
     mesh.uv_layers.new(name="Mine").data.foreach_set("uv", corners[:, :2].astype(np.float32).ravel())
@@ -70,7 +70,7 @@ def add_layers(source):
 
 
 def check_layers(source):
-    """Check the values of add_layers() everywhere, even on new vertices and faces."""
+    """Check the layers of add_layers() on all vertices and faces, including new vertices and faces."""
     mesh = source.data
     now = places(source)[read(mesh.loops, "vertex_index", np.int32)]
     assert read(mesh.uv_layers["Mine"].data, "uv", np.float32, 2) == pytest.approx(now[:, :2], abs=1e-6)

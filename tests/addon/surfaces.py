@@ -42,8 +42,9 @@ def select_only(*targets: bpy.types.Object) -> None:
 def grid(name: str, shape: Callable, size: int = 8, faces: str = "quads", **marked: Callable) -> bpy.types.Object:
     """Return a grid at shape(x, y) over the square from -1 to 1, with size by size cells of quads, triangles or n-gons.
 
-    Each n-gon is a pair of cells. Three corners on the outline must not be collinear, because a triangle between them
-    would have zero area. marked: functions that test whether an edge belongs to the `seam` or the `wire`.
+    Each n-gon is a pair of cells. With n-gons, no three neighboring vertices of the outline may be collinear, because
+    a triangle between them would have zero area. marked: functions that test whether an edge belongs to the `seam` or
+    the `wire`.
     """
     steps = [2 * i / size - 1 for i in range(size + 1)]
     vertices = [shape(x, y) for y in steps for x in steps]
@@ -61,7 +62,7 @@ def grid(name: str, shape: Callable, size: int = 8, faces: str = "quads", **mark
 
 
 def join_cube(target: bpy.types.Object) -> None:
-    """Join a cube, which fails because it is closed. Its faces come after all faces of the model."""
+    """Join a cube to the model. The cube cannot be flattened, because it is closed. Its faces come last."""
     bpy.ops.mesh.primitive_cube_add(location=(4, 0, 0))
     select_only(target, bpy.context.object)
     bpy.ops.object.join()

@@ -64,7 +64,7 @@ def test_marks_and_names_stay_with_the_mesh(marked, tmp_path, how):
     assert how in ("duplicated", "joined") or after.data.wirewarp_names[0].name == "Bust"
 
 
-def test_join_keeps_the_wires_of_both_and_their_names_are_saved(marked, addon, tmp_path):
+def test_join_keeps_the_wires_of_both_objects_and_their_names_are_saved(marked, addon, tmp_path):
     other, foreign = grid("Other", bump), grid("Foreign", bump)
     mark(other, on_line(1, 0.25))
     other.data.wirewarp_names[0].name = "Hip"

@@ -58,7 +58,7 @@ def answer_of(tmp_path, monkeypatch):
     def run(*formats):
         job = {"folder": str(tmp_path), "stem": "bag", "formats": formats, "answer": ".answer.json"}
         monkeypatch.setattr(sys, "argv", [str(SCRIPT), json.dumps(job)])
-        # reading blocks, as if the caller kept the standard input open
+        # read() waits, as if the caller kept the standard input open
         monkeypatch.setattr(sys, "stdin", SimpleNamespace(read=Event().wait))
         monkeypatch.setattr(os, "_exit", end)
         with pytest.raises(SystemExit) as ended:
@@ -111,7 +111,8 @@ def test_warnings_of_the_export_are_in_the_answer(answer_of):
     mesh = bmesh.new()
     mesh.from_mesh(sheet.data)
     mesh.faces.ensure_lookup_table()
-    bmesh.ops.delete(mesh, geom=[mesh.faces[9]], context="FACES_ONLY")  # a hole of 250 mm
+    # a hole of 250 mm, which allowances of 200 mm fill
+    bmesh.ops.delete(mesh, geom=[mesh.faces[9]], context="FACES_ONLY")
     mesh.to_mesh(sheet.data)
     bpy.context.scene.wirewarp.allowance = 200.0
     answer = answer_of("svg", "pdf")

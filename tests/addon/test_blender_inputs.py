@@ -33,7 +33,7 @@ def library(tmp_path):
 
 
 def other_file(library, kind, *names):
-    """Add objects of the library file to the scene, linked or overridden."""
+    """Add objects of the library file to the scene, linked or overridden, and return the last object."""
     for name in names:
         target = link(library, "objects", name)
         bpy.context.scene.collection.objects.link(target)
@@ -144,7 +144,7 @@ def test_lengths_are_true_at_any_scale_and_under_a_shearing_parent(scale):
         ("TRIANGULATE", {}, 32),
     ],
 )
-def test_modifiers_that_make_other_faces_go_to_the_flat_object_only(addon, kind, settings, faces):
+def test_faces_that_modifiers_make_are_only_in_the_flat_object(addon, kind, settings, faces):
     source = grid("Bump", bump, size=4, seam=on_line(0, 0.0), wire=on_line(1, 0.0))
     modifier = source.modifiers.new("Modifier", kind)
     for name, value in settings.items():

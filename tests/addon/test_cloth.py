@@ -22,7 +22,7 @@ def last_report(addon, source):
     return addon.state.reports.last_report(source)
 
 
-def test_the_shape_for_a_fabric_is_that_of_the_library(source, addon):
+def test_a_piece_for_a_fabric_has_the_shape_that_the_library_returns(source, addon):
     bpy.ops.object.wirewarp_flatten(cloth="DENIM", orientation="UP")
     items = addon.properties.WIREWARP_PG_settings.bl_rna.properties["cloth"].enum_items
     named = [item.identifier.lower() for item in items if item.identifier not in ("NONE", "CUSTOM")]

@@ -49,7 +49,7 @@ def test_clearing_a_wire_removes_its_ease(source):
     assert not read(source.data.attributes["wirewarp_ease"].data, "value", np.float32).any()
 
 
-def test_a_part_of_a_line_that_is_marked_keeps_its_ease(source, capfd):
+def test_marking_a_part_of_an_eased_line_keeps_the_ease(source, capfd):
     def upper_half(a, b):
         return SEAM(a, b) and a[1] + b[1] > 0
 
@@ -128,7 +128,7 @@ def test_one_side_or_the_other_is_eased(source):
 
 
 def test_one_side_is_the_side_of_the_smaller_piece_on_all_seams(addon):
-    """The edges of each line may run in either direction, as on two armholes that are selected together."""
+    """The directions of the edges do not matter. They differ between lines, for example on two armholes."""
     source = grid("Body and two sleeves", lambda x, y: (x, y, 0))
     seams = {x: on_line(0, x) for x in (-0.5, 0.5)}
     for seam in seams.values():
@@ -182,7 +182,7 @@ def test_an_ease_that_was_copied_to_the_other_side_is_reported_until_it_is_marke
 
 
 def test_an_ease_of_one_side_at_a_mirror_reports_what_to_do(addon):
-    """Each face at the middle meets its own mirror image. Only an applied modifier makes them two faces."""
+    """Each face at the middle meets its mirror image, which is a face of its own only after the modifier is applied."""
     half = grid("Half", lambda x, y: (x + 1, y, 0), seam=SEAM)
     half.modifiers.new("Mirror", "MIRROR")
     ease(half, SEAM, sides="ONE", ease_percent=5.0)
@@ -321,5 +321,5 @@ def test_the_list_of_seams_shows_the_change_of_all_sides(source, addon):
     bpy.ops.object.wirewarp_flatten()
     (row,) = addon.state.reports.last_report(source).tables.seams
     left, right = shares(source)
-    assert left == pytest.approx(right, abs=1e-5) and 1e-4 < abs(left) <= 0.03 + 1e-6  # both sides have one length
+    assert left == pytest.approx(right, abs=1e-5) and 1e-4 < abs(left) <= 0.03 + 1e-6  # both sides have the same length
     assert row.note.endswith(f"; {addon.core.ease_text(left)} on all sides")

@@ -18,7 +18,7 @@ from surfaces import bump, edge_lengths, edge_vertices, flat_of, grid, mark_seam
 from two_sided import two_pieces
 
 SEAM = on_line(0, 0.0)
-ROUNDED = 5e-4  # millimeters; the file has four decimals, and Blender's coordinates around 1000 mm are about as precise
+ROUNDED = 5e-4  # millimeters: ten times the error of four decimals, or of Blender's coordinates around 1000 mm
 
 
 @pytest.fixture
@@ -77,7 +77,7 @@ def test_a_seam_of_one_edge_inside_a_piece_opens_nothing(tmp_path):
     assert drawing.pieces and len(drawing.outlines()) == 1
 
 
-def test_the_next_export_does_not_start_from_the_last_file():
+def test_the_next_export_keeps_the_settings_but_not_the_path():
     properties = bpy.ops.object.wirewarp_export_svg.get_rna_type().properties
     assert properties["filepath"].is_skip_save and not properties["notch_spacing"].is_skip_save
 
@@ -144,7 +144,8 @@ def test_a_report_file_that_fails_at_the_end_keeps_the_pattern(source, tmp_path,
         raise OSError(28, "No space left on device")
 
     monkeypatch.setattr(addon.core.pattern.files, "replaced_file", full)
-    export(tmp_path, report_path=str(tmp_path / "warnings.json"))  # the export finishes
+    # the export finishes, although its report file cannot be written
+    export(tmp_path, report_path=str(tmp_path / "warnings.json"))
     said = capfd.readouterr().out
     assert 'warnings.json": No space left on device.' in said and "2 pieces on" in said
 
@@ -194,7 +195,7 @@ def test_models_without_pieces_or_with_changes_are_refused(source, tmp_path):
     with pytest.raises(RuntimeError, match='Cannot write "//pattern.svg": "//" is the folder of the Blender file'):
         bpy.ops.object.wirewarp_export(filepath="//pattern.svg")
     flat = flat_of(source).data
-    flat.attributes.remove(flat.attributes["flat_length"])  # as earlier versions of WireWarp made pieces
+    flat.attributes.remove(flat.attributes["flat_length"])  # pieces of earlier versions of WireWarp lack this attribute
     export_fails('Flatten "Bump" again', tmp_path)
     bpy.data.objects.remove(flat_of(source))
     export_fails('"Bump" has no flat pieces. Flatten it first', tmp_path)
@@ -264,6 +265,7 @@ def test_pieces_edited_by_hand_are_not_trusted(source, tmp_path, change):
 def test_a_seam_that_is_missing_on_the_pieces_is_reported(source, tmp_path):
     sources = flat_of(source).data.attributes["source_vertex"].data
     numbers = read(sources, "value", np.int32)
-    inside = np.flatnonzero(np.bincount(numbers) == 2)[3]  # a vertex inside the seam, which each side has once
+    # a vertex inside the seam, of which each piece has a copy
+    inside = np.flatnonzero(np.bincount(numbers) == 2)[3]
     sources[int(np.flatnonzero(numbers == inside)[0])].value = 0
     export_fails("edited by hand, and a seam of the model is missing on them. Flatten the model again", tmp_path)

@@ -62,7 +62,7 @@ def test_other_objects_are_flattened_if_one_fails():
 
 
 def test_select_issues_selects_the_elements_of_the_error():
-    """The elements are the edges of a wire without a tolerance, or whole faces."""
+    """The elements are the edges of a wire with an invalid tolerance, or whole faces."""
 
     def selected(elements):
         bpy.ops.mesh.wirewarp_select_issues()

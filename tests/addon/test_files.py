@@ -21,7 +21,7 @@ def test_patterns_and_reports_go_to_folders_of_any_name(tmp_path, addon, name):
     bpy.ops.wm.save_as_mainfile(filepath=str(folder / f"{name}.blend"))
     bpy.ops.object.wirewarp_flatten(report_path=str(folder / f"{name}.json"))
     endings = list(addon.core.pattern.FORMATS)
-    assert len(endings) <= len(NAMES)  # there is a name for each format
+    assert len(endings) <= len(NAMES)  # so that each format is tested with a name
     ending = endings[NAMES.index(name) % len(endings)]
     bpy.ops.object.wirewarp_export(filepath=str(folder / f"{name}{ending}"))
     bpy.ops.object.wirewarp_export(filepath=f"//beside {name}{ending}")
@@ -62,7 +62,7 @@ def test_the_target_of_a_link_is_replaced(addon, tmp_path):
     path.write_text("of yesterday")
     link.symlink_to(path)
     if not link.is_symlink():
-        pytest.skip("Wine makes no links")
+        pytest.skip("Wine creates no symbolic links")
     with addon.core.pattern.files.replaced_file(link) as unfinished:
         unfinished.write_text("of today")
     assert link.is_symlink()
@@ -70,7 +70,7 @@ def test_the_target_of_a_link_is_replaced(addon, tmp_path):
     assert {each.name for each in tmp_path.iterdir()} == {"pattern.svg", "newest.svg"}
 
 
-def test_the_libraries_for_pdf_come_with_the_add_on_and_do_not_change_the_path(addon):
+def test_the_libraries_for_pdf_come_with_the_add_on_and_do_not_change_sys_path(addon):
     inside = Path(addon.core.__file__).parent / "_core"
     if inside.is_dir():
         assert {path.name for path in (inside / "libraries").iterdir()} == {"pyclipper", "pydyf", "uharfbuzz"}

@@ -55,7 +55,7 @@ def test_a_sample_brings_its_fabric_to_a_new_file_and_its_units_to_an_empty_one(
     bpy.ops.object.wirewarp_flatten(cloth="JERSEY")
     scene.wirewarp.property_unset("cloth")
     bpy.ops.object.wirewarp_open_sample(sample="JEANS")
-    assert scene.wirewarp.cloth == "NONE"  # settings do not change once the first pattern was made
+    assert scene.wirewarp.cloth == "NONE"  # after the first run, samples do not change settings
     bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
     bpy.context.scene.unit_settings.scale_length = 0.01
     bpy.ops.object.wirewarp_open_sample(sample="CUSHION")
@@ -79,7 +79,7 @@ def test_the_guide_fits_its_popup_and_all_samples_are_in_the_zip(addon):
 
 @pytest.fixture
 def sized(addon):
-    """Return a function that makes a model of this width in Blender units.
+    """Return a function that makes a model of a given width in Blender units.
 
     The function returns the sentence about the size of the model, and the offered units.
     """
@@ -94,7 +94,7 @@ def sized(addon):
     return make
 
 
-def test_units_that_give_a_size_to_sew_are_offered_the_likeliest_first(sized):
+def test_units_for_a_plausible_size_are_offered_and_the_likeliest_is_first(sized):
     sentence, offered = sized(77)
     assert sentence == '"Chair" measures 77 m. Was it modeled in another unit?'
     assert offered == ["Centimeters: 77 cm", "Millimeters: 7.7 cm", "Inches: 196 cm"]
@@ -103,7 +103,7 @@ def test_units_that_give_a_size_to_sew_are_offered_the_likeliest_first(sized):
     sentence, offered = sized(0.0017)
     assert sentence.endswith("measures 1.7 mm. Was it modeled in another unit?")
     assert offered == ["100 m: 17 cm", "1000 m: 170 cm"]
-    assert [sized(width)[0] for width in (0.03, 0.2, 2, 4.9)] == [""] * 4  # models of common size
+    assert [sized(width)[0] for width in (0.03, 0.2, 2, 4.9)] == [""] * 4  # models of common size get no sentence
 
 
 def test_one_click_gives_the_pattern_the_intended_size(addon, sized):
@@ -150,11 +150,12 @@ def test_the_unit_follows_from_the_real_height(addon, sized):
     sized(77)
     source, buttons = bpy.data.objects["Chair"], []
     draw_panels(addon, buttons)
-    # three units and the height, in a narrow and in a wide sidebar
+    # buttons for three units and for the height, in a narrow and in a wide sidebar
     assert buttons.count("scene.wirewarp_set_unit") == 3 * 2 and buttons.count("scene.wirewarp_set_height") == 2
-    assert begun_height(addon) == pytest.approx(100 * source.dimensions.z)  # not the height of a person
+    # the height of the model, not of a person
+    assert begun_height(addon) == pytest.approx(100 * source.dimensions.z)
     across = source.dimensions.x
-    source.rotation_euler.y = math.pi / 2  # as importers rotate models
+    source.rotation_euler.y = math.pi / 2  # importers rotate models like this
     bpy.context.view_layer.update()
     bpy.ops.scene.wirewarp_set_height(height=120)
     unit = addon.blender.objects.meters_per_blender_unit

@@ -73,7 +73,7 @@ def test_outline_and_wire_keep_their_lengths(faces):
     assert len(flat_of(source).data.edges) == len(source.data.edges)
 
 
-def test_the_uv_map_is_active_in_the_unit_square_and_true_by_its_scale():
+def test_the_uv_map_is_active_and_in_the_unit_square_and_has_a_scale():
     source = grid("Bump", bump)
     source.data.uv_layers.new(name="Mine")
     mark_seam(source, on_line(0, 0.0))
@@ -99,7 +99,8 @@ def test_the_flat_object_lies_in_its_own_plane_in_the_collection_and_faces_up():
     assert not flat.data.validate()
 
 
-# The seam is a full cut, a dart, or one edge inside the piece. The two sides of such an edge have the same ends.
+# The seam is a full cut, a dart, or one edge inside the piece. The two sides of such an edge have the same ends, so
+# Blender makes one edge of them.
 @pytest.mark.parametrize("reach", [(-2.0, 2.0), (-2.0, 0.4), (-0.1, 0.4)])
 @pytest.mark.parametrize(("faces", "scale"), [("quads", -1.0), ("ngons", 1.0)])
 def test_the_edges_of_the_flat_object_are_those_that_blender_finds(reach, faces, scale):
@@ -215,7 +216,7 @@ def test_several_objects_are_flattened_and_others_ignored():
     assert max(boxes[0]) < min(boxes[1]) or max(boxes[1]) < min(boxes[0])
 
 
-def test_a_run_in_edit_mode_uses_the_edits_and_does_not_leave_it():
+def test_a_run_in_edit_mode_uses_the_edits_and_stays_in_edit_mode():
     """The second run, in Object Mode, writes the same data as the run in Edit Mode."""
     source = grid("Bump", bump)
     select_edges(source, on_line(1, 0.0))
@@ -242,7 +243,7 @@ def test_a_run_in_edit_mode_uses_the_edits_and_does_not_leave_it():
 
 
 @pytest.mark.parametrize("shape", ["modifiers", "shape keys", "edited pieces"])
-def test_a_run_leaves_edit_mode_if_it_hides_the_shape_and_returns(shape):
+def test_a_run_leaves_edit_mode_and_returns_if_edit_mode_hides_the_shape(shape):
     source = grid("Bump", bump)
     flatten(source)
     if shape == "modifiers":

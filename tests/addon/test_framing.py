@@ -56,7 +56,7 @@ def test_places_are_shown_beside_the_legend_and_the_sidebar(addon, monkeypatch, 
 
 @pytest.mark.parametrize(("overlaps", "headers"), [(True, 26 + 30), (False, 0)])
 def test_places_are_shown_below_headers_and_texts(addon, overlaps, headers):
-    """A header at the bottom covers nothing at the top."""
+    """A header at the bottom does not count, because it covers nothing at the top."""
     system = SimpleNamespace(ui_scale=2.0, use_region_overlap=overlaps)
     context = SimpleNamespace(preferences=SimpleNamespace(system=system))
     heights = [("HEADER", "TOP", 26), ("TOOL_HEADER", "TOP", 30), ("HEADER", "BOTTOM", 26), ("UI", "RIGHT", 700)]

@@ -15,7 +15,7 @@ def hints(addon, source, code):
     return [hint for hint in addon.state.reports.last_report(source).hints if hint.code == code]
 
 
-def test_equal_places_are_one_line(addon):
+def test_places_with_equal_strain_are_one_hint(addon):
     """Two equal domes have equal strain."""
     target = grid("Domes", lambda x, y: (x, y, 0.3 * math.exp(-((abs(x) - 0.5) ** 2 + y * y) / 0.05)), size=32)
     flatten(target)

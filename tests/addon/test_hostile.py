@@ -140,13 +140,13 @@ CASES = {
     "pieces without geometry": lambda model: flat_of(model).data.clear_geometry(),
     "pieces that are nowhere": lambda model: setattr(flat_of(model).data.vertices[0], "co", (NAN, NAN, NAN)),
     "a model in no scene": lambda model: [each.objects.unlink(model) for each in model.users_collection],
-    "ids of the model below all": lambda model: fill_ids(model, -(2**31)),
-    "ids of the model above all": lambda model: fill_ids(model, 2**31 - 1),
+    "ids of the model below all others": lambda model: fill_ids(model, -(2**31)),
+    "ids of the model above all others": lambda model: fill_ids(model, 2**31 - 1),
     "ids of the pieces below 0": lambda model: fill_flat_ids(model, -1),
     "other values in every property": lambda model: store(model, 0),
     "lists and texts in every property": lambda model: store(model, 3),
 }
-# Attributes with odd numbers are stored on other elements. The other attributes get another type.
+# Attributes with odd indices are stored on other elements. Attributes with even indices get another type.
 for number, attribute in enumerate((*OF_MODEL, *OF_PIECES)):
     other = "POINT" if attribute.domain == "CORNER" else "CORNER"
     kind = (attribute.data_type, other) if number % 2 else ("STRING", attribute.domain)

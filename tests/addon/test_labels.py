@@ -40,11 +40,11 @@ def test_labels_hide_at_most_a_quarter_of_a_piece(addon):
     area = (6 * LETTER + 2 * 3) * (HEIGHT + 2 * 3)
     assert len(few) == int(0.25 * 80**2 / area) == 2
     assert written(addon, *names(10.0)) == []
-    other = [label(addon, "Seam 20", at=(400, 100), room=80.0, piece=2)]  # a label with enough room
+    other = [label(addon, "Seam 20", at=(400, 100), room=80.0, piece=2)]  # a label on a piece with enough room
     assert written(addon, *names(80.0), *other) == [*few, "Seam 20"]
 
 
-def test_the_name_of_a_small_piece_is_beside_it_and_not_on_another(addon):
+def test_the_name_of_a_small_piece_is_beside_it_and_not_on_another_piece(addon):
     arrange, box = addon.overlay.screen.arrange, [(90, 90), (110, 110)]
     (inside,) = arrange([label(addon, "Front", box=box)], size_of)
     assert inside.base > 100
@@ -52,7 +52,7 @@ def test_the_name_of_a_small_piece_is_beside_it_and_not_on_another(addon):
     (below,) = arrange([front], size_of)
     assert below.base + HEIGHT < 90
     assert below.left + size_of("Front")[0] / 2 == 100
-    back = label(addon, "Back", at=(100, 60), piece=2, box=[(0, 0), (200, 88)])  # a piece that covers this place
+    back = label(addon, "Back", at=(100, 60), piece=2, box=[(0, 0), (200, 88)])  # a piece below Front
     above, _ = arrange([front, back], size_of)
     assert above.base > 110
 

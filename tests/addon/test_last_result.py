@@ -37,7 +37,7 @@ def export(tmp_path):
     return answer("object.wirewarp_export_svg", filepath=str(tmp_path / "pattern.svg"))
 
 
-def test_a_failed_run_leaves_the_report_of_the_pieces(source, addon, tmp_path):
+def test_a_failed_run_keeps_the_report_of_the_pieces(source, addon, tmp_path):
     uv = uv_of(source.data)
     fail(source)
     assert np.array_equal(uv_of(source.data), uv) and len(flat_of(source).data.polygons) == 16
@@ -57,7 +57,7 @@ def test_a_failed_run_leaves_the_report_of_the_pieces(source, addon, tmp_path):
     assert addon.state.reports.last_report(bpy.data.objects["Bump"]).ok
 
 
-def test_a_failed_report_stays_with_its_object(addon, tmp_path):
+def test_the_report_of_a_failed_run_stays_with_its_object(addon, tmp_path):
     closed = cube()
     flatten_fails("closed")
     closed.name = "Renamed"
@@ -128,7 +128,7 @@ def test_shape_keys_and_groups_of_earlier_pieces_are_gone(source):
 
 
 def test_export_notices_a_change_that_blender_was_not_notified_of(source, tmp_path, addon):
-    assert READY in draw_panels(addon)  # the panel keeps this verdict
+    assert READY in draw_panels(addon)  # the panel keeps this verdict, but the export checks again
     places = read(source.data.vertices, "co", np.float32, 3)
     source.data.vertices.foreach_set("co", (2 * places).ravel())
     assert '"Bump" has changed since it was flattened' in export(tmp_path)

@@ -65,7 +65,7 @@ def two_wires():
     return source
 
 
-ALONG_X, ALONG_Y = (54, 62), (4, 76)  # end vertices of the wires, in rows of 9 vertices
+ALONG_X, ALONG_Y = (54, 62), (4, 76)  # end vertices of the wires; each row of the grid has 9 vertices
 
 
 def edge_of_wire(source, ends):
@@ -111,7 +111,7 @@ def test_either_a_wire_or_its_copy_can_be_the_grain_wire(mode):
 
 
 def test_pieces_without_the_grain_wire_are_upright_as_on_the_model():
-    """If the grain wire is on the front, another wire must not rotate the back, for example a wire along the waist."""
+    """If the grain wire is on the front, another wire, for example along the waist, must not rotate the back."""
     source = two_wires()
     source.rotation_euler = (np.pi / 2, 0, 0)  # the model's y axis points up
     bpy.ops.object.mode_set(mode="EDIT")

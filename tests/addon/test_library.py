@@ -81,7 +81,7 @@ def check_sentence(addon, sentence):
 
 def test_no_library(addon, library_copy, monkeypatch):
     shutil.rmtree(library_copy)
-    # The extension's own library is on the path, too.
+    # The extension's own library is on the path, too, and would be found instead of the copy.
     monkeypatch.setattr(sys, "path", [folder for folder in sys.path if not Path(folder, "wirewarp").is_dir()])
     check_sentence(addon, "library is not installed beside the add-on. Remove WireWarp, restart Blender, and install")
 

@@ -86,13 +86,14 @@ def variations(source):
 
 
 def test_thick_material_that_unfolds_changes_no_length(addon):
-    """Lengths are compared with lengths in the middle of the thickness, because this surface is flattened."""
+    """WireWarp flattens the surface in the middle of the thickness, so lengths are compared with lengths there."""
     bpy.context.scene.unit_settings.scale_length = 0.1
     target = grid("Half", half_cylinder, size=16)
     bpy.ops.object.wirewarp_flatten(thickness=20.0)
     values, _ = variations(target)
     assert values == pytest.approx(0, abs=1e-6)
-    # half of the angle of a face in radians, and half of the thickness; at each end, the normal is that of one face
+    # Half of the angle that a face spans, in radians, and half of the thickness, in Blender units. The vertices at both
+    # ends move along the normal of their only face, so the end faces are narrower.
     half_turn, middle = math.pi / 32, 0.1
     width = 16 * 2 * math.sin(half_turn) * (1 + middle) - 2 * middle * math.sin(half_turn)
     assert np.ptp(flat_places(target), axis=0).max() == pytest.approx(width, rel=1e-3)
@@ -140,7 +141,7 @@ def assert_printed(source):
 
 def test_pieces_have_the_materials_and_the_maps_of_their_model():
     source = printed()
-    for _ in range(2):  # the second run does not add further maps
+    for _ in range(2):  # the second run does not add the maps again
         bpy.ops.object.wirewarp_flatten()
         flat = flat_of(source).data
         assert [material.name for material in flat.materials] == ["Stripes", "Dots"]

@@ -57,7 +57,7 @@ def test_the_marker_is_kept_for_other_formats_until_the_pieces_change(source, tm
     assert source["wirewarp_marker"] != kept
 
 
-def test_foreign_marker_data_does_not_change(source, tmp_path, addon):
+def test_foreign_marker_data_is_ignored(source, tmp_path, addon):
     for stored in ("", "{}", "x" * 64 + "{}", 7):
         source["wirewarp_marker"] = stored
         assert addon.export.read.kept_marker(source.get("wirewarp_marker", "")) is None

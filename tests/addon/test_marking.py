@@ -48,7 +48,7 @@ def test_without_selected_edges_edit_mode_stays(name):
 @pytest.mark.parametrize("at_once", [True, False])
 def test_crossing_lines_are_two_wires_however_they_are_marked(at_once):
     target = grid("Bump", bump)
-    target.scale.z = 0  # a scale of 0, which does not matter here
+    target.scale.z = 0  # marking works at any scale, even 0
     for lines in [(EAST_WEST, NORTH_SOUTH)] if at_once else [(EAST_WEST,), (NORTH_SOUTH,)]:
         mark(target, *lines)
     assert list(wire_marks(target.data).values()) == [8, 8]
@@ -167,14 +167,14 @@ def test_marks_of_models_are_refused_on_flat_pieces(command):
         getattr(bpy.ops.mesh, f"wirewarp_{command}")()
     assert wire_marks(flat.data) == before
     bpy.ops.object.mode_set(mode="OBJECT")
-    select_only(source, flat)  # the pieces are selected beside the model
+    select_only(source, flat)  # the pieces are selected together with the model
     bpy.ops.object.mode_set(mode="EDIT")
     with pytest.raises(RuntimeError, match="Leave Edit Mode of the flat pieces first"):
         bpy.ops.mesh.wirewarp_mark()
 
 
 def test_mark_this_model_starts_with_nothing_selected(addon):
-    """All edges of an imported model are selected."""
+    """All edges of an imported model are selected. Such a selection is cleared, but the user's selection is kept."""
     source = grid("Bump", bump, size=4)
     bpy.ops.object.mode_set(mode="EDIT")
     bpy.ops.mesh.select_all(action="SELECT")

@@ -59,7 +59,7 @@ def test_all_data_is_read(addon, mesh):
         assert found.tolist() == [getattr(edge, field) for edge in mesh.edges], name
 
 
-def test_in_edit_mode_the_mesh_is_as_it_is_edited(addon):
+def test_in_edit_mode_the_current_mesh_has_all_edits(addon):
     target = grid("Bump", round_bump, wire=on_line(0, 0.0))
     select_edges(target, on_line(1, 0.0))
     bpy.ops.mesh.mark_seam()
@@ -73,7 +73,7 @@ def test_in_edit_mode_the_mesh_is_as_it_is_edited(addon):
     assert seams.tolist() == [edge.seam for edge in edit.edges]
     assert seams.sum() == 8
     assert marks.are_wires.sum() == 16
-    assert not target.data.attributes["wirewarp_wire"].data  # so current_mesh() is needed
+    assert not target.data.attributes["wirewarp_wire"].data  # empty in Edit Mode, so current_mesh() is needed
 
 
 def test_a_run_in_edit_mode_copies_the_mesh_once_to_read_it_and_once_to_check_it(addon, monkeypatch):
@@ -98,12 +98,12 @@ def test_a_run_in_edit_mode_copies_the_mesh_once_to_read_it_and_once_to_check_it
     edit.verts[0].co.z += 1
     with pytest.raises(addon.issues.ObjectError, match="changed during the run"):
         reading.check_current(bpy.context, models, settings)
-    with addon.blender.mesh.current_mesh(target) as mesh:  # the earlier copies are no longer in use
+    with addon.blender.mesh.current_mesh(target) as mesh:  # the earlier copies are outdated and not used
         assert mesh.vertices[0].co.z == edit.verts[0].co.z
 
 
 def test_shape_keys_outlive_reading_in_edit_mode(addon):
-    """The copy for reading shares the shape keys of the mesh."""
+    """The copy for reading shares the shape keys of the mesh, which must stay when the copy is removed."""
     target = grid("Bump", round_bump)
     target.shape_key_add(name="Basis")
     target.shape_key_add(name="Taller").data[40].co.z += 1
@@ -120,7 +120,7 @@ def test_shape_keys_outlive_reading_in_edit_mode(addon):
 
 
 def test_kept_normals_do_not_change_how_bent_quads_are_split(addon):
-    """If Blender 3.4 has kept their normals, it splits about a fifth of these quads along the other diagonal."""
+    """If Blender 3.4 has stored the normals of these quads, it splits a fifth of them along the other diagonal."""
     bent = np.random.default_rng(0).normal(scale=0.6, size=(200, 4, 3))
     corners = ([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)] + bent).reshape(-1, 3).tolist()
     quads = np.arange(len(corners)).reshape(-1, 4).tolist()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""WireWarp notices if a model has changed since its report, in both modes, and ignores changes of other data."""
+"""WireWarp notices if a model has changed since its report, also in Edit Mode, and ignores changes of other data."""
 
 import bmesh
 import bpy
@@ -78,7 +78,7 @@ def test_applying_a_scale_of_one_changes_nothing(source, has_changed):
 
 
 def placed(source):
-    """Place the model unevenly scaled, turned and far from the origin, and flatten it there."""
+    """Scale the model unevenly, rotate and move it, and flatten it there."""
     source.location, source.rotation_euler, source.scale = (3, -2, 5), (0.3, 1.0, -2.0), (2.54, 0.4, 1.7)
     bpy.context.view_layer.update()
     flatten(source, use_modifiers=bool(source.modifiers))
@@ -91,7 +91,7 @@ APPLIED = {"location": (1, 0, 0), "rotation": (0, 1, 0), "scale": (0, 0, 1), "al
 def test_applying_a_transformation_keeps_all_lengths_so_it_is_no_change(source, has_changed, what, tmp_path):
     placed(source)
     location, rotation, scale = map(bool, APPLIED[what])
-    source.location.x += 0.3  # after the run
+    source.location.x += 0.3  # a move after the run is not a change
     before = [*source.data.vertices[0].co]
     bpy.ops.object.transform_apply(location=location, rotation=rotation, scale=scale)
     assert [*source.data.vertices[0].co] != before
@@ -113,7 +113,7 @@ def test_a_change_beside_an_applied_scale_is_noticed(source, has_changed):
     assert not np.allclose(source.matrix_world.to_scale(), (1.01, 1, 1)) and has_changed()
 
 
-def test_a_change_of_one_vertex_counts_without_an_applied_transformation(source, has_changed):
+def test_the_smallest_change_counts_if_no_transformation_was_applied(source, has_changed):
     """The change is smaller than the rounding errors of applied transformations."""
     source.data.vertices[40].co.z = np.nextafter(np.float32(source.data.vertices[40].co.z), np.float32(1))
     source.data.update()
@@ -133,7 +133,7 @@ def test_applying_a_transformation_with_modifiers_is_no_change(addon, smooth):
     assert addon.state.changes.has_changed(smooth, report.model_state)
 
 
-def test_selecting_naming_modifiers_and_a_shape_key_in_edit_mode_change_nothing(source, has_changed):
+def test_selections_names_unused_modifiers_and_shape_keys_in_edit_mode_are_no_changes(source, has_changed):
     source.data.wirewarp_names[0].name = "Bust"
     source.data.uv_layers.new(name="Mine")
     source.modifiers.new("Wave", "WAVE")  # ignored, because the run does not use modifiers
@@ -190,7 +190,7 @@ CHANGES = {
 
 
 @pytest.mark.parametrize("change", CHANGES)
-def test_changed_modifiers_are_seen_by_report_export_and_auto(addon, smooth, tmp_path, change):
+def test_changed_modifiers_are_seen_by_report_export_and_auto_update(addon, smooth, tmp_path, change):
     def taken():
         bpy.context.view_layer.update()
         return addon.flatten.auto_update.take_changed(bpy.context)
@@ -235,8 +235,8 @@ def test_one_vertex_that_moves_is_seen_and_rounding_is_not(addon, count):
     assert np.abs(before - module.place_sums(moved)).max() > rounding
 
 
-def test_a_modifier_along_normals_makes_the_same_mesh_each_time(addon):
-    """Up to Blender 3.6, the last digits of its vertices differ, because threads sum the normals in any order."""
+def test_rounding_errors_of_a_modifier_along_normals_are_not_changes(addon):
+    """Up to Blender 3.6, the last digits of moved vertices differ, because threads sum the normals in any order."""
     target = grid("Bump", bump, size=72)
     modifier = target.modifiers.new("Thick", "DISPLACE")
     flatten(target, use_modifiers=True)
@@ -273,7 +273,7 @@ def test_a_hidden_model_with_modifiers_must_be_shown_first(smooth, tmp_path):
     assert bpy.ops.object.wirewarp_export_svg(filepath=str(path)) == {"FINISHED"}
 
 
-def test_a_model_tried_in_edit_mode_is_tried_again_after_its_modifiers_change(addon, smooth):
+def test_a_model_updated_in_edit_mode_is_updated_again_after_its_modifiers_change(addon, smooth):
     bpy.ops.object.mode_set(mode="EDIT")
     move_a_vertex(smooth)
     bpy.context.view_layer.update()

@@ -18,7 +18,7 @@ def step_of(addon, source, left_out=()):
 
 
 def ready(addon, source):
-    """Return whether all lengths of the last report are exact, for any fabric."""
+    """Return whether all lengths of the last report are exact. The fabric does not count."""
     return addon.state.reports.last_report(source).ok
 
 
@@ -48,7 +48,7 @@ def contradiction():
 
 
 def sliver():
-    """Return two squares with a face between them whose three vertices are collinear."""
+    """Return two squares, and between them a face whose three vertices are collinear."""
     vertices = [(0, 0, 0), (1, 0, 0), (1, 0.5, 0), (1, 1, 0), (0, 1, 0), (2, 0, 0), (2, 1, 0)]
     return make_object("Sliver", vertices, [(0, 1, 2, 3, 4), (1, 5, 6, 3), (1, 3, 2)])
 
@@ -124,7 +124,7 @@ def test_ignored_modifiers_turn_the_verdict_amber_and_are_used_afterwards(addon)
 
 
 def test_places_without_a_remedy_are_shown(addon):
-    """The button shows the worst place of a strained piece, or a failure without a remedy."""
+    """The button shows the worst place of a strained piece, or the place of a failure without a remedy."""
     source = grid("Peak", lambda x, y: (x, y, 3 * (1 - x * x) * (1 - y * y)), size=6)
     bpy.ops.object.wirewarp_flatten()
     step = step_of(addon, source)
@@ -176,7 +176,7 @@ def test_edges_proposed_for_mirror_images_are_counted_once(addon):
     source = joined(tube(place=-2.0), tube("Other", place=2.0))
     flatten_fails(CUT)
     issues = addon.state.reports.last_report(source).issues
-    assert sum(len(issue.proposed_seams) for issue in issues) == 2 * 2 * 6  # both name all 12 edges
+    assert sum(len(issue.proposed_seams) for issue in issues) == 2 * 2 * 6  # both issues name all 12 edges
     assert step_of(addon, source).sentence == "Suggested seam: 12 edges."
 
 
@@ -275,7 +275,7 @@ def test_one_click_names_no_special_material(addon, needed, label):
     assert drawn == ([f"Flatten for {label}"] if label else [])
 
 
-def test_a_special_material_alone_never_stretches_far_enough(addon):
+def test_no_fabric_stretches_farther_than_swim_knit(addon):
     preset, names = addon.core.Cloth.preset, set(addon.core.Cloth.presets())
     assert names >= addon.report_panel.flatten_panel.EVERYDAY
     assert all(preset(name).limits[side] <= preset("swim").limits[side] for name in names for side in (0, 1))

@@ -120,7 +120,7 @@ def test_edges_with_their_own_allowance_are_seen_on_the_model(addon, source):
     assert np.array_equal(lines.places["allowance"], lines.places["seam"])
     bpy.ops.object.mode_set(mode="OBJECT")
     bpy.ops.object.wirewarp_flatten()
-    assert "allowance" not in lines_of(addon, flat_of(source)).places  # the cutting line shows it
+    assert "allowance" not in lines_of(addon, flat_of(source)).places  # the cutting line shows the allowance
     assert addon.overlay.lines.STYLES["allowance"].width > 1.5 * addon.overlay.lines.STYLES["seam"].width
 
 
@@ -128,7 +128,7 @@ def test_selected_edges_are_seen_on_their_lines(addon, source):
     select_edges(source, on_line(1, 0.0))
     lines = lines_of(addon, source)
     assert len(lines.places["selected"]) == len(lines.places["rigid"])
-    assert list(addon.overlay.lines.STYLES)[-1] == "selected"  # drawn last, and thinner than all others
+    assert list(addon.overlay.lines.STYLES)[-1] == "selected"  # drawn last, over wider lines
     width_of = {kind: style.width for kind, style in addon.overlay.lines.STYLES.items()}
     assert all(width_of["selected"] < 0.6 * width_of[kind] for kind in ("outline", "seam", "free", "elastic", "rigid"))
     bpy.ops.mesh.select_all(action="DESELECT")
@@ -231,7 +231,7 @@ def test_names_are_written_where_their_lines_are_seen(addon, source, perspective
 
 @pytest.mark.parametrize("perspective", [True, False])
 def test_names_behind_another_part_of_the_model_are_not_written(addon, perspective):
-    """A sheet with a wire is below a larger sheet, and both are one object."""
+    """A sheet with a wire is below a larger sheet of the same object."""
     source = grid("Low", lambda x, y: (x, y, 0.0), wire=on_line(1, 0.0))
     high = grid("High", lambda x, y: (3 * x, 3 * y, 1.0))
     select_only(source, high)

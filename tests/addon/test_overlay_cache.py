@@ -191,7 +191,7 @@ def test_slow_drawings_wait_in_edit_mode_until_the_user_pauses(addon, source, ti
 
 
 def handlers_of(addon):
-    """Return how many of our functions each of Blender's lists of handlers has."""
+    """Return the number of our functions in each of Blender's lists of handlers."""
     kinds = {name: getattr(bpy.app.handlers, name) for name in dir(bpy.app.handlers)}
     return {
         name: sum(handler.__module__.startswith(addon.__name__) for handler in handlers)
@@ -270,7 +270,7 @@ def among_others():
 
 @pytest.fixture
 def asked(addon, monkeypatch):
-    """Return a list to which each check of an object for our data adds the object's name."""
+    """Return a list of names. Whenever an object is checked for our data, its name is added to the list."""
     names = []
     ask = addon.overlay.shown.concerns_us
     monkeypatch.setattr(addon.overlay.shown, "concerns_us", lambda each: names.append(each.name) or ask(each))

@@ -32,7 +32,7 @@ def test_everybody_distinguishes_the_lines(addon, vision):
     styles = addon.overlay.lines.STYLES
     for (first, a), (second, b) in combinations(styles.items(), 2):
         if "grain" in first + second or {"page", "ease"} & {first, second}:
-            continue  # distinguished by its arrow, or by its name in the corner
+            continue  # grain and ease have arrows, and pages have names in their corners
         if {first, second} == {"cut", "allowance"}:
             continue  # cutting lines are on flat pieces, and marked allowances on models
         distance = np.linalg.norm(lab(a.color, vision) - lab(b.color, vision))
@@ -134,7 +134,7 @@ def test_the_legend_is_in_the_first_corner_where_it_covers_no_line(addon):
         return screen.free_corner(corners, box, np.array(lines, dtype=float).reshape(-1, 2, 2))
 
     assert place() == place(beside) == place(upright) == corners[0]
-    assert place(across) == corners[1]  # neither end of the line is in the box
+    assert place(across) == corners[1]  # the line crosses the box, although neither end is inside
     assert place(across, upright) == corners[2]
     assert place(across, upright, [(850, 520), (851, 520)]) == corners[0]  # no corner is free
 

@@ -24,7 +24,7 @@ def source():
 
 
 def shown(addon, mode="UV", show_overlays=True):
-    """Return the drawings for a stand-in for a UV editor, because Blender has no editor without a window."""
+    """Return the drawings of a stand-in for the UV editor, because Blender has no editor without a window."""
     context = SimpleNamespace(
         mode=bpy.context.mode,
         scene=bpy.context.scene,
@@ -43,7 +43,8 @@ def test_lines_and_names_are_at_the_pieces_in_the_map(addon, source, mode):
     (drawing,) = shown(addon)
     places = drawing.lines.places
     scale, flat = source.data["wirewarp_uv_scale"], addon.overlay.objects.marked_lines(flat_of(source), None)
-    for kind, sides in (("seam", 1), ("outline", 1), ("rigid", 2), ("elastic", 2)):  # a wire has a face on each side
+    # each wire is drawn twice, for the faces on both of its sides
+    for kind, sides in (("seam", 1), ("outline", 1), ("rigid", 2), ("elastic", 2)):
         on_pieces = lengths(flat.places[kind])
         assert lengths(places[kind]).sum() * scale == pytest.approx(sides * on_pieces.sum(), rel=1e-5)
         assert 0 <= places[kind][:, :2].min() < places[kind][:, :2].max() <= 1

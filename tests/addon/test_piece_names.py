@@ -159,7 +159,7 @@ def test_a_linked_mesh_may_have_the_name_of_the_results(tmp_path):
 
 
 def test_pieces_in_one_half_of_a_side_are_numbered():
-    """These pieces are numbered from front to back. A left-right pair has one number."""
+    """Numbers go from top to bottom, then from front to back. Both pieces of a left-right pair have the same number."""
     for axis, names in ((1, ["Top Back 1", "Top Back 2", "Top Front 1", "Top Front 2"]), (0, FOUR_HALVES)):
         target = grid("Bump", bump)
         for line in (-0.5, 0.0, 0.5):
@@ -328,7 +328,8 @@ def test_sleeves_are_recognized_by_their_seams():
     path = [(x, 0, 0) for x in np.linspace(-3, 3, 13)]
     assert sorted(flatten(tube_along(path, {4, 8}))) == ["Around", "Left Sleeve", "Right Sleeve"]
     assert len(flatten(tube_along(path, {2, 4, 8, 10}))) == 5
-    assert not any("Sleeve" in name for name in names_of(bpy.context.object))  # cuffs look like sleeves
+    # no piece is named a sleeve, because cuffs look like sleeves
+    assert not any("Sleeve" in name for name in names_of(bpy.context.object))
 
 
 def test_legs_are_recognized_by_their_crotch_seam():

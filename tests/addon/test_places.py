@@ -255,7 +255,7 @@ def test_a_dart_does_not_confuse_the_fit():
 
 
 @pytest.mark.parametrize("settings", [{"keep_places": False}, {"spacing": 160.0}, {"mirror": True}])
-def test_pieces_are_rearranged_without_keep_places(source, settings):
+def test_pieces_are_rearranged_without_keep_places_or_for_another_layout(source, settings):
     flatten(source, **settings)
     laid_out = places_of(source)
     move(source, "Top Left", by=(3, 4))

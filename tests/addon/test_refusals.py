@@ -202,7 +202,8 @@ def test_flat_pieces_that_are_edited_in_another_scene_are_refused(source, addon)
         addon.flatten.read.check_target(source, writes_model=True, edited=())
     with pytest.raises(addon.issues.ObjectError, match='The mesh "Bump Flat" is being edited in another scene'):
         addon.export.read.read_pattern(bpy.context.scene, source)
-    bpy.context.view_layer.objects.active = source  # only the pieces are in Edit Mode, as in another view layer
+    # The model is active, but its pieces stay in Edit Mode, as if they were edited in another view layer.
+    bpy.context.view_layer.objects.active = source
     flatten_fails('The mesh "Bump Flat" is being edited in another scene')
 
 

@@ -262,7 +262,7 @@ def test_the_list_of_pieces_has_the_worst_first(addon):
     source.wirewarp_pieces[0].name, source.wirewarp_pieces[1].name = "b", "A"
     assert listed.filter_items(this, bpy.context, source, "wirewarp_pieces") == ([], [1, 0])
     this.use_filter_sort_alpha = False
-    source.wirewarp_pieces.add()  # an entry that is not in the report
+    source.wirewarp_pieces.add()  # the list is not sorted, because this entry is not in the report
     assert listed.filter_items(this, bpy.context, source, "wirewarp_pieces") == ([], [])
 
 

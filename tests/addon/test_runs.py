@@ -80,7 +80,7 @@ class FakeWindow:
 
 
 @pytest.mark.parametrize("how", ["another file", "the add-on disabled"])
-def test_a_run_ends_with_the_file_and_with_the_add_on(addon, started, how):
+def test_a_run_ends_if_another_file_is_opened_or_the_add_on_disabled(addon, started, how):
     window_run, window = addon.ui.window_run, FakeWindow()
     run = window_run.begin(window, window_run.FLATTEN, "Large", solving(addon, grid("Large", bump, size=200)))
     run.go_on()
@@ -173,7 +173,7 @@ def failing():
 
 @pytest.mark.parametrize(("work", "error"), [(stubborn, OSError), (failing, MemoryError)])
 def test_exceptions_of_the_work_are_raised_with_the_result(addon, begun, work, error):
-    """Exceptions of work that fails to clean up after it was canceled are raised, too."""
+    """If work is canceled and then fails to clean up, its exception is raised, too."""
     run = begun(work())
     if work is stubborn:
         addon.ui.window_run.cancel()
@@ -254,7 +254,9 @@ def test_an_update_takes_the_undo_group_of_the_last_operator(addon):
     assert all(cls.is_registered and cls.bl_options == {"INTERNAL", "UNDO_GROUPED"} for cls in joining)
     most = addon.flatten.auto_update.MOST
     idnames = {updating(f"Group {number}").idname_py() for number in range(2 * most)}
-    assert len(idnames) == most - 2 + 1  # two are for the groups above; further updates have their own undo steps
+    # Two operators are for the groups above. If all operators are in use, further groups share one more operator, whose
+    # updates are undo steps of their own.
+    assert len(idnames) == most - 2 + 1
     addon.unregister()
     assert not any(hasattr(bpy.types, f"OBJECT_OT_wirewarp_update_{number}") for number in range(most))
     addon.register()
@@ -269,7 +271,7 @@ def test_a_model_whose_update_was_canceled_says_what_to_do(addon, source, monkey
     move_a_vertex(source)
     bpy.context.view_layer.update()
     assert coming in draw_panels(addon)
-    assert taken(addon) == ["Bump"]  # the update takes the model
+    assert taken(addon) == ["Bump"]  # the update of the model begins
     with monkeypatch.context() as patched:
         patched.setattr(addon.report_panel.flatten_panel, "is_running", lambda _: True)
         shown = draw_panels(addon)

@@ -108,10 +108,10 @@ def test_seams_keep_their_numbers_with_modifiers(addon, source):
     assert set(read(flat.attributes["wirewarp_seam"].data, "value", np.int32)) == {0, *before}
 
 
-def test_a_seam_without_a_name_gets_a_new_one_that_stays_when_a_run_is_refused(addon, source):
+def test_a_seam_without_a_name_gets_a_new_name_that_stays_when_a_run_is_refused(addon, source):
     source.wirewarp_seams[0].name = ""
     flatten(source)
-    assert list(seams(addon, source)) == ["Seam 2"]  # 1 is not reused
+    assert list(seams(addon, source)) == ["Seam 2"]  # the number 1 is not reused
     names = [piece.name for piece in addon.state.reports.last_report(source).pieces]
     assert " – ".join(names) in draw_panels(addon)  # the panel shows the pieces that the seam joins
     source.scale.x = 0.0
@@ -129,7 +129,7 @@ class MovingEntries(list):
         return self[-1]
 
 
-def test_names_are_written_to_the_right_entries_after_new_ones_moved_them(addon):
+def test_names_are_written_to_the_right_entries_after_new_entries_moved_them(addon):
     source = SimpleNamespace(wirewarp_seams=MovingEntries([SimpleNamespace(seam_id=1, name="Seam 1")]))
     names = {2: "Seam 2", 1: "Seam 3"}
     identities = [addon.solve.identity.SeamIdentity(seam_id, name, is_dart=False) for seam_id, name in names.items()]

@@ -207,7 +207,7 @@ def test_the_seams_of_the_map_are_solved_once(addon):
 
 
 def test_seams_of_the_map_are_offered_although_some_of_their_pieces_exceed_every_fabric(addon):
-    """A cube is unfolded. On a sphere, only the cap is a separate island."""
+    """A cube is unfolded. On a sphere, only the cap is a separate island, so the rest must stretch too far."""
     bpy.ops.mesh.primitive_uv_sphere_add(segments=16, ring_count=8)
     sphere = bpy.context.active_object
     mesh = sphere.data

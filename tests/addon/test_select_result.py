@@ -94,7 +94,7 @@ def test_with_modifiers_the_flat_pieces_are_shown():
     target.modifiers.new("Finer", "SUBSURF").levels = 1
     bpy.ops.object.wirewarp_flatten(use_modifiers=True)
     bpy.ops.mesh.wirewarp_select_result(what="SEAM", index=0)
-    assert len(selected(flat_of(target), "edges")) == 32  # both sides: each edge of the model is in two pieces
+    assert len(selected(flat_of(target), "edges")) == 32  # 16 edges on each side, because the modifier halves the edges
 
 
 @pytest.fixture
@@ -145,7 +145,7 @@ def test_the_most_strained_place_is_selected(source, addon, what):
     bpy.ops.mesh.wirewarp_select_result(what=what, index=1)
     faces = selected(source, "polygons")
     assert faces.tolist() == getattr(piece, f"{what.lower()}_faces")
-    assert 0 < len(faces) < 32  # selects a place in the piece, not all of it
+    assert 0 < len(faces) < 32  # selects a place in the piece, not the whole piece
     select_only(flat_of(source))
     bpy.ops.mesh.wirewarp_select_result(what=what, index=1)
     on_flat = selected(flat_of(source), "polygons")
@@ -154,7 +154,7 @@ def test_the_most_strained_place_is_selected(source, addon, what):
 
 
 def test_one_of_several_issues_is_selected(model):
-    select_only(flat_of(model))  # these flat pieces do not contain the cube
+    select_only(flat_of(model))  # the flat pieces do not contain the cube, so it is selected on the model
     bpy.ops.mesh.wirewarp_select_result(what="ISSUE", index=0)
     assert len(selected(model, "polygons")) == 6
     model["wirewarp_report"] = "{}"  # a report as if from another version

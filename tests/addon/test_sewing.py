@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Sewing edges join vertices that are one vertex of the model, and the shape key folds the pieces onto the model."""
+"""Sewing edges join the copies of a vertex of the model, and the shape key folds the pieces onto the model."""
 
 import bpy
 import numpy as np

@@ -21,7 +21,7 @@ class Eases:
         self.addon, self.marks = addon, addon.state.allowances.SIDE_EASES
 
     def mark_again(self, source):
-        mark(source, HEM)  # a wire on another line, which has no effect
+        mark(source, HEM)  # a wire on another line must have no effect
         ease(source, SEAM, sides="ONE", ease_percent=5.0)
 
     def mark_selected(self, value):
@@ -130,13 +130,13 @@ def test_two_marks_of_one_side_are_reported_until_it_is_marked_again(source, kin
     if caught.type is RuntimeError:  # Flatten raises an error, but keeps a report
         (issue,) = kind.addon.state.reports.last_report(source).issues
         assert len(issue.edges) == 8
-    kind.mark_again(source)  # marking again removes the other mark
+    kind.mark_again(source)  # marking the side again replaces both marks
     assert sorted(kind.at_seam(source)) == pytest.approx(sorted([kind.first, kind.unmarked]), abs=kind.rounding)
 
 
 @pytest.mark.parametrize("side", [-1, 1])
 def test_between_parts_of_a_face_one_side_is_marked_and_other_marks_stay(source, kind, side):
-    """A loop cut copies the values that distinguish faces to both parts of a face."""
+    """A loop cut copies the values that distinguish faces to both parts of a face, so the parts look the same."""
     bpy.ops.object.wirewarp_flatten()
     mark_side(kind, source, 1, kind.first)
     select_edges(source, lambda a, b: min(a.x, b.x) == 0 and max(a.x, b.x) == 0.25)

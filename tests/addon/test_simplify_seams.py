@@ -163,7 +163,7 @@ def test_a_canceled_search_keeps_its_results(addon, monkeypatch):
     whole, shares = search(0.8)  # only the widths are still to be measured
     assert len(whole) > 1 and all(cut.width is None and not cut.is_narrow for cut in whole)
     assert shares == sorted(shares)
-    some, _ = search(0.8 * 2.4 / 3)  # only the last limit is still to be searched
+    some, _ = search(0.8 * 2.4 / 3)  # only the search for the last limit is unfinished
     assert [cut.strain for cut in some] == [cut.strain for cut in whole if cut.strain <= 0.1]
     assert all(cut.width is not None for cut in some)
     with pytest.raises(steps.CanceledError):

@@ -102,7 +102,7 @@ def test_a_dart_along_edges_does_not_change_the_mesh(addon):
     bpy.context.scene.wirewarp.dart_lines = "SMOOTH"
     SUGGEST["DARTS"]()
     both = found(addon, source).cuts
-    worth_elbows = 0.05  # a dart with elbows is listed only if its strain is lower by at least this share
+    worth_elbows = 0.05  # a dart whose line has a corner is listed only if its strain is lower by at least this share
     assert min(cut.strain for cut in both) <= cuts[0].strain / (1 - worth_elbows)
     order = [(cut.is_bent, cut.strain) for cut in both]
     assert order == sorted(order) and not both[0].is_bent

@@ -51,7 +51,7 @@ def seam_places(source):
 
 
 def surface(source):
-    """Return the area, and the volume above the ground, of the displayed triangles."""
+    """Return the area of the displayed triangles, and the volume between them and the ground."""
     source.data.calc_loop_triangles()
     corners = places(source)[np.array([each.vertices for each in source.data.loop_triangles])]
     u, v = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
@@ -112,7 +112,7 @@ def test_the_new_line_is_selected_and_the_old_one_is_not_a_seam():
     assert old - new  # seams have changed, except for parts that both lines follow
 
 
-def test_wires_other_seams_and_eases_are_met_at_the_same_places(addon):
+def test_wires_other_seams_and_eases_stay_and_the_wire_is_met_at_the_same_places(addon):
     source = grid("Bump", bump, wire=on_line(0, 0.25))
     mark_seam(source, on_line(1, 0.5))
     source.data.attributes.new("wirewarp_side_ease", "FLOAT", "CORNER")

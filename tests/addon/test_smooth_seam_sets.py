@@ -35,7 +35,7 @@ def choose_beside_painted_face(addon, source):
 
 
 def test_a_set_beside_a_painted_face_is_cut_as_drawn_and_has_the_claimed_figures(addon):
-    source = bent_ring(12, 6)  # coarse: the searches take most of the time of this test
+    source = bent_ring(12, 6)  # a coarse ring, because the searches take most of the time of this test
     mesh = source.data
     add_layers(source)
     with pytest.raises(RuntimeError):

@@ -74,7 +74,8 @@ def test_sets_with_pieces_narrower_than_two_allowances_have_a_warning(addon):
     source = ball()
     settings = bpy.context.scene.wirewarp
     settings.dart_lines = "EDGES"  # smooth sets of a ball have no narrow pieces
-    settings.cloth, settings.gives_across, settings.gives_along = "SWIM", 100, 100  # enough for every set
+    # a fabric that stretches far enough for every set
+    settings.cloth, settings.gives_across, settings.gives_along = "SWIM", 100, 100
     SUGGEST["SEAMS"]()
     cuts = found(addon, source).cuts
     limit = (min(cut.width for cut in cuts) + max(cut.width for cut in cuts)) / 2
@@ -132,7 +133,7 @@ def test_the_search_is_for_the_fabric(addon):
     assert suggestions.cuts[suggestions.chosen].strain <= 0.03
 
 
-def test_flat_pieces_get_seams_even_if_their_fabric_suffices(addon):
+def test_pieces_get_seams_even_if_their_fabric_stretches_far_enough(addon):
     source = grid("Bump", bump, size=6)
     settings = bpy.context.scene.wirewarp
     settings.cloth, settings.gives_across, settings.gives_along = "MINKY", 90, 19
@@ -153,7 +154,7 @@ def test_a_cut_of_a_modified_mesh_applies_the_modifiers_when_it_is_marked(addon,
     assert "applies the modifiers" in draw_panels(addon)
     cut = found(addon, source).cuts[0]
     depsgraph = bpy.context.evaluated_depsgraph_get()
-    for target in (source, flat_of(source)):  # the cut is drawn on both
+    for target in (source, flat_of(source)):  # the cut is drawn on the model and on the pieces
         assert len(addon.overlay.failures.suggested_lines(target, depsgraph)) == 2 * len(cut.segments.polygons)
     assert bpy.ops.object.wirewarp_mend(what="SUGGESTION") == {"FINISHED"}
     assert not source.modifiers and not settings.use_modifiers
@@ -200,7 +201,7 @@ def paint(source, data_type="BOOLEAN", domain="FACE"):
     bpy.context.view_layer.update()
 
 
-def test_cuts_disappear_if_their_path_is_painted(addon):
+def test_cuts_disappear_if_the_model_is_painted(addon):
     source = grid("Bump", bump, size=6)
     SUGGEST["DARTS"]()
     source.vertex_groups.new(name="Keep Whole").add([0], 1.0, "REPLACE")

@@ -18,7 +18,7 @@ SIDES = ("wirewarp_side_ease", "wirewarp_side_allowance")
 
 
 def two_hills(size=8):
-    """Return a surface and mesh that are their own mirror images across x = 0."""
+    """Return a model whose surface and mesh equal their mirror images across x = 0."""
     steps = [2 * i / size - 1 for i in range(size + 1)]
     vertices = [(x, y, 0.5 * math.exp(-6 * ((abs(x) - 0.5) ** 2 + (y - 0.75) ** 2))) for y in steps for x in steps]
     row, faces = size + 1, []
@@ -47,7 +47,8 @@ def test_the_figures_are_those_of_flattening_with_the_cut(addon, kind, faces):
     assert pairs(edge_vertices(source.data)) - edges == pairs(suggestions.cuts[0].diagonals)
     flattened = addon.state.reports.last_report(source).pieces
     assert len(flattened) == (1 if kind == "DARTS" else 1 + len(suggestions.cuts[0].lengths))
-    # other faces have one figure for each two triangles; single precision has an error of 1e-6 at 0.1
+    # Only triangles are compared, because quads have one figure for two triangles. Around 0.1, single precision has an
+    # error of 1e-6.
     if faces == "triangles":
         assert needed(addon, source) == pytest.approx(suggestions.cuts[0].strain, rel=1e-5)
 
@@ -61,7 +62,7 @@ def test_mirror_images_are_one_suggestion_and_the_least_strain_is_first(addon, c
     assert twins and [cut.strain for cut in cuts] == sorted(cut.strain for cut in cuts)
     assert all(are_mirrored(source, cut.edges) for cut in twins)
     assert "2×" in draw_panels(addon)
-    assert f"{len(cuts)} suggestions. Best: stretch" in capfd.readouterr().out  # the number of rows
+    assert f"{len(cuts)} suggestions. Best: stretch" in capfd.readouterr().out  # the message counts rows
 
 
 def test_the_list_belongs_to_the_chosen_piece_and_is_cleared_when_the_model_changes(addon, capfd):
@@ -201,7 +202,7 @@ def flattened_for(addon, source, index):
 def test_a_set_that_needs_more_than_the_tighter_direction_is_chosen_if_the_verdict_allows_it(addon):
     bpy.ops.mesh.primitive_torus_add(major_radius=0.1, minor_radius=0.05)
     source = bpy.context.object
-    bpy.context.scene.wirewarp.cloth = "MINKY"  # minky stretches 20% and 5%
+    bpy.context.scene.wirewarp.cloth = "MINKY"  # minky stretches 20% across and 5% along the grain
     SUGGEST["SEAMS"]()
     cut, shown, verdict = flattened_for(addon, source, found(addon, source).chosen)
     assert cut.strain > 0.05 and "more than this minky can" not in shown
@@ -260,7 +261,7 @@ def test_a_model_that_became_a_curve_gets_no_suggestion(addon):
         suggest.keep_found(search, cuts)
 
 
-def test_other_settings_are_reported(addon, capfd):
+def test_changed_settings_are_reported(addon, capfd):
     source = grid("Bump", bump, size=6, wire=on_line(0, 0.0))
     settings = bpy.context.scene.wirewarp
     SUGGEST["DARTS"]()
@@ -270,7 +271,7 @@ def test_other_settings_are_reported(addon, capfd):
     assert "Search again" not in draw_panels(addon)  # no request to search again, because the figures are the same
     settings.fairness = 0.2
     assert "Settings changed after the search: Smooth Outlines. Search again." in draw_panels(addon)
-    settings.cloth, settings.orientation = "WOVEN", "WIRE"  # woven fabric has a grain
+    settings.cloth, settings.orientation = "WOVEN", "WIRE"  # woven fabric has a grain, so its settings count
     SUGGEST["DARTS"]()
     source.data.wirewarp_grain = source.data.wirewarp_names[0].wire_id
     assert "Settings changed after the search: Grain Wire. Search again." in draw_panels(addon)

@@ -33,7 +33,8 @@ def test_the_ring_of_the_plush_tutorial(addon, tmp_path):
         pages(export(tmp_path, f"{pairs}.pdf", paper="A4", allowance=5.0, proof_sheet=True, pairs=pairs))
         for pairs in (True, False)
     )
-    assert f"With the map and the proof sheet, the ring takes {single} sheets of A4 instead of {all_pieces}." in page
+    assert f"The ring takes {single} sheets of A4, including the map and the proof sheet." in page
+    assert f"Without **Equal Pieces**, it would take {all_pieces}." in page
     scene.wirewarp.pairs = True
     flat = bpy.data.objects["Torus Flat"]
     copies = "Cut 2: Top Left and Top Right; Bottom Left and Bottom Right"

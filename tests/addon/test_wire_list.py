@@ -67,7 +67,7 @@ def test_a_wire_without_its_middle_becomes_two(addon, source):
     assert listed(addon, source) == [("Middle", 0.05, 8)]
 
 
-def test_one_id_with_two_tolerances_is_two_wires_and_both_keep_theirs(addon, source):
+def test_one_id_with_two_tolerances_is_two_wires_and_both_keep_their_tolerances(addon, source):
     rows = [row for row, ends in enumerate(ends_of(source)) if EAST_WEST(*ends) and ends[0].x + ends[1].x > 0]
     for row in rows:
         source.data.attributes["wirewarp_tolerance"].data[row].value = 0.1
@@ -163,7 +163,7 @@ def test_whole_wires_of_all_edited_objects_are_selected(source):
         assert selected == [row for row, ends in enumerate(ends_of(target)) if is_wire(*ends)]
 
 
-def test_wires_with_a_common_id_get_their_own(addon):
+def test_wires_with_a_common_id_get_their_own_ids(addon):
     own_ids, last = addon.state.marked_mesh.own_ids, addon.solve.identity.MAX_ID
     assert own_ids([5, 9, 5, 5, 6]) == [5, 9, 7, 8, 6]
     assert own_ids([last, last]) == [last, 1]
@@ -185,7 +185,7 @@ def test_a_row_of_the_list_has_name_kind_and_length_with_its_unit(addon, source)
         wire.length(np.eye(3)) for name, wire in addon.state.identities.listed_wires(source) if name == "Middle"
     )
     assert row == ["Middle", f"±5%  {100 * length:.3f} cm"]
-    assert row_of(addon, source, source.data.wirewarp_names[1], width=200) == ["Middle"]  # no room for more
+    assert row_of(addon, source, source.data.wirewarp_names[1], width=200) == ["Middle"]  # no room for kind and length
     source.data.wirewarp_active_wire = 1
     assert draw_panels(addon).count(f"±5%  {100 * length:.3f} cm") == 1  # in the narrow sidebar, below the list
     for vertex in source.data.vertices:
@@ -197,7 +197,7 @@ def test_a_row_of_the_list_has_name_kind_and_length_with_its_unit(addon, source)
 
 
 def test_unlisted_wires_are_below_the_list_and_cleared_wires_are_gone(addon, source):
-    """The user cuts one wire in two without Mark, and a script clears the edges of the other."""
+    """The user cuts one wire in two without Mark, and a script clears the edges of the other wire."""
     wires = dict(addon.state.identities.listed_wires(source))
     for row in wires["Bust"].edges[3:5]:
         source.data.attributes["wirewarp_wire"].data[row].value = 0

@@ -61,7 +61,7 @@ def shares(source, line=SEAM):
 
 
 def select_side(source, side, line=SEAM):
-    """Enter Edit Mode of the pieces, and select the line left (-1) or right (1) of the seam, or on both sides (0)."""
+    """Enter Edit Mode of the pieces, and select the left side (-1), the right side (1) or both sides (0) of a line."""
     flat = flat_of(source)
     model = read(source.data.vertices, "co", np.float32, 3)
     sources = read(flat.data.attributes["source_vertex"].data, "value", np.int32)

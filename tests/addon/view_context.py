@@ -20,7 +20,7 @@ def look(addon, source, eye, target, perspective=True, xray=False):
     view = (Matrix.Translation(eye) @ forward.to_track_quat("-Z", "Y").to_matrix().to_4x4()).inverted()
     if perspective:  # with a horizontal angle of view of 90 degrees
         window = Matrix(((1, 0, 0, 0), (0, 4 / 3, 0, 0), (0, 0, -1.002, -0.2002), (0, 0, -1, 0)))  # clips at .1 and 100
-    else:  # 8 units wide
+    else:  # the view is 8 units wide
         window = Matrix.Diagonal((1 / 4, 1 / 3, -0.01, 1))
     data = SimpleNamespace(view_matrix=view, perspective_matrix=window @ view, is_perspective=perspective)
     context = SimpleNamespace(

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs commands of python -m wirewarp in the process of the tests.
 
-This process has already loaded the libraries and started the server of processes. In its own process, each command
+This process has already loaded the libraries and started the server of processes. A command in a process of its own
 would take a second longer.
 """
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Random arguments are the same in every run, so that only a change can cause a failure.
+"""Random arguments are the same in every run, so that only a change of the code can cause a failure.
 
 `./dev fuzz` tries other arguments, and prints a decorator, @reproduce_failure, that repeats a failure.
 """

@@ -92,7 +92,8 @@ def run_with_kills(models, out, jobs, seed=0):
     Return the printed lines of the last run, and the list of kills.
     """
     count = sum(1 for _ in models.rglob("*.obj"))
-    # Kill the runs during the first half of the models, each time a little later, because a killed run is repeated.
+    # Kill the runs during the first half of the models. Each kill is at a later line, because a repeated run prints the
+    # lines of finished models again.
     places = sorted(random.Random(seed).sample(range(1, count // 2), len(KILLS)))
     killed = []
     while len(killed) < len(KILLS):
@@ -124,7 +125,7 @@ def _kill(driver, kind):
 
 
 def contents(folder):
-    """Return digests of all files by name, including hidden ones."""
+    """Return the digests of all files, including hidden files, keyed by name."""
     files = (path for path in folder.rglob("*") if path.is_file() or path.name.startswith("."))
     return {str(path.relative_to(folder)): hashlib.sha256(path.read_bytes()).hexdigest() for path in files}
 
@@ -151,7 +152,7 @@ def check_kills(folder, count, jobs):
     assert comparable(lines) == comparable(once)
     verdicts = Counter(line["verdict"] for line in lines)
     refused = count // 50
-    failed = count // 20 - count // 100  # every 100th file is counted in both
+    failed = count // 20 - count // 100  # every 100th file is a 20th and a 50th file, and not a model
     assert (verdicts["refused"], verdicts["not ready to cut"]) == (refused, failed)
     assert verdicts["ready to cut"] + verdicts["needs stretch fabric"] == count - refused - failed
     assert contents(folder / "killed") == contents(folder / "once")

@@ -11,7 +11,7 @@ import wirewarp
 from samples import flattened
 from wirewarp.pattern import Line, Pattern, PatternPiece, Text
 
-MILLIMETER = 72 / 25.4  # length in points of PDF
+MILLIMETER = 72 / 25.4  # in points, the unit of PDF
 SCALE = 4.0  # pixels per millimeter of measured pages
 
 
@@ -64,7 +64,7 @@ def line_string(line: Line) -> shapely.LineString:
 
 
 def letters(text: Text) -> shapely.Polygon:
-    """Return the approximate place of a text of one line. Its letters are at least half as wide as high."""
+    """Return the approximate place of a text of one line, as if its letters were half as wide as high."""
     half = np.array([len(text.lines[0]) / 2, 1.0]) * text.height / 2
     turned = shapely.affinity.rotate(shapely.box(*-half, *half), text.angle, origin=(0, 0))
     return shapely.affinity.translate(turned, *text.center)

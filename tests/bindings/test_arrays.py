@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Any arguments lead to the same result as plain arrays of the same numbers, or to a FlattenError.
 
-They never cause a crash or change the caller's arrays. Errors about invalid arrays contain their names.
+They never cause a crash or change the caller's arrays. Errors about invalid arrays contain the names of these arrays.
 """
 
 import numpy as np
@@ -79,7 +79,7 @@ REFUSED = {
         ("seams", [[0, 1], [7, 2**35]], "Seam edge 1 (7-34359738368)"),
     ],
     wirewarp.ErrorCode.non_finite_coordinates: [("vertices", np.vstack([[[np.nan] * 3], VERTICES[1:]]), "vertex 0")],
-    # numpy converts an empty list to an array of floats
+    # floats are allowed here, because numpy converts an empty list to an array of floats
     wirewarp.ErrorCode.empty_mesh: [("faces", np.zeros((0, 3)), "")],
 }
 

@@ -28,7 +28,7 @@ from works_apart import hang_or_wait, square_or_crash, take_memory_and_hang
 
 posix = pytest.mark.skipif(os.name != "posix", reason="uses shell scripts and limits of POSIX")
 NEVER = Limits(3600.0, 10**12)
-# Tests that run in the background and their child processes ignore SIGINT without this line.
+# Without this line, tests that run in the background ignore SIGINT, and so do their child processes.
 HEARS_CTRL_C = "import signal; signal.signal(signal.SIGINT, signal.default_int_handler)"
 COMMAND = """
 import runpy
@@ -37,7 +37,7 @@ runpy.run_module("wirewarp", run_name="__main__")
 
 
 def run_apart(*words, **how):
-    """Run the command in its own process; return its lines and its other output. how: options of subprocess.run."""
+    """Run the command in its own process. Return its output and its errors. how: options of subprocess.run."""
     command = [sys.executable, "-m", "wirewarp", "batch", *map(str, words)]
     done = subprocess.run(command, stderr=subprocess.PIPE, text=True, **{"stdout": subprocess.PIPE} | how)
     assert done.returncode == 2, done.stderr
@@ -88,7 +88,7 @@ def test_models_of_a_list_have_options_of_their_own(models, tmp_path):
     assert files(tmp_path / "out") == ["a-strain.png", "a.json", "a.svg", "deep/er/a.dxf", "deep/er/a.json"]
 
 
-def test_each_command_has_its_own_number_of_jobs(models):
+def test_each_command_has_its_own_default_number_of_jobs(models):
     jobs = [parsed([command, str(models / "a.obj"), "--out", "out"]).jobs for command in ("flatten", "batch")]
     assert jobs == [1, os.cpu_count()]
 
@@ -316,7 +316,7 @@ def refused_bag():
 
 @pytest.fixture
 def blender(tmp_path):
-    """Return a program that writes an answer like flatten_in_blender.py, which tests/addon tests."""
+    """Return a program that writes the same kind of answer as flatten_in_blender.py. tests/addon tests that script."""
     program = tmp_path / "blender"
     program.write_text(BLENDER.format(python=sys.executable, reports=json.dumps([bag(), refused_bag()])))
     program.chmod(0o755)

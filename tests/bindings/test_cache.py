@@ -35,7 +35,10 @@ def contents(result):
 
 
 def run_again(cache, arguments, reused):
-    """Return the result of a run with the cache. Check that it equals a run without it. reused: number of pieces."""
+    """Return the result of a run with the cache, and check it.
+
+    A run without the cache must have an equal result. reused: expected number of reused pieces.
+    """
     result = wirewarp.flatten(**arguments, cache=cache)
     fresh = wirewarp.flatten(**arguments)
     assert contents(result) == contents(fresh)
@@ -66,7 +69,7 @@ def test_only_the_piece_of_a_changed_wire_is_solved(sheet):
     run_again(cache, sheet | {"wires": [Wire(wire.vertices, wire.tolerance) for wire in sheet["wires"]]}, 2)
 
 
-def test_another_numbering_elsewhere_changes_nothing(sheet):
+def test_pieces_are_reused_if_only_the_numbers_of_their_elements_change(sheet):
     """Vertices and faces added before all others shift every index."""
     cache = Cache()
     run_again(cache, sheet, 0)

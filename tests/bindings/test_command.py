@@ -35,7 +35,7 @@ def model(tmp_path):
 
 
 def write_sample(name, path):
-    """Write a sample with quads in Blender's order, and its seams and wires. Return options for seams and wires."""
+    """Write a sample with its quads, seams and wires. Return the options for its seams and wires."""
     shape = SAMPLES[name]
     lines = [f"v {x!r} {y!r} {z!r}" for x, y, z in np.asarray(shape.vertices, dtype=float).tolist()]
     lines += ["f " + " ".join(str(corner + 1) for corner in face) for face in shape.faces]
@@ -208,7 +208,7 @@ def failing_at(number):
 
 
 @pytest.mark.parametrize("is_killed", [False, True])
-# Three files are moved out, then three in. The fifth move moves the second new file in.
+# A run moves three old files out of the folder, then three new files in. The move with this number fails.
 @pytest.mark.parametrize("number", range(6))
 def test_files_of_two_runs_are_never_mixed(model, tmp_path, monkeypatch, number, is_killed):
     words = ["flatten", str(model), "--out", str(tmp_path / "out")]

@@ -12,7 +12,8 @@ from wirewarp.command.model import read_model
     [
         b"\xef\xbb\xbf",  # a byte order mark
         "# Größe: Ärmel\ng Rückenteil\n".encode("cp1252"),
-        "# 前身頃の表\n".encode("shift-jis"),  # its last byte is a backslash
+        # the last byte of the line is a backslash, which must not continue the line
+        "# 前身頃の表\n".encode("shift-jis"),
         "# Größe 前身頃\nusemtl Stoff\n".encode(),
     ],
     ids=["byte order mark", "cp1252", "Shift-JIS", "UTF-8"],

@@ -47,7 +47,7 @@ def test_vertices_that_are_merely_near_stay_apart():
 
 
 def test_a_face_without_area_is_removed_and_its_neighbor_divided():
-    """The diagonal of a square has a vertex in its middle, which the left triangle does not use."""
+    """The diagonal of a square has a vertex in its middle that the left triangle does not use."""
     vertices = [*SQUARE, (0.5, 0.5, 0)]
     uv = np.array([SQUARE[list(face), :2] for face in [(0, 2, 3)]] + [np.zeros((3, 2))] * 3)
     faces = [(0, 2, 3), (0, 4, 2), (0, 1, 4), (1, 2, 4)]
@@ -75,7 +75,7 @@ def test_two_faces_without_area_are_removed_and_their_neighbors_joined():
 
 def test_a_moebius_strip_does_not_change():
     count = 12
-    angles = np.pi * np.arange(count) / count  # the strip makes half a turn, like a Möbius strip
+    angles = np.pi * np.arange(count) / count  # the strip makes half a turn, so it is a Möbius strip
     middle = np.column_stack([np.cos(2 * angles), np.sin(2 * angles), np.zeros(count)])
     across = np.column_stack([np.cos(angles)[:, None] * middle[:, :2], np.sin(angles)]) / 3
     vertices = np.concatenate([middle - across, middle + across])

@@ -55,7 +55,7 @@ def test_paths_and_sources_can_be_pickled_and_written_as_json() -> None:
     assert path.to_dict()["faces"] == [1, 0, 3, 2, 2]
 
 
-POINTS = np.eye(3)[:2]  # two points, at corners
+POINTS = np.eye(3)[:2]  # two points, at corners of a triangle
 
 
 @pytest.mark.parametrize(
@@ -87,7 +87,7 @@ def test_invalid_paths_are_refused(faces: object, coordinates: object, code: str
         ([wirewarp.SurfacePath([0, 99], POINTS)], 0.05, "invalid_option", "The option paths[0] is a line in"),
     ],
 )
-def test_faulty_meshes_are_refused(paths: Lines, snap: float, code: str, said: str) -> None:
+def test_invalid_arguments_of_cut_mesh_are_refused(paths: Lines, snap: float, code: str, said: str) -> None:
     vertices, faces = spherical_patch(4, 4)
     with pytest.raises(wirewarp.FlattenError) as caught:
         wirewarp.cut_mesh(vertices, faces, paths, snap=snap)

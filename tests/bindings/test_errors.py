@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""There is one exception type and one enum of codes, each with a meaning and a remedy."""
+"""There is one exception type, and one enum of codes. Each code has a meaning and a remedy."""
 
 import copy
 import importlib

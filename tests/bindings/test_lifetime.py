@@ -191,7 +191,7 @@ def test_python_ends_while_a_thread_reads_arguments(call):
 def test_a_mesh_is_flattened_while_python_ends():
     ended = run(
         "import atexit",
-        "atexit.register(lambda: print(wirewarp.flatten(vertices, faces).pieces[0].error))",  # after wirewarp's
+        "atexit.register(lambda: print(wirewarp.flatten(vertices, faces).pieces[0].error))",  # after wirewarp's handler
         *SHEET,
     )
     assert ended.stdout == "None\n", ended.stderr

@@ -88,7 +88,8 @@ def test_texts_beside_a_small_piece_do_not_change_the_piece():
     for pattern in (marked, marked.with_only(["sew"])):
         (piece,) = pattern.laid_on(marker).pieces
         assert sorted(piece.size) == pytest.approx([2, 40])
-        assert not piece.texts and not piece.of_role("card leader")  # other pieces may be at these places
+        # no texts, because other pieces may be at their places
+        assert not piece.texts and not piece.of_role("card leader")
 
 
 def test_texts_in_a_piece_stay_on_a_marker():
@@ -178,7 +179,7 @@ def test_better_markers_are_shown_and_a_stop_keeps_the_best(engine):
     assert marker.placements == shown[-1].placements
     lengths = [each.length for each in shown]
     assert lengths == sorted(lengths, reverse=True) and len(set(lengths)) == len(lengths)
-    assert asked.index(False) == len(asked) - 1  # the search stopped at the first refusal
+    assert asked.index(False) == len(asked) - 1  # the search stopped when progress first returned False
 
 
 def test_errors_of_spyrrow_are_reported_and_pieces_are_packed_without_it(monkeypatch):
@@ -222,7 +223,8 @@ def test_the_search_process_ends_if_progress_raises(searches):
         if searches:
             raise ZeroDivisionError
 
-    with pytest.raises(ZeroDivisionError) as raised:  # the traceback keeps the search's frames alive
+    # The traceback keeps the frames of the search alive, so garbage collection cannot end the process.
+    with pytest.raises(ZeroDivisionError) as raised:
         sample("Hat").nested(1400, seconds=600, progress=progress)
     (search,) = searches
     assert search.returncode is not None and not Path(search.args[-1]).parent.exists(), raised

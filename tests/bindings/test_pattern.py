@@ -107,7 +107,7 @@ def test_seams_of_a_back_have_double_notches():
 
 
 def junction() -> wirewarp.FlattenResult:
-    """Return four pieces around a vertex. The seam from left to right is straight, and the other seam bends there."""
+    """Return four pieces around a vertex, at which the seam from left to right is straight and the other seam bends."""
     points = [(0, 0), (160, 0), (300, 0), (0, 100), (150, 100), (300, 100), (0, 200), (190, 200), (300, 200)]
     corners = [(0, 1, 4, 3), (1, 2, 5, 4), (3, 4, 7, 6), (4, 5, 8, 7)]
     return quads(points, corners, seams=[(1, 4), (4, 7), (3, 4), (4, 5)])

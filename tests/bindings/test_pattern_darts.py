@@ -12,11 +12,11 @@ from wirewarp.pattern import Chain, FlatPiece, Pattern
 
 
 def dart(mouth: float, depth: float) -> wirewarp.FlattenResult:
-    """Return a rectangle of 300 x 200 mm with a dart from the middle of its lower edge.
+    """Return the flattening of a model: a rectangle of 300 x 200 mm with an open dart in the middle of its lower edge.
 
-    The mouth of the dart is folded away. mouth, depth: millimeters.
+    On the model, the dart is sewn. mouth, depth: millimeters.
     """
-    # The dart's legs are sewn, so the model is a cone and the flat piece opens by itself.
+    # With sewn legs, the model is a cone, so the flat piece opens by itself.
     half = mouth / 2
     leg = math.hypot(half, depth)
     rise = math.sqrt(leg**2 - depth**2)

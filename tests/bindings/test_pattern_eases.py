@@ -20,9 +20,9 @@ SEAM = [(x, x + 1) for x in range(COUNT)]
 
 
 def two_strips(eased, **options) -> wirewarp.FlattenResult:
-    """Return two strips of 150 mm, below and above a seam with edges of 20 mm.
+    """Return two flattened strips of 150 mm, below and above a seam with edges of 20 mm.
 
-    eased: ratio of the lower strip for the edges from start to end, as (start, end, ratio).
+    eased: list of (start, end, ratio), the ease of the lower strip at the edges from start to end.
     """
     row = COUNT + 1
     points = [(x * LENGTH / COUNT, y) for y in (0, 150, -150) for x in range(row)]
@@ -33,7 +33,10 @@ def two_strips(eased, **options) -> wirewarp.FlattenResult:
 
 
 def notches_in_file(path: Path, name: str) -> list[float]:
-    """Return the distances in mm of a piece's notches from the end of its seam that is farther from a notch."""
+    """Return the distances in mm of a piece's notches from one end of its seam.
+
+    The first notch after this end is farther away than the last notch is from the other end.
+    """
     drawing = Drawing(path)
     (seam,) = [line for line in drawing.lines(name, "Sew") if len(line) == COUNT + 1]
     line = shapely.LineString(seam)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Other libraries read each kind of file except PDF, and each kind follows the rules for all kinds."""
+"""Other libraries read SVG and DXF correctly, HPGL has every outline, and all formats follow one set of rules."""
 
 import io
 import re
@@ -97,7 +97,7 @@ def test_without_texts_there_are_no_leader_lines(tmp_path):
 
 
 @pytest.mark.parametrize("preset", ["print", "laser", "cricut"])
-def test_svg_is_drawn_in_true_size_by_another_renderer(tmp_path, preset):
+def test_svg_is_drawn_in_actual_size_by_another_renderer(tmp_path, preset):
     pattern = Pattern.from_result(rectangle(150, 700), allowance=10.0, notch_spacing=0).with_only([])
     pattern.write(tmp_path / "strip.svg", preset=preset)
     pixels = rendered_svg(tmp_path / "strip.svg")
@@ -286,7 +286,8 @@ def test_exceptions_of_progress_keep_the_old_file(tmp_path, monkeypatch):
         if len(list(tmp_path.iterdir())) > 1:  # while the new file is written
             raise ZeroDivisionError
 
-    with pytest.raises(ZeroDivisionError) as raised:  # the traceback keeps frames alive
+    # The traceback keeps the frames of the run alive, so garbage collection cannot remove the new file.
+    with pytest.raises(ZeroDivisionError) as raised:
         sample("Hat").write(path, progress=progress)
     assert path.read_bytes() == b"old" and list(tmp_path.iterdir()) == [path], raised
 

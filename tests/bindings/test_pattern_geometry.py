@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Plane geometry finds which outlines overlap, which points are inside, and their distances from outlines."""
+"""Plane geometry finds which outlines overlap, which points are inside, and how far points are from outlines."""
 
 import math
 

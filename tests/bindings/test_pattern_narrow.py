@@ -36,7 +36,7 @@ def turned(outline):
         ([circle(2), circle(1)[::-1]], 1.0),  # a ring
         ([dumbbell(1, 1, 0.3)], 0.3),
         ([dumbbell(1, 0.6, 0.3)], 0.3),
-        ([dumbbell(1, 0.2, 0.1)], 2.0),  # the small end is less than a tenth of the area
+        ([dumbbell(1, 0.2, 0.1)], 2.0),  # the small end does not count, because it is less than a tenth of the area
     ],
 )
 def test_the_width_is_the_diameter_of_the_largest_disk_that_moves_through(outlines, width):
@@ -52,7 +52,7 @@ def test_an_outline_without_area_has_no_width():
 
 
 def test_a_piece_is_measured_flat():
-    """The pieces are strips of a half cylinder of radius 1 and length 2. Each strip has four flat sides."""
+    """The pieces are strips of a half cylinder of radius 1 and length 2. Each flat strip is a rectangle."""
     vertices, faces = half_cylinder()
     for piece in flatten(vertices, faces, seams=chain_edges(column_chain(8, 4, 4))).pieces:
         sides = np.ptp(piece.vertices, axis=0)

@@ -71,13 +71,13 @@ def test_a_seam_shorter_than_the_spacing_has_a_notch_beside_its_middle_if_it_has
     ("length", "taken", "spacing", "found"),
     [
         (100, [], 30, [30, 60, 90]),
-        (96, [], 30, [30, 60]),  # 90 is a fifth of the spacing from the end
+        (96, [], 30, [30, 60]),  # 90 is too near the end: a fifth of the spacing away
         (120, [], 30, [24, 54, 84]),  # 30, 60 and 90 would not change if the seam were reversed
         (15, [], 100, [5]),
-        (65, [30], 100, []),  # if the seam is reversed, the wire's notch is visibly off by 5 mm
+        (65, [30], 100, []),  # the wire's notch is enough: if the seam is reversed, it is visibly off by 5 mm
         (64, [30], 100, [23.68]),
         (100, [50], 1000, [37]),
-        (100, [42, 58], 1000, []),  # 58 is too close to 42
+        (100, [42, 58], 1000, []),  # a notch at 37 would be too close to 42
         (100, [], 0, []),
     ],
 )
@@ -90,7 +90,7 @@ def test_notches_of_a_seam_show_if_it_is_reversed(length, taken, spacing, found)
     [
         (100, [], 30, [20, 50, 80]),
         (100, [50], 30, [20, 80]),
-        (72, [], 30, [36]),  # 6 is a fifth of the spacing from the end
+        (72, [], 30, [36]),  # 6 is too near the end: a fifth of the spacing away
         (120, [], 30, [30, 60, 90]),
         (15, [], 30, [7.5]),
         (14, [], 30, []),

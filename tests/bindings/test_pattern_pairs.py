@@ -20,7 +20,7 @@ HALF = np.array([(0, 0), (120, 0), (150, 80), (0, 110)])  # half of a symmetric 
 def symmetric(angle, **options):
     """Return the pattern of a symmetric piece with a wire across and a wire on the fold.
 
-    angle: degrees from an upright fold.
+    angle: rotation of the fold from upright, in degrees.
     """
     points = np.array([*HALF, *(HALF[1:3] * (-1, 1)), (0, 40), (60, 40), (-60, 40)])
     faces = [
@@ -91,7 +91,7 @@ def test_a_wire_on_one_half_alone_is_not_lost():
 
 @pytest.mark.parametrize("name", ["Fitted top", "Ball of six gores", "Jeans", "Wetsuit upper body", "Swimsuit"])
 def test_mirrored_copies_have_their_notches_where_they_are_sewn(name):
-    """Opened and mirrored pieces on the fabric have notches that match those of the other sides of their seams."""
+    """Notches of opened and mirrored pieces on the fabric match the notches on the other sides of their seams."""
     drawn, whole = sample(name, pairs=True, on_fold=True), sample(name)
     marker = drawn.nested(5000, seconds=0)
     opened = defaultdict(dict)  # by drawn piece: its copies on the fabric, as drawn and mirrored

@@ -12,7 +12,7 @@ from wirewarp.pattern import Pattern
 
 
 def test_prints_have_the_actual_size(tmp_path):
-    # Without marks and texts, the outermost lines are the cutting line of a rectangle, 0.5 mm wide.
+    # The outermost line is the cutting line of a rectangle. The line is drawn 0.5 mm wide.
     pattern = Pattern.from_result(rectangle(150, 700), allowance=10.0)
     pattern.write(tmp_path / "strip.pdf", paper=1000)
     (page,) = pypdfium2.PdfDocument(tmp_path / "strip.pdf")

@@ -34,7 +34,7 @@ NO_OUTLINE = "👗"  # fonts have a picture of an emoji, not an outline
 
 @pytest.fixture
 def folder(tmp_path, no_fonts):
-    """Return the parent folder of the only folder with fonts, in which one font is valid."""
+    """Return a folder. Its folder "fonts" is the only folder with fonts, and one of these fonts is valid."""
     (tmp_path / "fonts").mkdir()
     write_font(tmp_path / "fonts" / "boxes.ttf", LETTERS | {NO_OUTLINE: 0})
     (tmp_path / "fonts" / "broken.ttf").write_bytes(b"no font")
@@ -115,8 +115,8 @@ def test_letters_are_printed_in_the_height_of_the_text(folder):
     (page,) = pypdfium2.PdfDocument(folder / "x.pdf")
     scale = 10  # pixels per millimeter
     dark = page.render(scale=scale * 25.4 / 72, grayscale=True).to_numpy().squeeze() < 128
-    # The largest dark rectangle is the letter. Its width is the height of the text, and its height is 0.7 times as
-    # much.
+    # The largest dark rectangle is the letter. Its width is the height of the text, and its height is 0.7 times its
+    # width.
     assert max(longest(dark), longest(dark.T)) == pytest.approx(text.height * scale, abs=2)
 
 

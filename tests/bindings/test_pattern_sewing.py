@@ -19,10 +19,10 @@ CONNECTED = ["Fitted top", "Ball of six gores", "Cushion", "Hat", "Jeans", "Wets
 
 @pytest.mark.parametrize("name", CONNECTED)
 def test_the_kinds_of_steps_add_up_to_the_model(name):
-    """Compare Euler's characteristics, so that no more rings are closed than exist.
+    """Check with Euler characteristics that the steps close no more rings than the model has.
 
-    The model's characteristic is the sum over the pieces, minus one for each joined piece and closed ring, plus one for
-    each closed body.
+    The characteristic of the model is the sum over the pieces, with two changes. Each piece but the first, and each
+    ring, subtracts one. Each closed body adds one.
     """
     steps, result = sample(name).steps, flattened(name)
     assert sorted(step.seam for step in steps) == sorted(f"Seam {n}" for n in range(1, len(result.seams) + 1))

@@ -48,7 +48,7 @@ def test_a_piece_names_no_allowance_that_it_does_not_have():
 
 
 def box(text):
-    """Return the lower left and upper right corner of a level text. Its letters are at least half as wide as high."""
+    """Return the lower left and upper right corner of a level text, as if its letters were half as wide as high."""
     half = np.array([len(text.lines[0]) * text.height / 4, text.height / 2])
     return text.center - half, text.center + half
 
@@ -65,7 +65,7 @@ def test_texts_without_room_are_beside_the_piece_with_a_leader_line():
     first, last = box(name)
     assert np.any(first > high) or np.any(last < low)  # outside of the piece
     assert np.all(leader.points[0] > low) and np.all(leader.points[0] < high)
-    assert np.ptp(leader.points[1:, 1]) == pytest.approx(0)  # the leader then runs along the letters
+    assert np.ptp(leader.points[1:, 1]) == pytest.approx(0)  # the second part of the leader runs along the letters
     # the leader is between letters and piece
     assert max(low[1] - leader.points[1, 1], leader.points[1, 1] - high[1]) > 0.4
     assert piece.bounds == (pytest.approx(low), pytest.approx(high))
@@ -90,7 +90,7 @@ def test_texts_beside_pieces_in_rows_keep_apart(angle):
 
 @pytest.mark.parametrize("angle", [20, 45, 135])
 def test_texts_beside_a_piece_are_nearer_than_sheets_overlap(angle):
-    """A sheet that shows a part of the piece then also shows its texts, because sheets overlap by 10 mm."""
+    """A sheet that shows a part of the piece also shows its texts, because sheets overlap by 10 mm."""
     strap = flat_piece(rectangle(60, 2).pieces[0], "A strap to tie", 1000.0)
     turned = replace(strap, vertices=strap.vertices @ turn(angle), grain=strap.grain @ turn(angle))
     (piece,) = Pattern.from_pieces([turned], [], allowance=0).pieces

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Python functions propose darts and seams, and leave out seams. Their strains equal those of the report.
+"""Python functions propose darts and seams, and leave out seams. The strains of proposals equal those of reports.
 
 Native tests check which cuts are found.
 """
@@ -106,7 +106,7 @@ def test_a_closed_model_gets_cut_sets():
     assert (first.energy_before, first.strain_before, first.twin) == (np.inf, np.inf, None)
     assert first.to_dict()["energy_before"] is None
     assert plan_cuts(vertices, faces, kind="seam", most=1)[0].edges.tolist() == first.edges.tolist()
-    with pytest.raises(FlattenError, match="no set of seams along edges that may have a seam was found"):
+    with pytest.raises(FlattenError, match="No set of seams along edges that may have a seam was found"):
         propose_seams(vertices, faces, no_seam=np.vstack([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]]))
 
 

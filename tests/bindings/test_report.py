@@ -61,7 +61,7 @@ def kinds(*reports):
     return [line.kind for line in verdict(*reports).lines]
 
 
-# 99% of the area does not exceed a piece's stretch. The tested values are so far apart that rounding has no effect.
+# In 99% of its area, a piece needs no more than its stretch. The values are so far apart that rounding has no effect.
 @pytest.mark.parametrize(
     ("stretches", "limits", "expected"),
     [
@@ -124,11 +124,11 @@ def test_the_verdict_names_the_stretch_the_pieces_and_the_fabric():
 
 
 def test_lists_show_the_figures_that_the_verdict_compares_with_the_fabric():
-    """The first piece must stretch more across. Only the second exceeds the fabric, which stretches less along."""
+    """The first piece must stretch more across. Only the second piece exceeds the lower limit along the grain."""
     report = report_of_pieces(0.15, 0.13, limits=0.2)
     for piece, along in zip(report.pieces, (0.01, 0.07), strict=True):
         piece.threads = replace(piece.threads, along=along, gives=Ways(across=0.2, along=0.05))
-        piece.wires = []  # the report has no wires
+        piece.wires = []  # they would refer to wires that the report does not have
     beyond, _ = verdict(report).lines
     assert beyond.text.startswith("Piece 2 must stretch 7.0% along, but this denim stretches only 5.0%.")
     rows = piece_rows(report)
@@ -210,8 +210,8 @@ def test_success_mentions_exact_lengths_only_if_they_are_fixed():
     assert kept_text([replace(report, wires=[wire], method="wirewarping")]) == "every length kept"
 
 
-def test_the_figure_is_the_one_that_ranks_suggestions():
-    """The figure is the least value that 99% of the area does not exceed. The test computes it from aspect ratios."""
+def test_the_stretch_of_a_piece_is_sufficient_for_99_percent_of_its_area():
+    """The stretch is the least value that is enough in 99% of the area. The test computes it from aspect ratios."""
     shape, result, report = SAMPLES["Fitted top"], flattened("Fitted top"), report_of("Fitted top")
     corners = np.asarray(shape.vertices)[shape.triangles()]
     areas = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1) / 2
@@ -274,7 +274,7 @@ def test_a_chosen_fabric_decides(fabric, kind):
 
 
 def triangle_metrics(flat):
-    """Return the metrics of a flat triangle whose model is the right triangle with sides of 1."""
+    """Return the metrics of a flat triangle whose model is a right triangle with legs of length 1."""
     vertices, faces = np.array([[0.0, 0, 0], [1, 0, 0], [0, 0, 1]]), np.array([[0, 1, 2]])
     (piece,) = measure(vertices, faces, np.array([flat], float)).pieces
     return piece.metrics

@@ -37,7 +37,7 @@ def test_corners_and_round_outlines_are_not_named(count):
 
 @pytest.mark.parametrize(("error", "is_named"), [(0.9e-3, False), (1.1e-3, True)])
 def test_a_curve_is_coarse_if_scissors_miss_it_by_a_millimeter(error, is_named):
-    """The middle of an edge of a regular polygon is R (1 - cos(half the angle)) inside the circle."""
+    """An edge that spans an angle a of a circle of radius R has its middle R (1 - cos(a / 2)) inside the circle."""
     radius = error / (1 - np.cos(np.pi / 16))
     assert bool(hints(*disc(16, radius))) == is_named
     vertices, faces, _ = disc(16, 1000 * radius)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The samples keep every guarantee, with and without their eases, in few factorizations. Native tests test the rest."""
+"""The samples keep every guarantee, with and without eases, in few factorizations. tests/native has further tests."""
 
 import numpy as np
 import pytest
@@ -32,7 +32,8 @@ def test_outline_and_wire_edges_change_no_more_than_allowed(name):
     checked = set()
     for piece in flattened(name).pieces:
         assert piece.error is None
-        assert piece.report.factorizations <= (16 if name == "Quarter sphere" else 8)  # the sphere starts at a saddle
+        # on the sphere, the search starts at a saddle of the objective, which takes more steps
+        assert piece.report.factorizations <= (16 if name == "Quarter sphere" else 8)
         edges, use = edges_with_use(piece.faces)
         source = np.sort(piece.source_vertex[edges], axis=1)
         allowed = np.array([tolerance.get(tuple(pair), np.inf) for pair in source.tolist()])
@@ -56,7 +57,7 @@ def test_the_inner_problem_takes_few_factorizations(name):
     for piece in flattened(name, method="wirewarp++").pieces:
         evaluations = piece.report.gradient_evaluations
         assert 0 < piece.report.inner_solves <= most * (1 + evaluations)
-        # one more factorization is for the first lengths
+        # if lengths are optimized, another factorization is needed for the first lengths
         assert piece.report.factorizations == (2 if evaluations else 1)
         assert piece.report.projected_gradient < 1e-10
         assert piece.report.constraint_residual < 1e-12

@@ -175,7 +175,7 @@ def test_an_option_is_the_same_however_it_is_set(name):
         ("grain_angle", 7, "grain_angle is 7"),
     ],
 )
-def test_an_unknown_value_is_named_with_the_allowed_ones(name, value, allowed):
+def test_an_unknown_value_is_named_with_the_allowed_values(name, value, allowed):
     options = Options()
     for attempt in (lambda: Options(**{name: value}), lambda: setattr(options, name, value)):
         with pytest.raises(FlattenError) as caught:

@@ -18,9 +18,9 @@
 namespace wirewarp::bugs_of_pieces_test {
 namespace {
 
-// For some flat sheets, the solver stopped close to the flat shape. The result was strained, "stopped short", flipped,
-// or overlapping along a slit. There were two causes. For edges of a millionth of the piece's size, bending is so stiff
-// that the other terms are lost in rounding. Flat nets of rigid wires are rigid only to second order.
+// For some flat sheets, the solver ended close to the flat shape. The result was strained, not converged, flipped, or
+// overlapping along a slit. There were two causes. First, bending is so stiff at edges of a millionth of the piece's
+// size that the other terms are lost in rounding. Second, flat nets of rigid wires are rigid only to second order.
 
 constexpr double kRounding = 1e-20;  // rounding error of E, for strains of 1e-10
 
@@ -101,13 +101,14 @@ TEST(Bugs, TheErrorOfARingProposesEveryRemedy) {
   ASSERT_TRUE(error);
   EXPECT_EQ(error->code, ErrorCode::flipped_faces);
   EXPECT_EQ(error->elements.proposed_seams, (std::vector<VertexPair>{{begin, end}}));
-  for (const char* remedy :
-       {"mark seams, such as along edge", "add a seam or a dart there", "remove a wire nearby or give it tolerance"}) {
+  for (const char* remedy : {"mark seams, such as along edge", "add a seam or a dart there",
+                             "remove a nearby wire or give it more tolerance"}) {
     test::expect_words(*error, remedy);
   }
 }
 
-// A wire of a single vertex that the mesh does not have was refused as too short. The error named the missing vertex.
+// A wire of a single vertex that does not exist was refused as too short. The error named this vertex, although it must
+// only name vertices of the mesh. The vertex must be reported as out of range.
 TEST(Bugs, AShortWireOfNoVertexIsOutOfRange) {
   FlattenInput input = test::flat_rectangle(1, 1, 1, 1);
   const auto beyond = static_cast<int>(input.vertices.rows());
@@ -172,7 +173,7 @@ TEST(Bugs, StretchedElasticSeamsHaveTheirEaseIfNoOtherLengthIsFound) {
   FlattenInput input = sheets_with_crossed_grain(0);
   test::add_wire(input, test::grid_column(8, 4, 4), 0.2);
   Options options = stretched(0.3, -0.3);
-  options.max_factorizations = 2;  // too few factorizations for both pieces together, enough for each
+  options.max_factorizations = 2;  // enough for each piece alone, but not for both together
   const FlattenResult result = flatten(input, options);
   expect_good(result);
   EXPECT_NEAR(result.seams.at(0).length_2d[0], 2 * (1 / 1.3 + 1 / 0.7) / 2, 1e-8);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tests of fixed faults of slits, which are seams inside one piece. The rims of a slit often connect the same two
-// vertices.
+// Tests of fixed faults of slits, which are seams inside one piece. Both rims of a slit of one edge connect the same
+// two vertices.
 #include "surface/charts/slits.h"
 
 #include <gtest/gtest.h>
@@ -87,8 +87,9 @@ TEST(Bugs, ACachedSlitIsNotReusedForAHoleOfTheSameGeometry) {
   EXPECT_TRUE(cached.corner_uv == alone.corner_uv);
 }
 
-// On a dome, slits of two and three edges stopped after 100 factorizations. Their objective was 1.7 to 2.7 times the
-// best one, or their rims crossed each other. The reason is that branches of exact shapes cross at a closed slit.
+// For domes with a slit of two or three edges, the solver stopped after 100 factorizations. The objective was 1.7 to
+// 2.7 times the best objective, or the rims of the slit crossed each other. The reason is that branches of exact shapes
+// cross at a closed slit.
 
 /// Direction of a slit on the grid. corner: along a row first, then along a column.
 enum class Way { along_row, along_column, diagonal, corner };
@@ -243,8 +244,8 @@ TEST(Bugs, ASlitOfOneEdgeTakesNoLongerThanAWire) {
 }
 
 // The two closure conditions of a slit of one edge depend on each other. The regularization of their pivot was scaled
-// by the mean weight of all edges. With tiny edges elsewhere, it was lost in rounding, and the pieces were "not
-// solvable".
+// by the mean weight of all edges. With tiny edges elsewhere, the regularization was lost in rounding, and the
+// pieces were "not solvable".
 TEST(Bugs, ASlitOfOneEdgeBesideTinyEdgesHasAFactor) {
   const int n = 12;
   for (int i = 0; i < 3 * (n - 2); ++i) {

@@ -49,7 +49,7 @@ double any_tolerance(FuzzedDataProvider& bytes) {
   }
 }
 
-/// Returns options that are usually valid. Returns the defaults if no bytes are left.
+/// Returns options that are usually valid. If no bytes are left, most options have their defaults.
 Options any_options(FuzzedDataProvider& bytes) {
   Options options;
   options.method = bytes.PickValueInArray({Method::refined, Method::wirewarp_plus_plus, Method::wirewarping});
@@ -175,15 +175,15 @@ FlattenInput small_mesh(RandomStream& random) {
   return input;
 }
 
-/// Removes, flips, splits, welds and adds a few faces. The mesh may become invalid.
+/// Removes, flips, splits, welds or adds a few faces, or moves vertices. The mesh may become invalid.
 void change_faces(RandomStream& random, FlattenInput& input) {
   for (int changes = random.chance(0.5) ? random.whole(1, 8) : 0; changes > 0 && input.faces.rows() > 1; --changes) {
     change_one(random, input);
   }
 }
 
-/// Returns a mesh whose seams and wires are random walks along edges. If no bytes are left, the mesh is a flat sheet
-/// without seams and wires.
+/// Returns a mesh whose seams and wires are random walks or shortest paths along edges. If no bytes are left, the mesh
+/// is a flat sheet without seams and wires.
 FlattenInput changed_mesh(FuzzedDataProvider& bytes) {
   RandomStream random([&] { return 1 - (bytes.ConsumeIntegral<std::uint16_t>() + 1) / 65536.0; });
   FlattenInput input = small_mesh(random);
@@ -206,7 +206,7 @@ Asked any_case(FuzzedDataProvider& bytes) {
   return asked;
 }
 
-/// Returns a sentence for each piece that has no error in the result, but has one in the report of measure().
+/// Returns a sentence for each piece that has no error in the result, but has an error according to measure().
 std::vector<std::string> differences_of_measure(const Asked& asked, const FlattenResult& result) {
   std::vector<std::string> differences;
   if (asked.options.mirror) return differences;  // measure() reports all faces as flipped

@@ -86,7 +86,8 @@ void check_flips(Judged& judged, const Piece& piece) {
 }
 
 /// Returns whether target lengths differ from the lengths on the surface. The outline may have other lengths, or the
-/// piece may have a shape only without the stretch. Neither seams nor tolerances may fix the error of such a piece.
+/// piece may have a shape only without the stretch. Possibly neither seams nor tolerances fix the error of such a
+/// piece.
 bool has_other_target_lengths(const Judged& judged, int number) {
   const bool is_of_stretch = judged.unstretched && !judged.unstretched->pieces[number].error;
   return is_of_stretch || has_other_outline(judged, judged.result.pieces[number]);

@@ -11,7 +11,7 @@ namespace {
 constexpr double kRounding = 8 * std::numeric_limits<double>::epsilon();
 
 struct EdgeLengths {
-  double target;  // target length for h = r = 0
+  double target;  // target length without a variation h and an ease r
   double planar;
   double slack;  // allowed error of the planar length
 };
@@ -64,7 +64,7 @@ std::vector<std::vector<EdgeLengths>> parts_of(const Judged& judged, const Wire&
   return parts;
 }
 
-/// The range of h for which all edges passed to meet() have planar lengths (1+h) l.
+/// The range of the variation h for which all edges passed to meet() have planar lengths of 1 + h times their target.
 struct Variations {
   double low, high;
 
@@ -160,7 +160,8 @@ std::vector<std::vector<Edge>> runs_along_outlines(const Judged& judged, const W
   return runs;
 }
 
-/// Checks that all sides of all edges of a run have planar lengths (1+r)(1+h) l with the same h.
+/// Checks that all sides of all edges of a run have planar lengths (1+r)(1+h) l with the same variation h. r: ease of
+/// the side. l: target length.
 void check_run(Judged& judged, const Wire& wire, const std::vector<Edge>& run) {
   Variations variations(is_all_rigid(judged.options) ? 0 : wire.tolerance, wire.ease);
   for (const Edge& edge : run) {
@@ -172,7 +173,8 @@ void check_run(Judged& judged, const Wire& wire, const std::vector<Edge>& run) {
   }
 }
 
-/// Checks that all sides of an outline edge without a wire have planar lengths (1+r) l.
+/// Checks that all sides of an outline edge without a wire have planar lengths (1+r) l. r: ease of the side. l: target
+/// length.
 void check_plain_edge(Judged& judged, const Edge& edge) {
   Variations variations(0);
   for (const EdgeLengths& side : uneased_sides(judged, edge, true)) variations.meet(side);

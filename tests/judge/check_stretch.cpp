@@ -7,8 +7,8 @@ namespace wirewarp::test {
 namespace {
 
 constexpr double kEven = 1e-12;  // allowed difference between equal shares
-// Largest E, over the area, of a piece that counts as unfolded. Other pieces have several minima, so their shapes are
-// not compared.
+// Largest E, over the area, of a piece that counts as unfolded. Other pieces may have several minima, so their
+// shapes are not compared.
 constexpr double kWithoutStrain = 1e-18;
 constexpr double kSamePlace = 1e-6;  // allowed distance of vertices from their expected places, over the piece's size
 
@@ -32,7 +32,7 @@ bool has_unstretched_layout(const Judged& judged, const Side& side) {
 }
 
 /// Returns whether every length of a piece shrinks by the share of its direction. Eases, elastic wires along the
-/// outline and seams whose sides shrink differently give other lengths.
+/// outline and seams whose sides shrink differently lead to other lengths.
 bool is_even(const Judged& judged, const Piece& piece) {
   const int number = judged.piece_of(piece.source_face.front());
   if (!judged.input.eases.empty()) return false;

@@ -19,7 +19,7 @@ namespace {
 constexpr double kCloses = 1e-11, kStrain = 1e-7;
 
 // Largest E (Eq. 4) over the 3D area of a shape without distortion. kUndistorted allows for rounding errors only,
-// kUndistortedAngles for the angle error at which Eq. 1 stops.
+// kUndistortedAngles also for the angle error at which the solver of Eq. (1) stops.
 constexpr double kUndistorted = 1e-12, kUndistortedAngles = 1e-9;
 
 double triangle_area(const PlanarTriangle& t) { return static_cast<double>(doubled_area(t)) / 2; }

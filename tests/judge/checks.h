@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The checks of the judge. Each adds a sentence to `judged` for every fault that it finds.
+// The checks of the judge. Each check_ function adds a sentence to `judged` for every fault that it finds.
 #pragma once
 
 #include "judged.h"
@@ -17,8 +17,9 @@ void check_error(Judged& judged, int number);
 bool has_other_outline(const Judged& judged, const Piece& piece);
 
 /// Checks a piece whose surface unfolds into the plane without overlap, and whose outline has the lengths on the
-/// surface. The piece must have no error and almost no distortion. Does not check the paper's methods if they did not
-/// converge.
+/// surface. The piece must have no error and almost no distortion. Checks nothing for a stretched fabric, and
+/// nothing for the refined method with a low limit on factorizations. The paper's methods are checked only if they
+/// converged without an error.
 void check_unfolding(Judged& judged, const Piece& piece);
 
 /// Returns whether all lengths of a piece are guaranteed, because it has no error, or an error that is reported only
@@ -29,16 +30,17 @@ bool keeps_lengths(const Piece& piece);
 /// must keep its lengths.
 void check_outline(Judged& judged, const Piece& piece);
 
-/// Checks that rigid wires have exact lengths, and that all edges of a part of an elastic wire have the same h. The h
-/// must be within the tolerance around the wire's ease. Along an outline, all sides of a run between junctions must
-/// have the same h, apart from their own eases.
+/// Checks that rigid wires have exact lengths, and that all edges of a part of an elastic wire have the same length
+/// variation h. This h must be within the tolerance around the wire's ease. Along an outline, all sides of a run
+/// between junctions must have the same h, apart from their own eases.
 void check_wires(Judged& judged);
 
 /// Returns the target length of an edge without an ease over its length on the surface, as the mean over its sides.
 double stretched_share(const Judged& judged, const Edge& edge);
 
-/// Checks a piece whose lengths shrink only by their directions. It must have no error if it has none without the
-/// stretch. If the piece unfolds, its shape must be the shape without the stretch, shrunk along weft and warp.
+/// Checks a piece whose lengths shrink only by their directions. The piece must have no error if it has no error
+/// without the stretch. If the piece unfolds, its shape must be the shape without the stretch, shrunk along weft and
+/// warp.
 void check_even_stretch(Judged& judged, const Piece& piece);
 
 /// Checks that the boxes of pieces are at least the gap apart. With PieceLayout::row, also checks that the pieces are

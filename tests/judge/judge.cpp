@@ -46,7 +46,7 @@ void check_shape(Judged& judged, const Piece& piece) {
 void check_piece(Judged& judged, int number) {
   const Piece& piece = judged.result.pieces[number];
   // With a fabric, Options::orientation only chooses a direction between two vertices, and the stretch turns all
-  // directions except weft and warp.
+  // directions except weft and warp. So the direction of the result is not checked.
   if (judged.has_layout(piece) && !judged.options.cloth) check_orientation(judged, number);
   if (piece.error) {
     check_error(judged, number);
@@ -100,7 +100,7 @@ Sentences differences_of_layout(const FlattenInput& input, const Options& option
 namespace {
 
 bool has_word(const std::string& text, const std::string& word) {
-  const std::regex whole("\\b" + word + "\\b");  // arguments contain only letters and underscores
+  const std::regex whole("\\b" + word + "\\b");  // names have no special characters
   return std::regex_search(text, whole);
 }
 

@@ -27,7 +27,8 @@ std::vector<std::string> broken_expectations(const FlattenInput& input, const Op
 std::vector<std::string> differences_of_layout(const FlattenInput& input, const Options& options,
                                                const FlattenResult& result, const FlattenResult& other);
 
-/// Returns the faults of an error: a missing sentence, missing elements, or elements that the input does not have.
+/// Returns the faults of an error: a missing sentence, undocumented arguments, missing elements, or elements that the
+/// input does not have.
 std::vector<std::string> faults_of_error(const FlattenError& error, const FlattenInput& input);
 
 }  // namespace wirewarp::test

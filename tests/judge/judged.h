@@ -20,7 +20,7 @@ inline Edge edge_of(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
 
 inline std::string name(const Edge& edge) { return std::to_string(edge[0]) + "-" + std::to_string(edge[1]); }
 
-/// One side of an edge: its face, and the corner at which it starts.
+/// One side of an edge: the face on this side, and the corner of the face at which the side starts.
 struct Side {
   int face;
   int corner;

@@ -25,18 +25,19 @@ struct CholeskyProblem {
   DissectionTree tree() const { return nested_dissection(graph(), positions); }
 };
 
-/// Returns a graph with every edge in both directions.
+/// Returns the graph of these edges, with each edge in both directions.
 Graph graph_of(int num_vertices, const GraphEdges& edges);
 
 /// Returns the lower triangle of 0.1 I + Σ B_eᵀ B_e over the edges e. B_e: random k by 2k matrices with entries from -1
 /// to 1.
 SparseMatrix random_positive_definite(int num_vertices, const GraphEdges& edges, int k, unsigned seed);
 
-/// Returns a triangulated square of n by n jittered vertices with k unknowns each. Some edges are twice as long, like
-/// the terms of bending.
+/// Returns a triangulated square of n by n jittered vertices with k unknowns each. Some edges connect vertices two
+/// columns apart, as the terms of bending do.
 CholeskyProblem mesh_problem(int n, int k);
 
-/// Returns meshes, random and disconnected graphs, isolated vertices, and a mesh whose vertices all have one position.
+/// Returns matrices on meshes, on random, complete and disconnected graphs, and on isolated vertices. In one mesh, all
+/// vertices have one position. In another mesh, the two unknowns of a vertex are not coupled.
 std::vector<CholeskyProblem> cholesky_problems();
 
 }  // namespace wirewarp

@@ -32,13 +32,13 @@ void expect_broken(const std::string& sentence, JudgeCase good, const Spoil& spo
 /// Does what expect_broken() does, but with broken_expectations() and no expected error.
 void expect_broken_expectation(const std::string& sentence, JudgeCase good, const Spoil& spoil);
 
-// Return changes that move one vertex of a piece, move a whole piece, or turn it, in scene units and radians. They
-// change corner_uv, too. right and up are directions in the piece's own plane.
+// Return changes that move one vertex of a piece, move a whole piece, or rotate a whole piece. The changes include
+// corner_uv. right, up: distances in scene units along the axes of the layout. angle: radians.
 Spoil moved_vertex(int number, int source_vertex, double right, double up);
 Spoil moved(int number, double right, double up);
 Spoil turned(int number, double angle);
 
-/// Gives a piece of two_sheets() an error with a layout that names one vertex.
+/// Sets the error of a piece of two_sheets(). The error names one vertex, and the piece keeps its layout.
 void fail(JudgeCase& sheets, ErrorCode code, int number = 0);
 
 }  // namespace wirewarp::test

@@ -17,7 +17,7 @@ double most_strain(const FlattenInput& input, const FlattenResult& result);
 /// Returns the energy of all pieces, divided by their area.
 double energy_of(const FlattenResult& result, bool has_cloth = false);
 
-/// Returns each edge once, the smaller vertex first.
+/// Returns each edge once, with its smaller vertex first.
 std::set<VertexPair> undirected(const std::vector<VertexPair>& edges);
 std::set<VertexPair> undirected(const VertexPairs& edges);
 

@@ -17,9 +17,9 @@ namespace {
 
 using test::charts_of;
 
-/// Returns a text that lists, for each chart, the number of faces, the edges of each loop and the wire parts. Each seam
-/// follows, with its number of edges and the charts of its sides. Example: "24 faces around 16, elastic part 0 of 2; 6
-/// edges between 0 1".
+/// Returns a text that lists, for each chart, its numbers of faces and of edges of each loop, and its wire parts. Then
+/// the text lists, for each seam, its number of edges and the charts on its sides. Example: "24 faces around 16,
+/// elastic part 0 of 2; 6 edges between 0 1".
 std::string described(const Charts& charts) {
   std::ostringstream text;
   for (const Chart& chart : charts.charts) {
@@ -73,7 +73,7 @@ FlattenInput sheet(const std::vector<int>& seam, const std::vector<std::vector<i
   return input;
 }
 
-/// Returns the part of a line with this number of edges, from edge `begin` on.
+/// Returns the part of a line that has `edges` edges and starts with edge `begin` of the line.
 std::vector<int> part_of(std::vector<int> line, std::size_t edges, std::size_t begin = 0) {
   return {line.begin() + static_cast<long>(begin), line.begin() + static_cast<long>(begin + edges + 1)};
 }
@@ -85,7 +85,7 @@ TEST(Charts, HaveTheirFacesLoopsSeamsAndPartsOfWires) {
   const std::vector<std::pair<FlattenInput, std::string>> cases = {
       {sheet(column), "24 faces around 16; 48 faces around 20; 6 edges between 0 1"},
       {sheet(part_of(column, 3)), "72 faces around 30; 3 edges between 0 0"},       // a dart
-      {sheet(part_of(column, 2, 2)), "72 faces around 24 4; 2 edges between 0 0"},  // a slit, after the outer loop
+      {sheet(part_of(column, 2, 2)), "72 faces around 24 4; 2 edges between 0 0"},  // a slit: its loop is the second
       {sheet(test::grid_square(kN, 3, 3, 1)), "64 faces around 24 8; 8 faces around 8; 8 edges between 0 1"},
       {sheet(column, {row}),
        "24 faces around 16, elastic part 0 of 2; 48 faces around 20, elastic part 1 of 4; 6 edges between 0 1"},
@@ -114,7 +114,7 @@ TEST(Charts, FiveFacesOnASeamEdgeMakeFiveSides) {
   EXPECT_EQ(found.substr(found.size() - expected.size()), expected);
 }
 
-TEST(Charts, TheOuterLoopTurnsLeftEvenIfAHoleIsLonger) {
+TEST(Charts, TheOuterLoopIsFirstEvenIfAHoleIsLonger) {
   // An annulus whose hole has a wavy outline, longer than the outer loop.
   FlattenInput input = test::flat_annulus(96, 4, 1, 2);
   for (int v = 0; v < input.vertices.rows(); ++v) {

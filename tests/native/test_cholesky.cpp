@@ -52,7 +52,7 @@ Eigen::MatrixXd solve(const CholeskyProblem& problem, const Eigen::MatrixXd& b, 
 
 TEST(MultifrontalCholesky, SolvesAsEigenDoes) {
   for (const CholeskyProblem& problem : cholesky_problems()) {
-    SCOPED_TRACE(problem.name + ", unknowns a vertex: " + std::to_string(problem.unknowns_per_vertex));
+    SCOPED_TRACE(problem.name + ", unknowns per vertex: " + std::to_string(problem.unknowns_per_vertex));
     const Eigen::MatrixXd b = random_matrix(problem.lower.rows(), 7, 3);
     const Eigen::SimplicialLLT<SparseMatrix> eigen(problem.lower);
     ASSERT_EQ(eigen.info(), Eigen::Success);
@@ -164,7 +164,7 @@ struct Chains {
 
 TEST(MultifrontalCholesky, PollsTheTokenRegularly) {
   const Chains chains;
-  const int tiles = Chains::block / kTile;  // tiles of a front's pivots, and of the rows below them
+  const int tiles = Chains::block / kTile;  // number of tiles along the pivots of a front, and also below them
   const double m = tiles;
   const double work_of_a_chain = (Chains::length - 1) * (m * m * m / 6 + m * m * m / 2 + m * m * m / 2);
   for (const bool in_threads : {false, true}) {

@@ -79,7 +79,7 @@ TEST(ClothLaw, OnlyRatiosOfStiffnessCount) {
   EXPECT_EQ(ClothLaw(cloth_of(0.21 * 1024, 1024, 0.06 * 1024)).density(map), ClothLaw(kDenim).density(map));
 }
 
-TEST(ClothLaw, RotatingTheWornSideCostsNothingAndRotatingTheFlatSideDoes) {
+TEST(ClothLaw, TheEnergyDependsOnRotationsOfTheFlatSideOnly) {
   const Eigen::Matrix2d map = rows(1.1, 0.2, -0.1, 0.9), turn = Eigen::Rotation2Dd(0.7).toRotationMatrix();
   const ClothLaw law(kDenim);
   EXPECT_NEAR(law.density(map * turn), law.density(map), kRounding);
@@ -155,7 +155,8 @@ TEST_F(ClothLawOnRandomMaps, TheConvexHessianIsPositiveAndAboveTheExactHessian) 
   EXPECT_TRUE(is_anything_mended);
 }
 
-/// The unit square has two triangles with a common diagonal of length l = √2. Their centroids are √2/3 apart.
+/// The unit square has two triangles with a common diagonal of length l = √2. The distance d of their centroids is
+/// √2/3, so l/d = 3.
 TEST(ShearSmoothing, AFoldCostsTheSquareOfItsAngle) {
   const Charts charts = test::charts_of(test::flat_rectangle(1, 1, 1, 1));  // diagonal from (0, 0) to (1, 1)
   const Chart& chart = charts.charts.at(0);

@@ -151,7 +151,7 @@ TEST(Prolong, FollowsQuadraticMaps) {
   for (const VertexHandle v : c.chart.mesh.vertices()) {
     const CoarsePlace& place = c.coarse.places[v.idx()];
     if ((c.fine_point(v.idx()) - Eigen::Vector3d(1, 1, 0)).cwiseAbs().maxCoeff() > 0.8)
-      continue;  // near the outline, derivatives are one-sided
+      continue;  // near the outline, derivatives are one-sided and therefore less accurate
     Eigen::RowVector2d flat_place(0, 0);
     for (int k = 0; k < 3; ++k) flat_place += place.weights[k] * coarse_uv.row(place.vertices[k]);
     linear += (flat_place - wanted.row(v.idx())).squaredNorm();
@@ -171,7 +171,7 @@ TEST(Prolong, FlipsNoTriangleOfAJitteredSheet) {
   EXPECT_GT(ShapeError(c.chart).count_flips(smooth), 0);
   const Positions2 uv = prolong_positions(c.chart, c.network, c.coarse, coarse_uv);
   EXPECT_EQ(ShapeError(c.chart).count_flips(uv), 0);
-  EXPECT_LT(((uv - smooth).rowwise().norm().array() > 0).count(), uv.rows() / 10) << "all other vertices stay";
+  EXPECT_LT(((uv - smooth).rowwise().norm().array() > 0).count(), uv.rows() / 10) << "most vertices stay";
 }
 
 /// Expects that the coarse shape leads to the same minimum as a start from scratch, in at most max_factorizations.
@@ -193,7 +193,7 @@ void expect_same_minimum(const FlattenInput& input, double fairness = 0.3, int m
 TEST(CoarseStart, ReachesTheSameMinimum) {
   expect_same_minimum(with_cross(jittered_grid(48, 0.1, dome), 48, 0.03));
   expect_same_minimum(with_cross(jittered_grid(64, 0.25, dome), 64, 0.05));  // with jagged wires
-  expect_same_minimum(test::quarter_sphere(40), 0.1, 3);  // far from developable, 13 factorizations from scratch
+  expect_same_minimum(test::quarter_sphere(40), 0.1, 3);  // far from developable: 13 factorizations from scratch
   FlattenInput plate = test::flat_plate_with_two_holes(24);
   for (int v = 0; v < plate.vertices.rows(); ++v) {
     plate.vertices(v, 2) = 0.2 * std::sin(2 * plate.vertices(v, 0)) * std::cos(1.5 * plate.vertices(v, 1));
@@ -221,12 +221,12 @@ TEST(CoarseStart, StopsWhenAsked) {
   int asked = 0;
   refine_chart(charts.charts.at(0), options, StopToken([&](const char*) { return ++asked > 0; }));
   bool was_exact = false;
-  for (int last = 0; last < asked; ++last) {  // also limits that are reached in the coarse chart
+  for (int last = 0; last < asked; ++last) {  // also cancels while the coarse chart is solved
     int count = 0;
     const StopToken stop([&](const char*) { return ++count <= last; });
     const Solution stopped = refine_chart(charts.charts.at(0), options, stop);
     EXPECT_TRUE(stopped.is_exact() ? stopped.length_error < 1e-10 : stopped.status == SolutionStatus::cancelled);
-    EXPECT_TRUE(stopped.is_exact() || !was_exact) << "a shape that was exact stays exact";
+    EXPECT_TRUE(stopped.is_exact() || !was_exact) << "a run that stops later must not lose exact lengths";
     was_exact = stopped.is_exact();
     EXPECT_TRUE(stop.is_stopped());
     EXPECT_EQ(count, last + 1);

@@ -129,7 +129,7 @@ double least_height(const FlattenInput& mesh, const CutMesh& cut) {
   return least;
 }
 
-/// Expects that a cut mesh has the same surface. No face is flipped, and the parts of each input face fill it.
+/// Expects that cuts do not change the surface of a mesh. No face is flipped, and the parts of each input face fill it.
 void expect_same_surface(const FlattenInput& mesh, const CutMesh& cut) {
   ASSERT_EQ(cut.vertices.topRows(mesh.vertices.rows()), mesh.vertices);
   ASSERT_EQ(cut.sources.faces.size(), static_cast<std::size_t>(cut.faces.rows()));
@@ -179,7 +179,7 @@ void expect_same_surface(const FlattenInput& mesh, const CutMesh& cut) {
 }
 
 TEST(CutMesh, ALineAcrossASquareIsStraightAndKeepsItsLength) {
-  // The line goes from (0, 1/4) to (1, 1/2). It crosses the diagonal of the square at (x, x) with x = 1/4 + x/4, so x =
+  // The line goes from (0, 1/4) to (1, 1/2). It crosses the diagonal of the square at (x, x). With x = 1/4 + x/4, x is
   // 1/3.
   const FlattenInput square = test::flat_rectangle(1, 1, 1, 1);  // faces 0-1-3 and 0-3-2
   const SurfacePath path = path_of({1, 1, 0}, {{0.75, 0, 0.25}, {2.0 / 3, 1.0 / 3, 0}, {0, 0.5, 0.5}});
@@ -189,7 +189,7 @@ TEST(CutMesh, ALineAcrossASquareIsStraightAndKeepsItsLength) {
   double length = 0;
   for (const VertexPair& edge : cut.edges) length += (cut.vertices.row(edge[0]) - cut.vertices.row(edge[1])).norm();
   EXPECT_NEAR(length, std::hypot(1, 0.25), 1e-15);
-  EXPECT_EQ(cut.faces.rows(), 6);  // a triangle and a quadrilateral in each face
+  EXPECT_EQ(cut.faces.rows(), 6);  // each of two faces becomes a triangle and a quadrilateral of two triangles
   const std::vector<std::vector<int>> divided{{0, 5, 3}, {0, 4, 2}, {1, 6, 3}};
   EXPECT_EQ(std::set(cut.sources.divided_edges.begin(), cut.sources.divided_edges.end()),
             std::set(divided.begin(), divided.end()));

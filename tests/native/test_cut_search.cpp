@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tests of cuts that are suggested for one of several pieces. Their energy is that of a new run of the whole model,
-// because a cut may also change other pieces. Further tests are of parts of the search.
+// Tests of cuts that are suggested for one of several pieces. The energy of a cut is that of a new run of the whole
+// model, because a cut may also change other pieces. The other tests of this file are of parts of the search.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,8 +22,8 @@
 namespace wirewarp::test_cut_search {
 namespace {
 
-/// A case in which a cut of one piece may change other pieces, because elastic seams or a stretched fabric couple their
-/// lengths.
+/// A case in which a cut of one piece may change other pieces, because of an elastic seam, a stretched fabric or thick
+/// material.
 struct Neighbors {
   const char* name;
   FlattenInput input;
@@ -109,8 +109,8 @@ FlattenInput regular_polygon(int corners) {
 TEST(CutSetSearch, AllowsStrainsUpToThatOfPlushOrTwiceTheTarget) {
   using Strains = std::vector<double>;
   EXPECT_EQ(allowed_strains(0.05, 0.05), (Strains{0.05, 0.1, 0.2}));  // 0.2 is the strain of plush
-  EXPECT_EQ(allowed_strains(0.15, 0.05), Strains{0.15});              // by ratio, 0.15 is nearer to 0.2 than 0.3
-  EXPECT_EQ(allowed_strains(0.13, 0.05), (Strains{0.13, 0.26}));      // by ratio, 0.26 is nearer to 0.2 than 0.13
+  EXPECT_EQ(allowed_strains(0.15, 0.05), Strains{0.15});              // by ratio, 0.15 is nearer to 0.2 than 0.3 is
+  EXPECT_EQ(allowed_strains(0.13, 0.05), (Strains{0.13, 0.26}));      // by ratio, 0.26 is nearer to 0.2 than 0.13 is
   EXPECT_EQ(allowed_strains(0.2, 0.2), (Strains{0.2, 0.4}));          // 0.4 is twice the target
   EXPECT_EQ(allowed_strains(0.01, 0.01), (Strains{0.01, 0.02, 0.04}));
 }

@@ -172,7 +172,7 @@ TEST(CutSetSearch, ReturnsASetThatMeetsTheTargetFirst) {
   EXPECT_LE(propose_seams(head(), {}, cut_options).front().strain, *cut_options.strain);
 }
 
-TEST(CutSetSearch, OpensThePieceThatNeedsSeams) {
+TEST(CutSetSearch, SuggestsSeamsForThePieceThatNeedsSeams) {
   const FlattenInput both = test::beside(test::flat_rectangle(2, 2, 1, 1), test::cylinder_tube(8, 4, 1, 4), 5);
   EXPECT_EQ(propose_seams(both, {}, rough()).front().piece, 1);
 }
@@ -194,10 +194,10 @@ TEST(CutSetSearch, ReportsWhyThereAreNoSeams) {
     for (Eigen::Index k = 0; k < 3; ++k) all.push_back({input.faces(f, k), input.faces(f, (k + 1) % 3)});
   }
   cut_options.no_seam = as_rows(test::undirected(all));
-  test::expect_words(refusal(input, cut_options), "no set of seams along edges that may have a seam was found");
+  test::expect_words(refusal(input, cut_options), "No set of seams along edges that may have a seam was found");
 }
 
-TEST(CutSetSearch, CanBeCancelledBeforeTheFirstSet) {
+TEST(CutSetSearch, CanBeCanceledBeforeTheFirstSet) {
   int asked = 0;
   const auto propose = [&] { propose_seams(head(), {}, {}, [&](const std::string&, double) { return ++asked < 5; }); };
   EXPECT_EQ(test::error_of(propose).code, ErrorCode::cancelled);

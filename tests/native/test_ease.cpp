@@ -25,7 +25,7 @@ ErrorCode code_thrown_by(const FlattenInput& input) {
   return test::error_of([&] { flatten(input); }).code;
 }
 
-/// A shortened grid of wires encloses the most area if its squares stay squares.
+/// A shortened grid of wires encloses the most area if its squares stay squares. So the whole sheet is scaled.
 TEST(Ease, OfAllLinesScalesASheet) {
   const int n = 6;
   const double ease = -0.1;
@@ -111,7 +111,7 @@ TEST(Ease, OfOneEndTurnsACylinderIntoASector) {
   EXPECT_NEAR(total_energy(8) - total_energy(4), mean_square * 4 * height, 0.01 * mean_square * 4 * height);
 }
 
-TEST(Ease, ErrorsNameTheBadEdges) {
+TEST(Ease, WithABadRatioOrBadEdgesIsAnError) {
   const std::vector<int> seam = seam_of_sheets();
   FlattenInput wire = sheet_and_saddle();
   test::add_wire(wire, seam);

@@ -141,7 +141,7 @@ FlattenInput two_triangles(double tolerance, double ease) {
 }
 
 TEST(ElasticSeams, StartWithinTheToleranceIfNominalLengthsAreInfeasible) {
-  const FlattenInput input = two_triangles(0.5, 1.2);  // a side of length 2.2 and two sides of length 1
+  const FlattenInput input = two_triangles(0.5, 1.2);  // a side of 2.2 is too long for two sides of 1
   const FlattenResult result = flatten(input);
   expect_good(input, result);
   EXPECT_NEAR(result.seams.at(0).variation, 1.2 - 0.5, 1e-9) << "as short as allowed";
@@ -252,7 +252,7 @@ TEST(ElasticSeams, AHundredCoupledPiecesAreAsExactAsOne) {
 TEST(ElasticSeams, ABallOfGoresIsLikeOneGoreWithEqualSides) {
   const FlattenResult ball = flatten(gores(kInfinity));
   for (const SeamReport& seam : ball.seams) EXPECT_NEAR(seam.variation, ball.seams[0].variation, 1e-4);
-  // A gore with these lengths as its nominal lengths has the same shape.
+  // If the seams of the ball have the found lengths as nominal lengths, the gores get the same shape.
   const FlattenResult eased = flatten(gores(0, ball.seams[0].variation));
   EXPECT_NEAR(eased.pieces[0].metrics.arap_energy, ball.pieces[0].metrics.arap_energy,
               1e-4 * ball.pieces[0].metrics.arap_energy);
@@ -285,7 +285,7 @@ TEST(ElasticSeams, AreReusedTogether) {
   EXPECT_EQ(changed.corner_uv, flatten(other).corner_uv);
 }
 
-TEST(ElasticSeams, AreMeasuredWithTheSameLengths) {
+TEST(ElasticSeams, HaveTheSameVariationIfMeasured) {
   const FlattenInput input = gores(0.02);
   const FlattenResult result = flatten(input);
   const FlattenResult measured = measure(input, result.corner_uv);

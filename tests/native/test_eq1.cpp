@@ -89,7 +89,7 @@ INSTANTIATE_TEST_SUITE_P(Weights, Eq1Test, testing::Values(NodeWeight::length, N
 
 constexpr double kStep = 1e-5;
 
-TEST_P(Eq1Test, TheNearestAnglesKeepEverySumWhateverTheHeadings) {
+TEST_P(Eq1Test, PlanarAnglesHaveTheRequiredSumsForAllHeadings) {
   const Problem p(GetParam());
   const Eigen::VectorXd angles = p.planar_angles(GetParam());
   for (const WirePatch& patch : p.network.patches) {
@@ -105,7 +105,7 @@ TEST_P(Eq1Test, TheNearestAnglesKeepEverySumWhateverTheHeadings) {
   }
 }
 
-TEST_P(Eq1Test, VariesByTheAnglesOfItsHeadings) {
+TEST_P(Eq1Test, IsTheWeightedSumOfSquaredAngleDeviations) {
   const Problem p(GetParam());
   const Eigen::VectorXd angles = p.planar_angles(GetParam()), weights = p.node_weights(GetParam());
   double expected = 0;
@@ -210,7 +210,7 @@ struct OrderedNetwork {
         order(order_elimination(eq1, network)) {}
 
   Charts charts;
-  std::optional<Chart> split;  // Eq. (1) needs a connected network
+  std::optional<Chart> split;  // with helper wires, because Eq. (1) needs a connected network
   WireNetwork network;
   Eq1 eq1;
   std::vector<int> order;

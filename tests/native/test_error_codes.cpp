@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tests that every code of error.h occurs, and that errors name the faulty elements in their lists and messages.
+// Tests that errors of the input, options and pieces have the right code, and name the faulty elements in their lists
+// and messages.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -49,7 +50,7 @@ FlattenInput scaled(FlattenInput input, double factor) {
   return input;
 }
 
-/// Returns squares that share no vertices.
+/// Returns `count` squares that share no vertices. Each square has one or two triangles.
 FlattenInput loose_squares(int count, int triangles_of_each) {
   FlattenInput input;
   input.vertices.resize(4 * count, 3);
@@ -176,7 +177,7 @@ FlattenError carried_by(const FlattenInput& input) {
 TEST(ErrorCodes, SeamsAreProposedIfNothingElseHelps) {
   const FlattenError three_faces = carried_by(triangles({{0, 1, 2}, {0, 2, 3}, {0, 2, 4}}));
   EXPECT_EQ(three_faces.elements.proposed_seams, three_faces.elements.edges);
-  EXPECT_TRUE(carried_by(triangles({{0, 1, 2}, {0, 3, 2}})).elements.proposed_seams.empty()) << "turn a face";
+  EXPECT_TRUE(carried_by(triangles({{0, 1, 2}, {0, 3, 2}})).elements.proposed_seams.empty()) << "flip a face";
 }
 
 TEST(ErrorCodes, LooseFacesAreMoreThanAThousandSeparateParts) {
@@ -277,7 +278,7 @@ TEST(ErrorCodes, Handles) {
 
 TEST(ErrorCodes, OtherChartsAreFlattenedIfOneIsNotSolvable) {
   // A pyramid of squares, each 1e-10 times as large as the square below it. A random walk along the edges leaves the
-  // inner squares with a probability below rounding errors.
+  // inner squares with a probability below rounding errors, so the linear system is singular.
   std::vector<std::array<double, 3>> points;
   std::vector<std::array<int, 3>> faces;
   const int rings = 4;
@@ -301,7 +302,7 @@ TEST(ErrorCodes, OtherChartsAreFlattenedIfOneIsNotSolvable) {
   const FlattenResult result = flatten(test::mesh_of(points, faces));
   ASSERT_TRUE(result.pieces[0].error.has_value());
   EXPECT_EQ(result.pieces[0].error->code, Code::not_solvable) << result.pieces[0].error->what();
-  std::set<int> small;  // all faces that have no side of the outermost square
+  std::set<int> small;  // all faces without an edge on the outermost square
   for (std::size_t f = 0; f < num_nested; ++f) {
     if (f >= 8 || f % 2 == 1) small.insert(static_cast<int>(f));
   }
@@ -312,7 +313,7 @@ TEST(ErrorCodes, OtherChartsAreFlattenedIfOneIsNotSolvable) {
   EXPECT_FALSE(result.pieces[1].error.has_value());
 }
 
-TEST(ErrorCodes, WiresThatCannotBeJoinedNameThemselvesAndTheRefinedMethod) {
+TEST(ErrorCodes, TheErrorOfWiresThatCannotBeJoinedNamesThemAndTheRefinedMethod) {
   FlattenInput input = test::flat_plate_with_two_holes(4);
   test::add_wire(input, {input.faces(0, 0), input.faces(0, 1)});
   test::add_wire(input, {input.faces(20, 1), input.faces(20, 2)});

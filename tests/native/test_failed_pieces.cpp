@@ -104,10 +104,10 @@ TEST(FailedPieces, ReportTheirWorkButNoFiguresOfAShape) {
   }
 }
 
-// Tests of outlines that are too short to enclose their surface in the plane, with the bound for their length and their
-// error.
+// Tests of outlines that are too short to enclose their surface in the plane. Tests the least shape error of such
+// pieces, and the error that they get.
 
-TEST(Isoperimetric, TheLeastShapeErrorIsReachedByUniformShrinking) {
+TEST(Isoperimetric, TheLeastShapeErrorIsThatOfTheBestSingularValues) {
   // If both singular values are s, then E / area = 2 (1 - s)^2, and the area ratio is s^2.
   for (const double s : {0.5, 0.6, 0.9, 1.0}) EXPECT_NEAR(least_shape_error(s * s), 2 * (1 - s) * (1 - s), 1e-15);
   // For area ratios below 1/4, the singular values are 1 - s and s. Then E / area = s^2 + (1 - s)^2, and the area ratio
@@ -118,7 +118,7 @@ TEST(Isoperimetric, TheLeastShapeErrorIsReachedByUniformShrinking) {
   EXPECT_EQ(least_shape_error(3), 0);
 }
 
-TEST(Isoperimetric, TheLeastShapeErrorIsConvex) {  // so triangles with different ratios cannot have a smaller error
+TEST(Isoperimetric, TheLeastShapeErrorIsConvex) {  // so a mix of ratios has no smaller error
   const double step = 1. / 64;
   for (double share = step; share < 1.5; share += step) {
     const double chord = (least_shape_error(share - step) + least_shape_error(share + step)) / 2;
@@ -152,7 +152,7 @@ TEST(ShortOutline, ReportsTheLengthWithItsEase) {
   const std::optional<FlattenError> error = flatten(input).pieces.at(0).error;
   ASSERT_TRUE(error);
   const double around = 16 * 2 * std::sin(kPi / 16);
-  test::expect_words(*error, "its outlines, " + rounded(1.25 * around) + " units long at vertex ");
+  test::expect_words(*error, "Its outlines, " + rounded(1.25 * around) + " units long at vertex ");
 }
 
 }  // namespace

@@ -199,7 +199,7 @@ TEST(FairShapeError, AMirrorImageHasOnlyFlippedTriangles) {
 }
 
 /// A square sheared into a rhombus by β. Lengths along rows and columns are exact, and every angle between a row and a
-/// column changes by β. The residual of each angle is |r|² = 2 - 2 cos β.
+/// column changes by β. The square of the residual of each angle is |r|² = 2 - 2 cos β.
 class BendingOfARhombus : public testing::TestWithParam<int> {};
 
 TEST_P(BendingOfARhombus, IsTheAngleTermOfEquation1HoweverFineTheMesh) {
@@ -249,7 +249,7 @@ class BendingOfAFold : public testing::Test {
   static double squared(double angle) { return 2 - 2 * std::cos(angle); }
 };
 
-TEST_F(BendingOfAFold, AWireThatEndsInsideHasNoCornerThere) {
+TEST_F(BendingOfAFold, AWireHasNoCornerAtAnEndInsideThePiece) {
   const double expected = 0.5 * 2 * std::pow(0.1, 3) * n * squared(2 * gamma);
   EXPECT_NEAR(value(test::flat_rectangle(n, n, 1, 1), 0.1), expected, 1e-13);
 }

@@ -34,8 +34,8 @@ Positions2 mirrored(Positions2 uv) {
   return uv;
 }
 
-/// Returns a sphere of four gores with a wire around it, which crosses every seam. The sphere tests charts, junctions,
-/// and wires in parts.
+/// Returns a sphere of four gores with a wire around it. The wire crosses every seam. The sphere tests charts,
+/// junctions, and wires in parts.
 FlattenInput gores_with_a_wire() {
   const int gores = 4, n = 6, rings = 12;
   FlattenInput input = test::sphere_of_gores(gores, n, rings);

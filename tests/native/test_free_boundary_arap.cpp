@@ -42,7 +42,7 @@ FlattenInput rolled_plate_with_two_holes() {
   return input;
 }
 
-/// Returns a square with a cut from the middle of its lower side to its center, and a cut inside its upper half.
+/// Returns a square with a cut upwards from the middle of its lower side, and a cut inside its upper half.
 FlattenInput cut_square() {
   const int n = 8;
   FlattenInput input = test::flat_rectangle(n, n, 1, 1);
@@ -218,7 +218,7 @@ TEST_F(ShapeErrorOnASphere, FixedRotationsBoundTheEnergy) {
     const Positions2 curved = hessian.selfadjointView<Eigen::Lower>() * step;
     const double slope = (gradient.array() * step.array()).sum(), curvature = (curved.array() * step.array()).sum();
     EXPECT_LE(shape_error.energy(uv + step), energy + slope + curvature / 2);
-    // A step towards a point changes no rotation, so the bound is exact.
+    // A step that shrinks the layout changes no rotation, so the bound is exact.
     Positions2 inwards = -0.3 * uv;
     const double shrunk = shape_error.energy(uv + inwards);
     const Positions2 pulled = hessian.selfadjointView<Eigen::Lower>() * inwards;
@@ -227,7 +227,8 @@ TEST_F(ShapeErrorOnASphere, FixedRotationsBoundTheEnergy) {
   }
 }
 
-/// For a uniform stretch s, E = 2A (s - 1)². In the mirror image, |z| = 0 and |w| = s.
+/// For a uniform stretch s, E = 2A (s - 1)². In the mirror image, the similarity part z of the map is 0, and its
+/// reflection part w has |w| = s.
 TEST(ShapeError, CountsMirrorImagesAgainstRotations) {
   const Chart chart = test::chart_of(test::flat_rectangle(3, 2, 3, 2));
   const ShapeError shape_error(chart);
@@ -238,7 +239,8 @@ TEST(ShapeError, CountsMirrorImagesAgainstRotations) {
   EXPECT_NEAR(shape_error.energy(mirrored), area * (2 + 2 * s * s), 1e-12);
 }
 
-/// At z = 0, the gradient is that of A(2 + 2|w|²). It must be finite, without a division by zero.
+/// If the similarity part z of the map is 0, the gradient is that of A(2 + 2|w|²). It must be finite, without a
+/// division by zero.
 TEST(ShapeError, HasAFiniteGradientIfNoRotationIsBest) {
   const Chart chart = test::chart_of(test::flat_rectangle(3, 2, 3, 2));
   const ShapeError shape_error(chart);

@@ -116,7 +116,7 @@ TEST(Guarantee, FlippedFacesAreNamed) {
   test::expect_words(*error, std::to_string(error->elements.faces[0]));
 }
 
-TEST(Guarantee, LengthsComeFirstAndTheRestIsMentioned) {
+TEST(Guarantee, LengthsAreReportedFirstAndOtherFaultsAreMentioned) {
   Sheet sheet(0);
   sheet.uv.row(12) << 0.9, 0.9;
   const std::optional<FlattenError> error = sheet.check();

@@ -34,8 +34,8 @@ void add_edges_as_wires(FlattenInput& input, const Where& where) {
   }
 }
 
-/// Adds all inner rows and columns of an n by n grid as wires. This Chebyshev net fixes fewer lengths than a flat shape
-/// has degrees of freedom.
+/// Adds all inner rows and columns of an n by n grid as wires. This net (a Chebyshev net) fixes fewer lengths than a
+/// flat shape has degrees of freedom, and its wires need not contradict one another.
 void add_lines(FlattenInput& input, int n, double tolerance) {
   for (int i = 1; i < n; ++i) {
     test::add_wire(input, test::grid_row(n, i), tolerance);
@@ -75,7 +75,7 @@ Piece expect_fixed(FlattenInput input) {
   return refused;
 }
 
-TEST(InfeasibleWires, EveryEdgeOfACurvedPatchIsFixed) {
+TEST(InfeasibleWires, TolerancesFixACurvedPatchWithAWireOnEveryEdge) {
   FlattenInput sphere = test::quarter_sphere(4), saddle = test::saddle(5, 0.5);
   sphere.wires.clear();
   for (FlattenInput* input : {&sphere, &saddle}) {
@@ -85,7 +85,8 @@ TEST(InfeasibleWires, EveryEdgeOfACurvedPatchIsFixed) {
 }
 
 TEST(InfeasibleWires, ADenseNetGetsOneToleranceForAll) {
-  // A dome with a flat outline. Changes of single wires are not enough, but small changes of all wires are.
+  // A dome with a flat outline. Changes of single wires are not enough, but small changes of all wires are. Every wire
+  // has a slope of at most 0.2 π, so it is at most 18% longer than in the flat square. The tolerance must be much less.
   const int n = 6;
   FlattenInput input = test::make_grid(
       n, n, [](double s, double t) { return Eigen::Vector3d(s, t, 0.2 * std::sin(kPi * s) * std::sin(kPi * t)); });
@@ -94,7 +95,7 @@ TEST(InfeasibleWires, ADenseNetGetsOneToleranceForAll) {
   ASSERT_TRUE(is_refused(refused));
   ASSERT_FALSE(refused.error->elements.proposed_tolerances.empty());
   for (const ProposedTolerance& p : refused.error->elements.proposed_tolerances) {
-    EXPECT_LT(p.tolerance, 0.1);  // every wire is one side or diagonal of a square, with a slope of at most 0.2 π
+    EXPECT_LT(p.tolerance, 0.1);
     EXPECT_EQ(p.tolerance, refused.error->elements.proposed_tolerances[0].tolerance);
     input.wires.at(p.wire).tolerance = p.tolerance;
   }
@@ -122,7 +123,7 @@ TEST(InfeasibleWires, OnlyWiresOfTheCurvedRegionAreNamed) {
   }
 }
 
-TEST(InfeasibleWires, OneLineTooManyIsFixed) {
+TEST(InfeasibleWires, TolerancesFixANetWithTooManyLines) {
   // Rows and columns can shear like a fishing net, even with one diagonal as a wire, but not with three diagonals.
   const int n = 8;
   for (const double tolerance : {0.0, 0.01}) {
@@ -140,7 +141,8 @@ TEST(InfeasibleWires, OneLineTooManyIsFixed) {
 }
 
 TEST(InfeasibleWires, FeasibleNetsAreNotRefused) {
-  // Half of the edges of a net of rows and columns fix fewer lengths than a flat shape has degrees of freedom.
+  // Half of the edges of a net of rows and columns fix fewer lengths than a flat shape has degrees of freedom. So the
+  // wires need not contradict one another.
   std::mt19937 random(7);
   const int n = 6;
   for (int i = 0; i < 12; ++i) {
@@ -167,7 +169,8 @@ TEST(RelaxedLengths, NoLengthChangesIfAllCanBeKept) {
   const Problem problem(chart, 0.1);
   Budget relax_budget(kMaxRelaxFactorizations);
   RelaxedShape relaxed = relax_lengths(problem, free_boundary_arap(chart, 30).uv, {relax_budget});
-  EXPECT_LT(relaxed.tolerance_violation.maxCoeff(), 1e-4);  // limit from the last σ of smoothing
+  // The last smoothing does not separate strains below 1e-4 from 0.
+  EXPECT_LT(relaxed.tolerance_violation.maxCoeff(), 1e-4);
   EXPECT_LT(relaxed.strain_rms.maxCoeff(), 1e-4);
   EXPECT_LT(relaxed.outline_strain, 1e-4);
   const Positions2 untouched = relaxed.uv;
@@ -192,14 +195,14 @@ TEST(RelaxedLengths, TolerancesOfSingleEdgesCostNothing) {
   Budget budget(kMaxRelaxFactorizations);
   const RelaxedShape relaxed = relax_lengths({charts.charts.at(0), 0.1}, free, {budget});
   EXPECT_EQ(relaxed.tolerance_violation.maxCoeff(), 0);
-  EXPECT_LT(relaxed.outline_strain, 1e-4);  // limit from the last σ of smoothing
+  EXPECT_LT(relaxed.outline_strain, 1e-4);  // the last smoothing does not separate smaller strains from 0
 }
 
 TEST(RelaxedLengths, StopsWhenAsked) {
   const Chart chart = test::chart_of(test::quarter_sphere(4));
   const Positions2 start = free_boundary_arap(chart, 30).uv;
   int asked = 0;
-  // Stops at the third poll. The first two polls are those of the first system.
+  // Stops at the third poll, during the first step. The constructor of NewtonSystem polls twice.
   const StopToken stop([&](const char*) { return ++asked < 3; });
   Budget budget(kMaxRelaxFactorizations);
   EXPECT_THROW(relax_lengths({chart, 0.1}, start, {budget, stop}), Stopped);
@@ -229,7 +232,7 @@ TEST(InfeasibleWires, ThePapersMethodsProposeTolerancesForTheRefinedMethod) {
   }
 }
 
-TEST(InfeasibleWires, ALongerSearchIsAdvisedOnlyIfTheLengthsDoNotContradict) {
+TEST(InfeasibleWires, ALongerSearchIsAdvisedOnlyIfTheLengthsDoNotContradictOneAnother) {
   const auto conflict = [](const FlattenInput& input) {
     const Charts charts = test::charts_of(input);
     Problem problem(charts.charts.at(0), Options{}.fairness);
@@ -259,7 +262,7 @@ TEST(InfeasibleWires, LessStretchIsAdvisedOnlyIfThePieceIsGoodWithoutIt) {
   test::expect_words(sentence(false), "mark a seam");
 }
 
-TEST(InfeasibleWires, CancellingTheSearchCancelsThePiece) {
+TEST(InfeasibleWires, CancelingTheSearchCancelsThePiece) {
   const FlattenInput input = test::saddle_of_wires(4, 0);
   int calls = 0;
   const FlattenResult result =

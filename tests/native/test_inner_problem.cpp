@@ -99,7 +99,8 @@ TEST(InnerProblem, TubesReachTheirMinimum) {
 }
 
 TEST(InnerProblem, LeavesASaddleWithManySymmetries) {
-  // A square tube. The change of headings that lowers Eq. (1) is almost orthogonal to the network's symmetry_breaker.
+  // A square tube. The change of headings that lowers Eq. (1) is almost orthogonal to the symmetry_breaker of Eq1, with
+  // which the search for this change starts.
   const FlattenInput tube = test::make_tube(20, 2, [](double s, double t) {
     const int side = static_cast<int>(std::floor(4 * s + 1e-9)) % 4;
     const double along = 4 * s - side;
@@ -127,7 +128,7 @@ TEST(InnerProblem, TheMinimumIsBelowTheFirstFeasiblePoint) {
   EXPECT_LT(angle_variation(network, minimum), angle_variation(network, feasible) * (1 - 1e-6));
 }
 
-TEST(InnerProblem, HolesCloseOnlyByTheirOwnRows) {
+TEST(InnerProblem, HolesCloseOnlyByConstraintsOfTheirOwn) {
   const Chart chart = test::chart_of(domed_plate_with_two_holes());
   const WireNetwork network = build_wire_network(chart);
   ASSERT_EQ(network.holes.size(), 2u);

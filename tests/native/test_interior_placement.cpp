@@ -56,7 +56,7 @@ double literal_weight(const HalfEdgeMesh& mesh, HalfedgeHandle to_neighbor) {
          (mesh.point(neighbor) - mesh.point(center)).norm();
 }
 
-TEST(MeanValue, HoldsAtAnAngleNearPi) {
+TEST(MeanValue, IsAccurateAtAnAngleNearPi) {
   // A fan around the origin, which is at the height h above the edge between ring vertices 0 and 2.
   const double h = 1e-9;
   HalfEdgeMesh mesh;

@@ -50,7 +50,7 @@ TEST(Judge, ReportsFlippedFacesAndTornEdges) {
 }
 
 TEST(Judge, ReportsOverlappingFaces) {
-  // A strip that runs twice around a cone spans 1.75 turns in the plane, unless bending changes its shape.
+  // A strip that runs twice around a cone makes 1.75 turns in the plane and overlaps itself, unless its shape is bent.
   Options unbent;
   unbent.method = Method::wirewarping;
   const JudgeCase cone = flattened(test::cone_patch(48, 2, 1, 2, std::asin(7.0 / 8), 4 * kPi), unbent);
@@ -174,7 +174,7 @@ TEST(Judge, ReportsOutlinesThatAreNotUpright) {
   expect_broken("no straight section of the outline is upright", flattened(rectangle, options), turned(0, 0.1));
 }
 
-TEST(Judge, ReportsTheLongestChainIfShorterOnesAreEquallyLong) {
+TEST(Judge, ReportsTheLongestChainEvenIfTwoShorterChainsAreEqual) {
   // A trapezoid cut into three pieces. The middle piece has two sides of length 0.53 along the seams, and ends of 0.67
   // and 1.
   FlattenInput input =

@@ -98,7 +98,7 @@ TEST(LanczosTrustRegion, TakesTheNewtonStepOfAConvexQuadraticInsideTheBall) {
         -problem.space * test::solve(reduced, problem.space.transpose() * problem.gradient).col(0);
     const ModelStep step = problem.model(kUnknowns).step(1e3);
     EXPECT_TRUE(step.is_inside);
-    // The iteration stops at a hundredth of the first residual, where q is near its minimum.
+    // The iteration stops when the residual is a hundredth of the first residual. Then q is near its minimum.
     EXPECT_NEAR(step.decrease, -problem.value(newton), 1e-2 * -problem.value(newton));
     EXPECT_LE(step.decrease, -problem.value(newton) * (1 + 1e-12));
   }
@@ -117,7 +117,7 @@ TEST(LanczosTrustRegion, FewVectorsDescendAndStayInTheBall) {
   }
 }
 
-TEST(LanczosTrustRegion, ConvexLengthIsTheStepIfTheHessianIsTheMetric) {
+TEST(LanczosTrustRegion, ConvexLengthIsTheLengthOfTheStepIfTheHessianIsTheMetric) {
   Problem problem(5, 0);
   problem.hessian = problem.metric;
   const LanczosTrustRegion model = problem.model(kUnknowns);

@@ -107,8 +107,8 @@ TEST(PackPieces, AClosedOutlineIsUprightInItsSmallestBox) {
   EXPECT_LT((again - packed).cwiseAbs().maxCoeff(), 1e-13) << "rounding errors decide which end points up";
 }
 
-// Packing makes one direction of a piece upright. It is the grain wire, the longest straight section of the outline, or
-// the direction that is up in space.
+// Packing makes one direction of a piece upright. This is the direction of the grain wire, the direction of the longest
+// straight section of the outline, or the direction that is up in space.
 
 Options by(Orientation orientation) {
   Options options;
@@ -222,7 +222,8 @@ TEST(RisingDirection, ALevelPieceIsAlignedByItsWire) {
 }
 
 TEST(UprightPair, AtEqualHeightsDoesNotDependOnTheNumbering) {
-  // All vertices of the lower side have the same height, and so do all vertices of the upper side.
+  // All vertices of the lower side have the same height, and so do all vertices of the upper side. The left
+  // ends must be chosen.
   const FlattenInput sheet = test::flat_rectangle(4, 2, 2, 3);
   FlattenInput renumbered = sheet;
   const auto last = static_cast<int>(sheet.vertices.rows()) - 1;

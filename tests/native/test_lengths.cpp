@@ -122,7 +122,7 @@ TEST(Lengths, SeamSidesAndTheirMismatch) {
   EXPECT_NEAR(seams[0].length_2d[1], 2 * 1.25, 1e-14);
   EXPECT_NEAR(seams[0].mismatch, 0.5, 1e-14);
 
-  // The boundary of the piece along the seam has the same length.
+  // The section of the outline along the seam is as long as the side of the seam.
   for (const BoundaryReport& boundary : pieces[1].boundaries) {
     if (!boundary.seam) continue;
     EXPECT_EQ(*boundary.seam, 0);

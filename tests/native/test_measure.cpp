@@ -49,7 +49,7 @@ TEST(Measure, ReportsTimesAndThatNothingWasSolved) {
   EXPECT_TRUE(std::isnan(result.pieces[0].report.constraint_residual));
 }
 
-TEST(Measure, AFlatteningWithGapsIsRefused) {
+TEST(Measure, AFlatteningWithMissingCoordinatesIsRefused) {
   const FlattenInput input = test::flat_rectangle(2, 2, 1, 1);
   CornerUv corners = flatten(input).corner_uv;
   for (const double bad : {std::nan(""), 1e200}) {

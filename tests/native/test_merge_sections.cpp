@@ -116,7 +116,8 @@ TEST(FlatWidth, IsTheDiameterOfTheLargestDiskThatMovesThrough) {
   EXPECT_NEAR(width(test::flat_annulus(64, 3, 1, 2), 1.5), 1, 0.07 * 1.5);
   EXPECT_NEAR(width(dumbbell(), 1.5), 1, 0.07 * 1.5);
   const FlattenInput with_tail = test::keep_faces(test::flat_rectangle(12, 8, 6, 4), [](const Eigen::Vector3d& p) {
-    return p.x() < 4 || std::abs(p.y() - 1.75) < 0.25;  // a tail of area 1, less than a tenth of the piece
+    // The area of the tail is 1, less than a tenth of the piece, so the tail does not count.
+    return p.x() < 4 || std::abs(p.y() - 1.75) < 0.25;
   });
   EXPECT_NEAR(width(with_tail, 5), 4, 0.07 * 5);
 }
@@ -130,7 +131,7 @@ TEST(MergeSections, MakesNoNarrowPieceOfWideOnes) {
   const std::vector<VertexPair> middle = across_bar(input, 5.5);
   EXPECT_EQ(num_merged(middle, 0), 1U);
   EXPECT_EQ(num_merged(middle, 0.9), 1U);
-  EXPECT_EQ(num_merged(middle, 1.02), 2U);  // the bar is too narrow, but by less than the error of widths
+  EXPECT_EQ(num_merged(middle, 1.02), 2U);  // too narrow, although by less than the error of widths
   EXPECT_EQ(num_merged(middle, 2), 2U);
   std::vector<VertexPair> both_ends = across_bar(input, 4);
   for (const VertexPair& edge : across_bar(input, 7)) both_ends.push_back(edge);
@@ -140,7 +141,7 @@ TEST(MergeSections, MakesNoNarrowPieceOfWideOnes) {
 TEST(Solidity, IsTheShareOfTheConvexHull) {
   const auto share = [](const FlattenInput& input) { return solidity(*CutSurface(input).uncut[0]); };
   EXPECT_NEAR(share(test::flat_rectangle(6, 2, 3, 1)), 1, 1e-9);
-  EXPECT_NEAR(share(test::flat_annulus(64, 3, 1, 2)), 3.0 / 4, 1e-9);  // both circles are polygons of the same shape
+  EXPECT_NEAR(share(test::flat_annulus(64, 3, 1, 2)), 3.0 / 4, 1e-9);  // both circles are similar polygons, so exact
   EXPECT_NEAR(share(dumbbell()), 35.0 / 44, 1e-9);
 }
 
@@ -156,7 +157,7 @@ TEST(MergeSections, MakesNoPieceWithLongArms) {
   EXPECT_EQ(num_merged(whole + 1e-6), 2U);
 }
 
-/// A strip of two squares of side 2 and a square of side 1, which are separate pieces.
+/// A strip of two squares of side 2 and a square of side 1. separate() cuts it into these squares.
 struct ThreeSquares : CutSurface {
   explicit ThreeSquares(const Options& chosen = {})
       : CutSurface(test::keep_faces(test::flat_rectangle(10, 4, 5, 2),
@@ -238,7 +239,7 @@ TEST(MergeSections, OpensSectionsBesideSmallPiecesFirst) {
   const MirroredCuts mirrored(strip.chart, {});
   SectionMerger merger(strip.separate(), strip.chart, mirrored, strip.exact);
   merger.run(1e-6, [](double) {});
-  merger.undo(merger.state().pieces);  // now only two squares can be joined completely
+  merger.undo(merger.state().pieces);  // the three squares are not joined again, but two may be
   for (const auto& [first, is_small_joined] : {std::pair(0.0, false), std::pair(1.5, true), std::pair(0.0, false)}) {
     merger.restart(first);
     merger.run(1e-6, [](double) {});
@@ -265,7 +266,7 @@ void expect_failures_on_other_meshes(const CutSurface& sheet, const FlatPieces& 
 TEST(FlatPieces, AreFoundAgainByTheirArea) {
   const CutSurface sheet(test::bump(8));
   expect_failures_on_other_meshes(sheet, sheet.with(across(8)).pieces);
-  const CutSurface rings(test::flat_annulus(32, 2, 1, 2));  // cut into rings with a common center
+  const CutSurface rings(test::flat_annulus(32, 2, 1, 2));  // cut into two rings with one center
   std::vector<VertexPair> middle;
   for (const EdgeHandle e : rings.chart.mesh.edges()) {
     const VertexPair ends = source_edge(rings.chart, rings.chart.mesh.halfedge_handle(e, 0));
@@ -288,7 +289,8 @@ TEST(MergeSections, JoinsPiecesThatAreEquallyNarrow) {
 }
 
 TEST(MergeSections, JoinsTheHalvesOfARing) {
-  // Half a ring covers the same share of its convex hull as the whole ring, up to rounding.
+  // Half a ring covers the same share of its convex hull as the whole ring, up to rounding. So the whole
+  // ring is no worse than its halves.
   const int around = 32;
   for (const double angle : {0.0, 0.3, 0.7}) {
     FlattenInput ring = test::flat_annulus(around, 2, 0.9, 1);
@@ -303,7 +305,7 @@ TEST(MergeSections, JoinsTheHalvesOfARing) {
     const CutSurface sheet(ring);
     const CutState state = sheet.with(both);
     ASSERT_EQ(state.pieces.size(), 2U);
-    // The limit is generous, because free maps of rings overestimate the strain.
+    // The limit of the strain is generous, because free maps of rings overestimate the strain.
     EXPECT_EQ(merge_sections(state, sheet.chart, sheet.exact, 0.1, 0, 0.6).pieces.size(), 1U) << angle;
   }
 }

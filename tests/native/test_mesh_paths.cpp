@@ -74,7 +74,7 @@ TEST(StraightestGeodesic, RunsThroughVerticesAndAlongEdges) {
     const UnrolledTrace trace = trace_unrolled(input, n, 4, 4, k * kPi / 4, identity);
     EXPECT_LT(trace.largest_miss, 1e-13) << k;
     EXPECT_NEAR(trace.length, k % 2 == 0 ? 0.5 : std::sqrt(0.5), 1e-12);
-    // Traces against the quads' diagonals cross a diagonal in each quad.
+    // At k = 3 and 7, the trace also crosses the diagonal of each quad.
     EXPECT_EQ(trace.num_points, k == 3 || k == 7 ? 9u : 5u) << k;
   }
 }
@@ -225,7 +225,7 @@ TEST(ShortestPath, TakesTheNearestOfManySourcesAndTargets) {
   EXPECT_EQ(path, (std::vector<VertexHandle>{vertex(6, 5), vertex(7, 5), vertex(8, 5)}));
 }
 
-TEST(ShortestPath, ThrowsIfThereIsNone) {
+TEST(ShortestPath, ThrowsIfThereIsNoPath) {
   const Chart chart = test::chart_of(test::flat_rectangle(4, 4, 1, 1));
   SplitChart split(chart);
   const std::vector<char> no_target(chart.mesh.n_vertices(), 0);

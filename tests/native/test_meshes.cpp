@@ -12,7 +12,7 @@
 namespace wirewarp::test {
 namespace {
 
-/// Returns the triangles of a grid of quads. num_columns: vertices in a row. Rows of nx vertices wrap around.
+/// Returns the triangles of a grid of quads. num_columns: vertices in a row. If num_columns is nx, rows wrap around.
 Triangles grid_faces(int nx, int ny, int num_columns) {
   Triangles faces(2 * nx * ny, 3);
   int f = 0;
@@ -329,7 +329,7 @@ FlattenInput closed_torus(int around, int across) {
 
 FlattenInput book(int num_flaps, int n) {
   FlattenInput input;
-  const int flap_vertices = n * (n + 1);  // vertices of a flap that are not on the spine
+  const int flap_vertices = n * (n + 1);  // number of a flap's vertices that are not on the spine
   input.vertices.resize(n + 1 + num_flaps * flap_vertices, 3);
   input.faces.resize(num_flaps * 2 * n * n, 3);
   for (int j = 0; j <= n; ++j) input.vertices.row(j) << 0, 0, static_cast<double>(j) / n;

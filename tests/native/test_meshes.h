@@ -15,20 +15,21 @@ namespace wirewarp::test {
 using Surface = std::function<Eigen::Vector3d(double s, double t)>;
 
 /// Returns a grid of nx by ny quads over the unit square. The diagonal from lower left to upper right divides each
-/// quad. Vertices are i + (nx+1) j.
+/// quad. The vertex in column i and row j is i + (nx + 1) j.
 FlattenInput make_grid(int nx, int ny, const Surface& surface);
 
 /// Changes the diagonal of every second quad of a grid, as on a checkerboard.
 void alternate_diagonals(FlattenInput& grid, int nx);
 
-/// Returns an n by n grid with jagged rows and columns. Inner vertices are moved at random in s and t, by up to
-/// `jitter` times an edge.
+/// Returns an n by n grid with jagged rows and columns. Vertices are moved at random in s and t, by up to `jitter`
+/// times an edge. Vertices on the outline move only along the outline.
 FlattenInput jittered_grid(int n, double jitter, const Surface& surface);
 
 /// Returns a mesh of these points and triangles.
 FlattenInput mesh_of(const std::vector<std::array<double, 3>>& points, const std::vector<std::array<int, 3>>& faces);
 
-/// Returns a grid that is closed in s: surface(0, t) = surface(1, t). Vertices are i + nx j.
+/// Returns a grid that is closed in s. surface(0, t) must equal surface(1, t). The vertex in column i and row j is
+/// i + nx j.
 FlattenInput make_tube(int nx, int ny, const Surface& surface);
 
 /// Return the vertices of row j from left to right, and of column i from bottom to top.
@@ -53,8 +54,8 @@ void add_wire(FlattenInput& input, const std::vector<int>& chain, double toleran
 /// Adds wires along these rows and columns of an n by n grid.
 void add_net(FlattenInput& grid, int n, const std::vector<int>& lines, double tolerance = 0);
 
-/// Returns the faces for which keep(centroid) is true, with their vertices, in the same order. Seams and wires are
-/// dropped.
+/// Returns a mesh of the faces for which keep(centroid) is true. Faces and their vertices keep their order. Seams and
+/// wires are dropped.
 FlattenInput keep_faces(const FlattenInput& input, const std::function<bool(const Eigen::Vector3d&)>& keep);
 
 /// Returns the vertex nearest to a point.
@@ -85,14 +86,14 @@ FlattenInput quarter_sphere(int n);
 /// z = bend (x² − y²) over the square of side 2.
 FlattenInput saddle(int n, double bend);
 
-/// A saddle with a separate wire on every inner edge. The wires contradict one another, so no start of the solver
-/// succeeds.
+/// A saddle with a separate wire on every inner edge. If the tolerance is small, the wires contradict one another, so
+/// no start of the solver succeeds.
 FlattenInput saddle_of_wires(int n, double tolerance);
 /// A band of the unit sphere around the equator, from -latitude to latitude in radians. The band has two boundary
 /// loops.
 FlattenInput sphere_band(int nx, int ny, double latitude);
-/// The unit sphere cut into equal gores by seams from pole to pole, with n quads across each gore and rings from pole
-/// to pole.
+/// The unit sphere cut into equal gores by seams from pole to pole. Each gore has n quads across, and `rings` rows of
+/// faces from pole to pole.
 FlattenInput sphere_of_gores(int gores, int n, int rings);
 
 /// A function that returns the height z over the point (x, y). over_square() returns its surface over the square from
@@ -106,7 +107,7 @@ double lopsided_dome(double x, double y);
 FlattenInput bump(int n);
 /// A hill off the middle with alternating diagonals, without symmetry.
 FlattenInput hill(int n);
-/// Two hills on a sheet of 2 by 3 that are mirror images across x = 0. top: y of their tops.
+/// A sheet of 2 by 3 with two hills, which are mirror images across x = 0. top: y of the tops of the hills.
 FlattenInput two_hills(int n, double top = 0);
 
 /// A sphere and a torus without seams.
@@ -117,7 +118,7 @@ FlattenInput closed_torus(int around, int across);
 /// its side.
 FlattenInput book(int num_flaps, int n);
 
-/// Returns the largest distance between corresponding rows after the best rigid motion.
+/// Returns the largest distance between corresponding rows of a and b, after the rigid motion that fits a to b best.
 double misfit(Positions2 a, Positions2 b);
 
 /// Returns the coordinates (x, y) of each vertex of a chart in the plane z = 0.

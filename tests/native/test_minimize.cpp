@@ -284,7 +284,7 @@ TEST(Minimize, CanceledAtAnyMomentTheShapeIsExactOrReportedAsCanceled) {
 }
 
 /// The shape of the paper's method has allowed lengths, too, so its f must not be lower.
-TEST(Minimize, IsNeverAboveTheWarpOfTheSameLengths) {
+TEST(Minimize, IsNeverAboveTheShapeOfThePapersMethod) {
   for (const double tolerance : {0.0, 0.05}) {
     std::vector<FlattenInput> inputs = own_panels(tolerance);
     inputs.push_back(with_tolerance(test::quarter_sphere(12), tolerance));

@@ -90,7 +90,7 @@ TEST_F(NewtonSystemOnASaddle, TheJacobianEqualsDifferences) {
         (2 * step);
     const Positions2 directions = constraints.directions(bent);
     EXPECT_LT((constraints.apply(directions, d) - constraints.elastic_lengths() * dh - difference).norm(), 1e-8);
-    // The transposed product must have the same entries.
+    // The transposed product must use the same Jacobian.
     const Eigen::VectorXd multipliers = random_vector(constraints.size(), seed + 30);
     Positions2 pulled = Positions2::Zero(uv.rows(), 2);
     constraints.add_transposed(directions, multipliers, pulled);
@@ -143,7 +143,7 @@ TEST_F(NewtonSystemOnASaddle, FactorizesIfAndOnlyIfTheReducedHessianIsPositive) 
          {convex, exact, Convexity{Curvature::convex, true}, Convexity{Curvature::exact, false}}) {
       const Eigen::VectorXd multipliers = size * shape;
       const double lowest = lowest_curvature(multipliers, convexity);
-      if (std::abs(lowest) < 1e-5) continue;  // too close to 0, because the large stiffness adds rounding errors
+      if (std::abs(lowest) < 1e-5) continue;  // rounding errors of the large stiffness may change the sign
       const bool is_positive = system.factorize(uv, multipliers, convexity);
       EXPECT_EQ(is_positive, lowest > 0) << size << " " << lowest;
       ++(is_positive ? positive : negative);

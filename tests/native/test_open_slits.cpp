@@ -39,7 +39,7 @@ FlattenInput bump_with_slits() {
   return input;
 }
 
-/// Returns the largest distance between the two copies of a vertex on the rims.
+/// Returns the largest distance between the two copies of a vertex on the rims of the slit.
 double gap(const Chart& chart, const Slit& slit, const Positions2& uv) {
   double largest = 0;
   for (std::size_t i = 0; i < slit.rims.size(); ++i) {

@@ -130,7 +130,8 @@ TEST(PlanCuts, ProgressNeverFallsAndCanCancelInAnyRound) {
   EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
   const double second_round = 0.5;
   ASSERT_GE(fractions.back(), second_round);
-  // The number of polls in this thread depends on how much work the other threads do.
+  // The number of polls in this thread depends on how much work the other threads do. The test therefore cancels at a
+  // fraction of the progress.
   for (const double last : {fractions.front(), second_round}) {
     bool has_ended = false;
     const auto plan = [&] {

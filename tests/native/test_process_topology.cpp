@@ -126,7 +126,7 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(ProcessTopology, ATailWithASpiralGeodesicTakesTheShortestPath) {
   const int nx = 16;
   const int ny = 40;
-  // Each ring rises by a tenth of an edge from line to line, so the tail's geodesic is a flat helix.
+  // Each ring rises and falls slightly. So the wire is not level, and its straight continuation is a flat helix.
   FlattenInput input = test::make_tube(nx, ny, [&](double s, double t) {
     return Eigen::Vector3d(std::cos(2 * kPi * s), std::sin(2 * kPi * s), 6 * t + 0.3 * s * (1 - s));
   });

@@ -109,7 +109,7 @@ TEST(ProposeCuts, NoProposalLeavesAPieceWithOver100PercentStrain) {
       8, [](double x, double y) { return 3 * std::exp(-4 * ((x - 0.2) * (x - 0.2) + (y + 0.1) * (y + 0.1))); });
   ASSERT_GT(test::most_strain(spike, flatten(spike)), 1);
   CutOptions all;
-  all.count = 50;  // includes darts that leave a strain of 117%
+  all.count = 50;  // so many that darts which leave a strain of 117% would be returned, too
   for (const auto& propose : {propose_darts, propose_seams}) {
     const std::vector<DartProposal> proposals = propose(spike, {}, all, {});
     EXPECT_FALSE(proposals.empty());
@@ -124,7 +124,8 @@ std::string refusal(const FlattenInput& input, const CutOptions& cut_options = {
 }
 
 TEST(ProposeCuts, DartsThatDoNotHelpAreRefusedInOneSentence) {
-  // A dart removes the shear of one half at most, and the outlines beside the dart stay as long as before.
+  // A dart keeps the lengths of the outline beside it, and removes the shear of at most half of the saddle. So no dart
+  // gains enough to be listed.
   const FlattenInput saddle = test::height_field(4, [](double x, double y) { return 0.2 * x * y; });
   CutOptions cut_options;
   cut_options.longest = 0.51;  // one edge
@@ -271,7 +272,7 @@ TEST(ProposeCuts, AreAlmostAsGoodAsAnExhaustiveSearch) {
   EXPECT_LE(found.energy - best, 0.1 * (found.energy_before - best));
 }
 
-TEST(ProposeCuts, ErrorsReportWhyThereAreNone) {
+TEST(ProposeCuts, ErrorsReportWhyThereAreNoDarts) {
   test::expect_words(refusal(test::cylinder_patch(6, 4, 1, 2, 1)), "is flat enough");
   const FlattenInput strip = test::keep_faces(test::hill(4), [](const Eigen::Vector3d& p) { return p.x() > 0.5; });
   test::expect_words(refusal(strip), "is unfolded without distortion");  // no vertex inside
@@ -280,7 +281,7 @@ TEST(ProposeCuts, ErrorsReportWhyThereAreNone) {
   test::expect_words(refusal(crossed), "has no room for a dart");  // the only vertex inside is on a wire
   CutOptions nowhere;
   nowhere.no_seam = all_edges(test::hill(4).faces);
-  test::expect_words(refusal(test::hill(4), nowhere), "no line along edges that may have a seam leads");
+  test::expect_words(refusal(test::hill(4), nowhere), "No line along edges that may have a seam leads");
 }
 
 TEST(CutSearches, RefuseOptionsOutOfRange) {
@@ -317,7 +318,7 @@ TEST(CutSearches, RefuseOptionsOutOfRange) {
   }
 }
 
-TEST(ProposeCuts, ForAPieceThatIsNotFlatThrowItsErrorWithProposedSeams) {
+TEST(ProposeCuts, ThrowTheErrorOfAPieceThatCannotBeFlattened) {
   const FlattenInput tube = test::cylinder_tube(12, 6, 1, 6);
   const FlattenError expected = flatten(tube).pieces[0].error.value();
   std::string stages;
@@ -336,7 +337,7 @@ TEST(ProposeCuts, ForAPieceThatIsNotFlatThrowItsErrorWithProposedSeams) {
   EXPECT_EQ(stages, "cuts");
 }
 
-TEST(ProposeCuts, CanBeCancelled) {
+TEST(ProposeCuts, CanBeCanceled) {
   int asked = 0;
   const auto propose = [&] {
     propose_darts(test::hill(8), {}, {}, [&](const std::string&, double) { return ++asked < 20; });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tests of pieces that cannot be flattened. Suggested cuts fix them, and some of these pieces are found before any
-// shape is computed.
+// Tests of pieces that cannot be flattened. Suggested seams divide them into pieces that can be flattened. Pieces whose
+// outline is too short are found before any shape is computed.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -66,7 +66,8 @@ std::vector<ErrorCode> codes_of(const FlattenResult& result) {
   return codes;
 }
 
-/// Adds suggested seams and flattens again until no seams are suggested. Returns the number of rounds.
+/// Adds suggested seams and flattens again until no seams are suggested, but at most 10 times. Returns the number of
+/// rounds.
 int follow_proposals(FlattenInput& input, FlattenResult& result) {
   for (int rounds = 0;; ++rounds) {
     result = flatten(input);
@@ -154,7 +155,7 @@ TEST(ProposedSeamsOfAGarment, LeadToFlatPieces) {
 }
 
 /// Cuts a sheet along the seams that open_chart() suggests if is_flat() tests the pieces. Returns the number of faces
-/// of each piece.
+/// of each piece. If may_go_on is false, open_chart() is stopped.
 std::vector<std::size_t> faces_after(const std::function<bool(const Chart&)>& is_flat, bool may_go_on) {
   FlattenInput input = test::flat_rectangle(8, 8, 1, 1);
   const Charts whole = test::charts_of(input);
@@ -180,7 +181,7 @@ TEST(OpenChart, ProposesNothingOnceItIsStopped) {
 }
 
 TEST(Ranks, OfValuesThatDifferByRoundingAreEqual) {
-  for (const double value : {0.0, 0.5e-6, 1.5e-6, 0.25}) {  // multiples of 1e-6, and values halfway between
+  for (const double value : {0.0, 0.5e-6, 1.5e-6, 0.25}) {  // multiples of 1e-6, and values halfway between them
     EXPECT_EQ(ranks_of({value + 1e-12, 1, value, value - 1e-12}, 1e-6), (std::vector<int>{0, 1, 0, 0})) << value;
   }
 }

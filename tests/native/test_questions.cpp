@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tests that the caller is asked whether to continue after every fixed amount of work, not of time. This holds for any
+// Tests that after every fixed amount of work, not of time, the caller is asked whether to continue. This holds for any
 // size of the input and any number of charts.
 #include <gtest/gtest.h>
 
@@ -124,7 +124,7 @@ TEST(Questions, ARefusalOfTheFirstQuestionCancels) {
   EXPECT_EQ(result.pieces[0].report.termination, Termination::cancelled);
 }
 
-TEST(Questions, TheLastStageOfASmallRunIsNotCancelled) {
+TEST(Questions, TheLastStageOfASmallRunIsNotCanceled) {
   bool was_cancelled = false;
   const FlattenResult result = flatten(test::quarter_sphere(4), {}, [&](const std::string& stage, double) {
     was_cancelled = was_cancelled || stage == "measure";

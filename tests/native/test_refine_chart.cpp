@@ -44,8 +44,8 @@ TEST(RefineChart, AnInjectiveShapeIsFoundWithAndWithoutFixingFolds) {
   }
 }
 
-/// If an intermediate shape becomes the result, the report of its piece says that the solver stopped short of the
-/// minimum.
+/// If an intermediate shape becomes the result, the report of its piece says that the search ended before it reached
+/// the least distortion.
 TEST(RefineChart, AnIntermediateShapeIsConvergedOnlyWithoutStrain) {
   InternalOptions options;
   for (const Target target : {Target::newton_step, Target::rough}) {
@@ -137,7 +137,7 @@ TEST(RefineChart, LeavesASaddleUnderANetOfWires) {
   EXPECT_LT(found.objective, 0.96 * saddle.objective);
 }
 
-/// A large chart starts from a coarser chart and reaches the same minimum.
+/// A large chart starts from a coarser chart, and reaches the minimum that is found without the coarser chart.
 TEST(RefineChart, StartsFromACoarseChartFromTheGivenSizeOn) {
   const int n = 32;  // 2,048 faces
   FlattenInput input = test::make_grid(

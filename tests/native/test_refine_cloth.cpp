@@ -147,7 +147,7 @@ TEST(RefineCloth, SlitsOpenOrStayShut) {
   FlattenInput saddle = test::saddle(8, 0.4);
   const std::vector<int> row = test::grid_row(8, 3);
   test::add_seam(saddle, {row[3], row[4], row[5]});
-  EXPECT_GT(largest_gap(flat_piece(saddle, with_cloth(woven()))), 1e-3) << "it opens, because it is too long inside";
+  EXPECT_GT(largest_gap(flat_piece(saddle, with_cloth(woven()))), 1e-3) << "it opens, as the sheet is stretched there";
   FlattenInput sphere = test::quarter_sphere(8);
   const std::vector<int> parallel = test::grid_row(8, 12);
   test::add_seam(sphere, {parallel[1], parallel[2], parallel[3]});

@@ -34,7 +34,8 @@ TEST(LineNetwork, DoesNotFollowBarriers) {
     barriers[static_cast<std::size_t>(chart.mesh.find_halfedge(at(x, 8), at(x + 1, 8)).idx() / 2)] = 1;
   const LineNetwork network(chart.mesh, lines_along(chart, {}, cut_along(chart.mesh, chain)).lines, barriers);
   EXPECT_TRUE(network.relax({network.steps_for(1)}, StopToken()).front().has_value());
-  EXPECT_FALSE(network.relax({network.steps_for(8)}, StopToken()).front().has_value());  // tight around the barrier
+  // After so many steps, the line is too close to the barrier.
+  EXPECT_FALSE(network.relax({network.steps_for(8)}, StopToken()).front().has_value());
 }
 
 TEST(LineNetwork, MovesAJunctionToAnEdgeOnlyIfItsLinesMove) {

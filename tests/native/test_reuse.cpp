@@ -40,7 +40,7 @@ std::string key_of(const FlattenInput& input, std::size_t chart) {
   return solution_key({&charts.charts.at(chart)}, {});
 }
 
-TEST(SolutionKey, DependsOnWhatTheShapeDependsOnAndNothingElse) {
+TEST(SolutionKey, ChangesIfAndOnlyIfInputOfTheShapeChanges) {
   const FlattenInput input = two_domes();
   FlattenInput changed = input;
   EXPECT_EQ(key_of(changed, 0), key_of(input, 0));

@@ -108,7 +108,7 @@ TEST(SimplifySeams, UnfoldsABoxToANet) {
 }
 
 TEST(SimplifySeams, KeepsMirroredPairsOfACubesSeams) {
-  // In k pieces, the six sides are joined along 6 - k of the twelve edges.
+  // In k pieces, the six sides are joined along 6 - k of the twelve edges. So 6 + k edges of length 1 remain seams.
   const FlattenInput input = cube(2);
   const SeamProposal fewer = simplify_seams(input, {}, 0);
   EXPECT_LE(fewer.num_pieces, 2);

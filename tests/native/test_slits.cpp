@@ -29,7 +29,7 @@ TEST(Slits, AreLoopsThatContainBothRimsOfEveryEdge) {
   ASSERT_EQ(slits.size(), 1U);
   const Slit& slit = slits[0];
   ASSERT_EQ(slit.rims.size(), 10U);  // both rims of five edges
-  EXPECT_EQ(slit.mate.front(), 9) << "it begins at a tip";
+  EXPECT_EQ(slit.mate.front(), 9) << "the slit begins at a tip";
   const Chart& chart = charts.charts[0];
   for (std::size_t i = 0; i < slit.rims.size(); ++i) {
     const std::size_t other = slit.mate[i];
@@ -95,7 +95,7 @@ TEST(Slits, SomeMayStayOpen) {
   ASSERT_EQ(slits.size(), 2U);
   const std::optional<SewnChart> sewn = sew(charts.charts[0], {slits[0]});
   ASSERT_TRUE(sewn);
-  EXPECT_EQ(find_slits(sewn->chart).size(), 0U) << "its vertices no longer have a common source";
+  EXPECT_EQ(find_slits(sewn->chart).size(), 0U) << "the copies of a vertex have no common source";
   EXPECT_EQ(sewn->chart.boundary_loops.size(), 2U);
 }
 

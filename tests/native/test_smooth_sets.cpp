@@ -41,7 +41,7 @@ constexpr int kAround = 24, kRings = 18;
 
 int vertex(int i, int j) { return 1 + (j - 1) * kAround + (i + kAround) % kAround; }
 
-/// Returns the edges of a jagged ring around the egg, which goes up or down by one ring of the mesh at each edge.
+/// Returns the edges of a jagged ring around the egg. Each edge goes up or down by one ring of the mesh.
 std::vector<VertexPair> jagged_ring(int j) {
   std::vector<VertexPair> edges;
   for (int i = 0; i < kAround; ++i) edges.push_back({vertex(i, j + i % 2), vertex(i + 1, j + (i + 1) % 2)});
@@ -90,7 +90,7 @@ TEST(SmoothSets, ReplaceAJaggedRingByASmoothOne) {
   EXPECT_EQ(set.num_pieces, 2);
   const FlattenInput cut = test::with_paths(input, set.paths);
   EXPECT_GT(sharpest_bend(test::with_seams(input, ring)), 60 * kPi / 180);
-  EXPECT_LT(sharpest_bend(cut), 45 * kPi / 180);  // 30 degrees on the surface, and the curvature of the egg itself
+  EXPECT_LT(sharpest_bend(cut), 45 * kPi / 180);  // 30 degrees on the surface, plus the curvature of the egg
   EXPECT_NEAR(set.length, test::length_of_seams(cut), 1e-9);
 }
 
@@ -133,8 +133,8 @@ TEST(SmoothSets, KeepEdgesIfTheStrainIsTooHigh) {
   EXPECT_TRUE(set.paths.empty());
 }
 
-/// Returns the jagged ring, and two jagged lines from the ring to the upper pole that are mirror images across the
-/// plane y = 0.
+/// Returns the jagged ring, and two jagged lines from the ring to the upper pole. The lines are mirror images across
+/// the plane y = 0.
 std::vector<VertexPair> symmetric_set() {
   std::vector<VertexPair> edges = jagged_ring(8);
   for (const int side : {1, -1}) {

@@ -29,8 +29,8 @@ Options stretched(double weft, double warp, double shear = 0.05) {
   return options;
 }
 
-/// Returns the flat length over the length on the surface at the angle ψ from the weft, √(cos²ψ/(1+c_weft)² +
-/// sin²ψ/(1+c_warp)²).
+/// Returns the flat length over the length on the surface, for a line at the angle ψ from the weft:
+/// √(cos²ψ/(1+c_weft)² + sin²ψ/(1+c_warp)²).
 double share_at(double angle) { return std::hypot(std::cos(angle) / (1 + kWeft), std::sin(angle) / (1 + kWarp)); }
 
 FlattenResult flat(const FlattenInput& input, const Options& options) {
@@ -127,8 +127,8 @@ TEST(Stretch, EqualInAllDirectionsShrinksAGore) {
               1e-8 * loose.report.objective);
 }
 
-/// Returns two flat sheets of 2 by 2. The grain of one sheet is along the seam, the grain of the other sheet across the
-/// seam.
+/// Returns two flat sheets of 2 by 2. The grain of one sheet is along the seam, and the grain of the other sheet is
+/// across the seam.
 FlattenInput sheets_with_crossed_grain() {
   FlattenInput input = test::flat_rectangle(8, 4, 4, 2);
   test::add_seam(input, test::grid_column(8, 4, 4));
@@ -216,7 +216,7 @@ FlattenInput with_eased_wires(FlattenInput grid, int nx, int ny, double ease, bo
   return grid;
 }
 
-constexpr double kShorter = 0.3;                     // ease of the wires that flip a piece
+constexpr double kShorter = 0.3;                     // negative ease of wires, which flips their piece
 constexpr double kFitting = 1 / (1 - kShorter) - 1;  // with this stretch, the outline fits these wires
 
 /// Returns a flat sheet with wires that are too short.
@@ -243,7 +243,7 @@ TEST(Stretch, AFlippedPieceIsGoodIfItsOutlineShrinksToItsWires) {
 }
 
 TEST(Stretch, AFlippedPieceMayOverlapItselfAfterwards) {
-  // This part of a cone spans 1.1 turns in the plane, and its wires allow no other shape.
+  // This part of a cone spans 1.1 turns in the plane, and its wires allow no other shape. So it overlaps itself.
   const int nx = 16, ny = 3;
   const FlattenInput cone = test::cone_patch(nx, ny, 1, 3, std::asin(7.0 / 8), 1.1 * 2 * kPi * 8 / 7);
   const Piece piece = flat_although_flipped(with_eased_wires(cone, nx, ny, -kShorter, true), kFitting);
@@ -306,7 +306,7 @@ FlattenInput tube() {
   return input;
 }
 
-TEST(Thickness, ChangesACylindersWidthByHalfOfItOverTheRadius) {
+TEST(Thickness, ChangesTheWidthOfACylinderByHalfTheThicknessOverTheRadius) {
   const FlattenInput input = tube();
   const double thickness = 0.1, around = length_3d(input, test::tube_ring(24, 3));
   const auto width = [&](Surface surface) {

@@ -98,7 +98,7 @@ TEST(SurfaceLines, MeetAtTheEndsOfALineThatIsLeftOut) {
   EXPECT_EQ(kept.lines[0].last, kept.lines[1].first);
   EXPECT_EQ(kept.lines[0].last, kept.lines[2].last);
   EXPECT_NE(kept.lines[0].first, kept.lines[0].last);
-  EXPECT_EQ(kept.images, (std::vector<std::size_t>{0, 1, 3, 2}));  // the second line has lost its image
+  EXPECT_EQ(kept.images, (std::vector<std::size_t>{0, 1, 3, 2}));  // kept.lines[1] has lost its image
   EXPECT_FALSE(kept.is_symmetric);
   all.images = {0, 1, 2, 4, 3};
   EXPECT_TRUE(selected(all, {1, 0, 1, 1, 1}).is_symmetric);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tests that charts are solved on all cores with the same results as alone, and that progress is reported in the
-// caller's thread.
+// Tests that charts that are solved on several cores at once have the results of charts that are solved alone. Progress
+// must be reported in the caller's thread.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -79,12 +79,12 @@ TEST(ChartsAtOnce, ProgressIsReportedInTheCallersThreadAndNeverFalls) {
   }
 }
 
-TEST(ChartsAtOnce, CancellingReachesAllThreads) {
+TEST(ChartsAtOnce, CancelingReachesAllThreads) {
   int calls = 0;
   const FlattenResult result = flatten(many_gores(), {}, [&](const std::string&, double) { return ++calls < 2; });
   EXPECT_EQ(calls, 2);
   const auto is_cancelled = [](const Piece& piece) { return piece.error && piece.error->code == ErrorCode::cancelled; };
-  // Each thread may have started one chart, and charts that are flat by then are kept.
+  // Each thread may have started one chart, and charts that are already flat are kept.
   const auto begun = static_cast<std::ptrdiff_t>(num_cores());
   EXPECT_GE(std::count_if(result.pieces.begin(), result.pieces.end(), is_cancelled), 12 - begun);
   for (const Piece& piece : result.pieces) {

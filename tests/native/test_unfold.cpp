@@ -59,7 +59,7 @@ TEST(Unfold, AnUnfoldedChartNeedsNoFactorization) {
 }
 
 /// The vertices are slightly off a plane, as in files with seven digits. The solver starts from the unfolded chart,
-/// which is not yet the shape.
+/// and lowers its energy.
 TEST(Unfold, ANearlyFlatChartIsRefinedFromItsUnfolding) {
   const double digits = 1e-7;
   unsigned state = 1;

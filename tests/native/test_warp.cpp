@@ -171,7 +171,7 @@ TEST(ChooseVariation, TakesFewEvaluationsWithManyWires) {
     EXPECT_TRUE(solution.converged);
     EXPECT_LE(solution.evaluations, 40) << input.wires.size() << " wires";
   }
-  // These strips are up to a hundred times as long as wide.
+  // Many wires divide a tube into narrow strips: with 200 wires, they are about 20 times as long as wide.
   for (const auto& [rows, most] : {std::pair(60, 10), std::pair(200, 30)}) {
     Case c(half_tube(rows));
     const OuterSolution solution = c.solve();

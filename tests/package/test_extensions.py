@@ -27,7 +27,7 @@ NATIVE = {"ctypes", "cffi"}
 INSTALLERS = {"pip", "ensurepip", "venv", "site", "pkg_resources"}
 # spyrrow, if the user has installed it, runs in a separate process: a program that Blender never imports.
 PROGRAM, STARTER = "wirewarp/pattern/nest/spyrrow_process.py", "wirewarp/pattern/nest/spyrrow_nesting.py"
-TEXTS = {".py", ".md", ".toml", ""}  # "": LICENSE
+TEXTS = {".py", ".md", ".toml", ""}  # "" is for LICENSE, which has no ending
 ZSTANDARD = b"\x28\xb5\x2f\xfd"  # first bytes of Blender's compressed files
 BINARIES = (".so", ".pyd", ".dll", ".dylib", ".a", ".lib", ".exe", ".pyc")
 # Five times the present size. A larger file has debug symbols or unintended contents.

@@ -38,7 +38,7 @@ def table() -> dict[str, str]:
 
 
 def compiled(path) -> dict[str, bytes]:
-    """Return the compiled files of a zip, including those in its wheels."""
+    """Return the compiled files of a zip, including compiled files in its wheels."""
     files = dict(files_of(path))
     for wheel in wheels_of(path).values():
         files |= wheel
@@ -76,7 +76,8 @@ def test_packages_are_listed_under_their_license(path):
 def test_libraries_in_compiled_files_are_listed(path):
     assert compiled(path)
     found = {name for name, mark in MARKS.items() if any(mark in content for content in compiled(path).values())}
-    assert found >= {"OpenMesh", "pybind11"}  # every zip has these, so the search for marks works
+    # every zip contains these two libraries, so this checks that the search for marks works
+    assert found >= {"OpenMesh", "pybind11"}
     assert found <= set(table())
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Adds a repository to Blender, installs the add-on, flattens a sample, and updates, as users do.
+"""Adds a repository to Blender, installs the add-on, flattens a sample, and updates the add-on, as users do.
 
 Usage: python update_in_blender.py REPOSITORY GENERATOR, in a Python with bpy. REPOSITORY is dist/repository/, and
 GENERATOR is Blender's program for extensions.

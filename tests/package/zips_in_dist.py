@@ -58,7 +58,7 @@ def imports(tree: ast.Module) -> Iterator[str]:
 
 
 def at_import(tree: ast.AST) -> Iterator[ast.AST]:
-    """Yield the nodes that run when the module is imported. Nodes inside functions do not run then."""
+    """Yield the nodes that run when the module is imported. Nodes inside functions do not run during an import."""
     for node in ast.iter_child_nodes(tree):
         if not isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.Lambda):
             yield node

@@ -52,8 +52,8 @@ InternalOptions with_plain_layout(InternalOptions options) {
   return options;
 }
 
-/// Returns the result without the stretch, whose directions determine the stretched lengths. Returns nullopt if there
-/// is no stretch.
+/// Returns the result without the stretch. The directions of its edges determine the stretched lengths. Returns nullopt
+/// if there is no stretch.
 std::optional<FlattenResult> without_stretch(const FlattenInput& input, InternalOptions options, Cache& cache) {
   if (!options.cloth || options.cloth->stretch == Cloth{}.stretch) return std::nullopt;
   options.cloth->stretch = Cloth{}.stretch;

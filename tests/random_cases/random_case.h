@@ -20,13 +20,13 @@ struct RandomCase {
   std::string description;
 };
 
-/// Returns the case of a seed, which is the same on every system.
+/// Returns the case of a seed. The case is the same on every system.
 RandomCase make_random_case(std::uint64_t seed);
 
 using Counts = std::map<std::string, int>;
 
 struct Outcome {
-  std::string name;  // "flat", or the code of the error
+  std::string name;  // "flat", the code of an error, or "exception"
   std::vector<std::string> broken;
   Counts starts = {};  // number of pieces without an error, keyed by start
 

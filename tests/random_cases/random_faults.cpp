@@ -70,7 +70,7 @@ ErrorCode add_random_fault(RandomStream& random, FlattenInput& input, Options& o
   const int b = input.faces(f, 1);
   const int c = input.faces(f, 2);
   const int num_vertices = static_cast<int>(input.vertices.rows());
-  options.grain = -1;  // some faults remove wires
+  options.grain = -1;  // some faults remove wires, and the grain wire must exist
   switch (random.below(18)) {
     case 0:
       input.faces.resize(0, 3);
@@ -129,7 +129,7 @@ ErrorCode add_random_fault(RandomStream& random, FlattenInput& input, Options& o
     case 13: {
       clear_marks(input);
       const int turned = face_with_neighbor(random, input);
-      if (turned < 0) {  // a single triangle has no neighbor
+      if (turned < 0) {  // no face has a neighbor, as in a mesh of one triangle
         options.gap = -1;
         return ErrorCode::invalid_option;
       }

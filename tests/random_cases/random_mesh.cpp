@@ -139,7 +139,7 @@ Mesh random_tube(RandomStream& random) {
   });
 }
 
-/// Returns a tube with fans that close its ends.
+/// Returns a tube with fans that close both ends, or only the lower end.
 Mesh random_ball(RandomStream& random) {
   const int around = random.whole(3, 12);
   const int along = random.whole(1, 8);

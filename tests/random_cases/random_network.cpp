@@ -11,7 +11,7 @@
 namespace wirewarp::test {
 namespace {
 
-/// The edges at each vertex of a mesh, and the number of faces of each edge.
+/// The neighbors of each vertex of a mesh, and the number of faces of each edge.
 struct EdgeGraph {
   std::vector<std::vector<int>> neighbors;
   std::map<Edge, int> num_faces;

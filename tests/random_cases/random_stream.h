@@ -12,7 +12,7 @@
 namespace wirewarp::test {
 
 /// Random numbers of several kinds. A seed leads to the same numbers on every platform, because the C++ standard
-/// defines the engine. It does not define the results of the standard library's distributions, so they are not used.
+/// defines the engine. The standard does not define the results of distributions, so this class does not use them.
 class RandomStream {
  public:
   explicit RandomStream(std::uint64_t seed)

@@ -14,7 +14,7 @@
 namespace wirewarp::test {
 namespace {
 
-constexpr double kThinnest = 1e-4;  // height of a face over its longest side
+constexpr double kThinnest = 1e-4;  // smallest height of a face over its longest side
 
 using Face = std::array<int, 3>;
 using Faces = std::vector<Face>;
@@ -141,7 +141,8 @@ Faces largest_region(const Faces& faces) {
   return kept;
 }
 
-/// Removes the faces around vertices where faces touch without a common edge. Repeats until no such vertex remains.
+/// Removes the faces around vertices where faces touch without a common edge, and keeps the largest connected region.
+/// Repeats until no such vertex remains.
 Faces without_pinches(Faces faces) {
   for (bool has_changed = true; has_changed;) {
     faces = largest_region(faces);

@@ -8,7 +8,7 @@
 namespace wirewarp::test {
 namespace {
 
-/// Returns all vertices that edges connect with a vertex, including this vertex.
+/// Returns vertex `start` and all vertices that can be reached from it along edges.
 std::set<int> part_around(const FlattenInput& input, int start) {
   std::vector<std::vector<int>> neighbors(static_cast<std::size_t>(input.vertices.rows()));
   for (const auto& face : input.faces.rowwise()) {

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The add-on consists of a few packages. Each states which packages it may import, and if it runs without Blender.
+"""The add-on consists of a few packages. Each package states what it may import, and whether it runs without Blender.
 
 A contract in pyproject.toml, which `./dev test lint` checks, forbids circular imports.
 """
@@ -117,5 +117,5 @@ def test_imports_of_blender_are_found() -> None:
 
 
 @pytest.mark.parametrize("module", claiming())
-def test_a_module_that_states_it_imports_no_blender(module: str) -> None:
+def test_a_module_that_states_that_it_does_not_use_blender_imports_no_blender(module: str) -> None:
     assert way_to_blender(ADDON / module, set()) == []

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Modules for other systems are checked for symbols that these systems lack, because nothing here can load them."""
+"""Modules for other systems are checked for symbols that these systems lack, because this machine cannot load them."""
 
 import subprocess
 from dataclasses import replace

@@ -57,19 +57,19 @@ OLD_WORDS = {  # old words with their replacements
     "likewise|shall|be they|for want of|in peace|to speak of|as many again": "plain words",
 }
 PATTERN = re.compile(rf"(?:\b|(?=, ))(?:{'|'.join(OLD_WORDS)})\b", re.IGNORECASE)
-# Names of the API stay as they are: in code of documents and comments, and as strings of one lower-case word.
+# Names of the API stay as they are: in code of documents and comments, and as strings of one word in one case.
 CODE_IN_MARKDOWN = re.compile(r"```.*?```|`[^`\n]*`", re.DOTALL)
 NAME_AS_STRING = re.compile(r"\"(?:[a-z_0-9]+|[A-Z_0-9]+)\"|'(?:[a-z_0-9]+|[A-Z_0-9]+)'|\b\w+::\w+")
 CPP_TEXT = re.compile(r'//[^\n]*|"(?:\\.|[^"\\\n])*"')
 
 PERCENT_IN = ("README.md", "CHANGELOG.md", "docs/**/*.md", "addon/**/*.py", "python/**/*.py", "native/src/**/*.cpp")
-# A number or placeholder and a space before a percent sign. With an operand after the sign, it is a remainder.
+# A number or placeholder and a space before a percent sign. If an operand follows, the sign is an operator.
 APART = re.compile(r"[0-9}] %(?! ?[\w(])")
 TARGET = re.compile(r"\]\((?!https?:)([^)#]+)")
 
 
 def sentences(text: str) -> Iterator[str]:
-    """Yield the sentences of a paragraph; code and links count as one word."""
+    """Yield the sentences of a paragraph."""
     yield from (sentence for sentence in END.split(" ".join(text.split())) if sentence)
 
 

@@ -27,14 +27,14 @@ def make_wheels(folder: Path, *tags: str) -> None:
 
 @pytest.fixture
 def libraries(tmp_path):
-    """Return a function that makes wheels of two packages: a wheel for each Python, and one wheel for all."""
+    """Return a function that makes wheels of two packages. Only one of them needs a wheel for each Python."""
     folder = tmp_path / "libraries"
     folder.mkdir()
 
     def found(platform: str, tag: str) -> list[Path]:
         paths = [folder / f"clipper-1-{tag}-{tag}-{platform}.whl", folder / "writer-2-py3-none-any.whl"]
         for path in paths:
-            if path.exists():  # a wheel that is written again has another time in it
+            if path.exists():  # a wheel that is written again would contain another time
                 continue
             with zipfile.ZipFile(path, "w") as wheel:
                 package = path.name.split("-")[0]

@@ -82,7 +82,7 @@ def type_text(text: str) -> Tour:
 
 
 def move_mouse_until(condition: Callable[[], bool]) -> Tour:
-    """Move the mouse back and forth over the 3D view, at least once each way."""
+    """Move the mouse back and forth over the 3D view until the condition is true, at least once each way."""
     x, y = middle(region("WINDOW"))
     for step in range(60):
         if step > 1 and condition():
@@ -178,7 +178,7 @@ def start_anew() -> Tour:
 
 
 def one_after_another(script: ModuleType, names: list[str]) -> Generator[Callable[[], bool], None, list[str]]:
-    """Run the tours, and return the names of failed tours. Print their tracebacks, and save a picture of each."""
+    """Run the tours, and return the names of failed tours. Print the traceback and save a picture of each failure."""
     failed = []
     for name in names:
         if name != names[0]:

@@ -92,7 +92,7 @@ def halting(exporting: Callable[..., Stages]) -> Callable[..., Stages]:
 
 
 def unfinished(path: Path) -> list[Path]:
-    """Return the files that are written beside the target until it is complete."""
+    """Return the unfinished files beside the target."""
     return list(path.parent.glob(".wirewarp-*.part"))
 
 
@@ -128,7 +128,7 @@ def escape_leaves_the_file_as_it_was() -> drive.Tour:
 
 
 def downloaded_garment() -> Path:
-    """Save a file with a garment like those of model libraries: without marks, with a UV map of its pieces."""
+    """Save a file with a garment as in libraries of models: without marks, with a UV map of its pieces."""
     for other in list(bpy.data.objects):
         bpy.data.objects.remove(other)
     bpy.ops.object.wirewarp_open_sample(sample="FITTED_TOP")

@@ -51,7 +51,7 @@ def look_from_above() -> drive.Tour:
     with drive.in_view():
         bpy.ops.view3d.view_axis(type="TOP")
         bpy.ops.view3d.view_all()
-    yield from drive.ticks(40)  # the view turns smoothly
+    yield from drive.ticks(40)  # until the view, which turns slowly, has turned
 
 
 def lines_are_on_the_screen() -> drive.Tour:

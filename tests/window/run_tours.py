@@ -177,7 +177,7 @@ def fixing_is_one_undo_step() -> drive.Tour:
             bpy.ops.object.wirewarp_flatten("INVOKE_DEFAULT", True)
         yield lambda: not window_run.is_running()
         if mode == "EDIT":
-            yield from drive.press("LEFTMOUSE", (300, 300))  # closes the error's window
+            yield from drive.press("LEFTMOUSE", (300, 300))  # closes the window of the message, if there is one
             yield from drive.press("TAB")
             yield lambda: bpy.context.mode == "EDIT_MESH"
         with drive.in_view():

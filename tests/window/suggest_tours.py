@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tours through suggested cuts, which are searched while the window responds, shown, marked and undone."""
+"""Tours through suggested cuts. The window responds during the search. The cuts are shown, marked and undone."""
 
 from collections.abc import Generator
 from threading import Event
@@ -46,7 +46,8 @@ def a_suggestion_is_taken_and_undone_with_one_click_each() -> drive.Tour:
     yield from undo()
     yield lambda: contents(bpy.data.objects["Bump"]) == before
     assert seam_count() == 0
-    assert current(bpy.data.objects["Bump"]).cuts == found.cuts  # the model is the same as during the search
+    # the suggestions are valid again, because the model is the same as during the search
+    assert current(bpy.data.objects["Bump"]).cuts == found.cuts
     yield from redo()
     yield lambda: seam_count() == len(edges)
 
@@ -123,7 +124,7 @@ def seams_are_simplified_and_undone_with_one_click_each() -> drive.Tour:
 
 
 def no_button_moves_under_the_mouse(command: str) -> drive.Tour:
-    """Click this button of a search. The buttons above the list of results keep their places."""
+    """Click the button that runs this search. Check that the buttons above the list of results keep their places."""
     sidebar = drive.region("UI")
     place = yield from drive.click_button(command)
     yield lambda: not window_run.is_running()
@@ -139,7 +140,8 @@ def no_button_moves_under_the_mouse(command: str) -> drive.Tour:
 
 def the_list_appears_below_the_button_that_was_pressed() -> drive.Tour:
     source = grid("Bump", bump, size=12)
-    for cloth, place in (("JERSEY", "PIECES"), ("NONE", "FLATTEN")):  # a sufficient fabric, and none
+    # first with a fabric that stretches far enough, then without a fabric
+    for cloth, place in (("JERSEY", "PIECES"), ("NONE", "FLATTEN")):
         bpy.context.scene.wirewarp.cloth = cloth
         remember()
         yield from flatten()

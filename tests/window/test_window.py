@@ -8,7 +8,7 @@ import pytest
 
 from tools.blender_window import run_tours
 
-SECONDS = 400.0  # seconds for each tour on a slow machine; most take about ten
+SECONDS = 400.0  # for each tour on a slow machine; most tours take about ten seconds
 
 
 def blender_environment(folder: Path) -> dict[str, str]:
@@ -80,7 +80,7 @@ TOURS = {
 }
 
 
-# Tours that load another file, register again or quit.
+# Tours that load another file, register again or quit. Each of these tours has its own Blender.
 ALONE = ["another_file_ends_the_run", "unregistering_ends_the_run", "quitting_ends_the_run"]
 
 

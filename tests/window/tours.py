@@ -122,8 +122,7 @@ def settings_can_be_adjusted_after_a_run() -> drive.Tour:
 
 
 def report_shows_the_place() -> drive.Tour:
-    """A button of the report selects elements in Edit Mode and moves the view there, on the model and on flat
-    pieces."""
+    """On model and flat pieces, a button of the report selects elements in Edit Mode and moves the view to them."""
     source = grid("Bump", bump, seam=on_line(0, 0.0))
     remember()
     yield from flatten()
@@ -134,7 +133,8 @@ def report_shows_the_place() -> drive.Tour:
         with drive.in_view():
             bpy.ops.mesh.wirewarp_select_result("INVOKE_DEFAULT", True, what="OUTLINE", index=0)
             assert (bpy.context.mode, bpy.context.object) == ("EDIT_MESH", target)
-        yield lambda before=before: (view.view_location - before).length > 0.2  # to half of the dome, which is 2 wide
+        # the view moves from the middle of the dome, which is 2 units wide, to the middle of one half
+        yield lambda before=before: (view.view_location - before).length > 0.2
         with drive.in_view():
             bpy.ops.object.mode_set(mode="OBJECT")
 
@@ -149,7 +149,7 @@ def report_turns_the_view_to_elements_on_the_back() -> drive.Tour:
         with drive.in_view():
             bpy.context.view_layer.objects.active = target
             bpy.ops.view3d.view_axis(type="TOP" if from_above else "BOTTOM")
-        yield from drive.ticks(40)  # the view turns smoothly
+        yield from drive.ticks(40)  # until the view, which turns slowly, has turned
         before = view.view_rotation.copy()
         with drive.in_view():
             bpy.ops.mesh.wirewarp_select_result("INVOKE_DEFAULT", True, what="PIECE", index=0)

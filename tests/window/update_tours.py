@@ -13,7 +13,7 @@ ONE_PIECE, TWO_PIECES = 81, 90  # vertices of the flat pieces, without and with 
 
 
 def begin_held_update() -> Generator[object, None, Event]:
-    """Cut the bump in Edit Mode, and wait until the update runs. The update continues until the event is set."""
+    """Cut the bump in Edit Mode, and wait until the update runs. It continues until the returned event is set."""
     source = marked_bump()
     yield from flatten()
     bpy.context.scene.wirewarp.auto_update = True

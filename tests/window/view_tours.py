@@ -29,7 +29,7 @@ def pieces_are_seen_in_local_view() -> drive.Tour:
 
 
 def search_finds_commands_by_the_add_on_s_name() -> drive.Tour:
-    """Press F3, type "wirewarp flatten", and press Enter."""
+    """Press F3, type "wirewarp flat", and press Enter."""
     source = grid("Bump", bump)
     select_only(source)
     yield from drive.press("F3")
@@ -47,7 +47,8 @@ def buttons_keep_their_places_in_edit_mode() -> drive.Tour:
     with drive.in_view():
         bpy.ops.object.wirewarp_open_sample(sample="FITTED_TOP")
     source = bpy.context.object
-    bpy.context.scene.wirewarp.cloth = "NONE"  # the sample's jersey stretches far enough
+    # the sample's jersey stretches far enough, so no worst place would be shown
+    bpy.context.scene.wirewarp.cloth = "NONE"
     yield from flatten()
     yield from drive.open_tab(bpy.types.VIEW3D_PT_wirewarp_flatten)
     button = "bpy.ops.mesh.wirewarp_select_result("

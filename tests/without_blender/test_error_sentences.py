@@ -39,7 +39,7 @@ def test_an_error_of_scripts_keeps_the_sentence_of_the_library(said):
         ("inconsistent_orientation", {"is_one_sided": True}, {"edges": [(0, 1)]}, "one-sided like a Möbius strip."),
         ("inconsistent_orientation", {"is_one_sided": False}, {"edges": [(0, 1)]}, "Recalculate Outside."),
         ("handles", {"num_handles": 1}, {"proposed_seams": [(0, 1)]}, "has 1 handle like a torus"),
-        # a suggested seam may not be drawn, so the sentence does not mention it
+        # the sentence does not mention the suggested seam, because this seam is not always drawn
         ("closed_chart", {}, {"proposed_seams": [(0, 1)]}, "choose where to cut it."),
         ("not_solvable", {"reason": "sizes", "face": 7}, {"faces": 2}, "At 2 faces, merge vertices"),
         ("overlapping_faces", {}, {"faces": 2}, "overlaps itself at 2 faces. Cut it in two"),
@@ -111,7 +111,7 @@ def test_broken_guarantees_are_reported_together(said):
     [
         ({"reason": "strain", "strain": 0.021, "limit": 1.0}, "its stretch is 2.1%, and 100% is accepted."),
         ({"reason": "too_long", "length": 1.5, "limit": 1.0}, "with seams of 1.5 m, but no more than 1 m are"),
-        ({"reason": "no_room", "kind": "dart", "is_restricted": False}, "no room for a dart: no line along edges"),
+        ({"reason": "no_room", "kind": "dart", "is_restricted": False}, "no room for a dart. Every line along edges"),
         (
             {"reason": "no_gain", "kind": "dart", "strain": 0.149, "wires": [BUST]},
             'No dart helps the piece, which must stretch by 14.9%: loosen wire "Bust" or divide the piece by a seam.',

@@ -76,7 +76,7 @@ def test_the_chosen_set_has_the_fewest_pieces_for_the_fabric(addon):
     assert rows[2:4] == [(8, 0.097), (8, 0.03)]
     worse = replace(sets[0], num_pieces=12, strain=0.3, is_narrow=True)
     assert worse not in suggest.from_few_pieces([*sets, worse], [0.5, 1.0])
-    # the set of 30% is left out, because the softer direction stretches only 20%, and another set needs less
+    # the set of 30% is left out, because the softer direction stretches only 20%, and another set needs less stretch
     assert [each.num_pieces for each in suggest.from_few_pieces(sets, [0.098, 0.2])] == [5, 8, 9]
     assert [each.num_pieces for each in suggest.from_few_pieces(sets, [0.01, 0.02])] == [3, 5, 9]
     sets = suggest.from_few_pieces(sets, [0.5, 1.0])
@@ -88,13 +88,13 @@ def test_the_chosen_set_has_the_fewest_pieces_for_the_fabric(addon):
     narrow = [replace(each, is_narrow=True) for each in sets]
     assert suggest.set_for(narrow, [0.2]) == 1
     koala = [replace(sets[0], strain=0.77), replace(sets[0], num_pieces=4, strain=0.17, is_narrow=True)]
-    assert suggest.set_for(koala, [0.2]) == 1  # the stretch comes before the width
+    assert suggest.set_for(koala, [0.2]) == 1  # less stretch counts more than a greater width
     assert suggest.set_for(koala, [0.1]) == 1
 
 
 @pytest.fixture
 def measured(addon):
-    """Return a function that makes a set with known stretches of minky."""
+    """Return a function that makes a set of seams whose pieces need the given stretch of minky."""
 
     def make(pieces, across, along):
         ways = addon.core.report.model.Ways(across=0.2, along=0.05)
@@ -110,7 +110,8 @@ def test_each_direction_of_the_fabric_decides_about_a_measured_set(addon, measur
     upright, turned, many = measured(4, 0.15, 0.04), measured(3, 0.04, 0.15), measured(9, 0.03, 0.03)
     assert suggest.set_for([turned, upright, many], limits) == 1
     assert suggest.set_for([turned, many], limits) == 1
-    assert suggest.set_for([turned, measured(4, 0.04, 0.12)], limits) == 1  # nearest to the fabric
+    # the second set exceeds the limits of the fabric less
+    assert suggest.set_for([turned, measured(4, 0.04, 0.12)], limits) == 1
     close = replace(measured(4, 0.149, 0.03), lengths=[2.0])  # its gain is small, but only this set suits the fabric
     assert suggest.from_few_pieces([turned, close, many], limits) == [turned, close, many]
     assert suggest.from_few_pieces([measured(3, 0.15, 0.03), close, many], limits)[1:] == [many]
@@ -179,7 +180,7 @@ def test_a_canceled_comparison_keeps_what_it_has_measured(addon, measured, measu
     assert end.value.value == [good, found[1]]
 
 
-def test_mirror_images_without_common_figures_are_one_row(addon):
+def test_mirror_images_are_one_row_with_or_without_common_figures(addon):
     def proposal(strain, twin, together):
         edges = np.array([[0, 1]])
         return SimpleNamespace(
@@ -229,7 +230,8 @@ def test_steps_are_closed_if_the_listener_raises(addon, driver):
     def fail(_reported):
         raise ZeroDivisionError
 
-    steps, work = addon.solve.steps, working()  # this reference keeps the work alive
+    # This reference keeps the work alive, so garbage collection cannot close it.
+    steps, work = addon.solve.steps, working()
     drive = {
         "in_one_go": lambda: steps.in_one_go(work, fail),
         "in_slices": lambda: steps.in_one_go(steps.in_slices(work), fail),

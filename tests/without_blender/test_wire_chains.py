@@ -50,7 +50,7 @@ def test_lines_that_cross_at_a_small_angle_go_straight_on(chains):
     assert vertices_of(chains, spokes(4), star(0, 10, 180, 190)) == [[1, 0, 3], [2, 0, 4]]
 
 
-def test_three_lines_through_one_point(chains):
+def test_three_lines_through_one_point_go_straight_on(chains):
     assert vertices_of(chains, spokes(6), star(0, 60, 120, 180, 240, 300)) == [[1, 0, 4], [2, 0, 5], [3, 0, 6]]
 
 
@@ -62,7 +62,7 @@ def test_if_three_lines_meet_evenly_all_end(chains):
     assert vertices_of(chains, spokes(3), star(0, 120, 240)) == [[0, 1], [0, 2], [0, 3]]
 
 
-def test_the_fifth_line_ends(chains):
+def test_the_fifth_line_at_a_crossing_ends(chains):
     assert vertices_of(chains, spokes(5), star(0, 90, 180, 270, 45)) == [[0, 5], [1, 0, 3], [2, 0, 4]]
 
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Limits the work in the inner loops, in counts instead of seconds. The tests of each algorithm limit its
-// factorizations and evaluations.
+// Limits the work in the inner loops, in counts of allocations and substitutions instead of seconds. Other test
+// files limit the factorizations and evaluations of each algorithm.
 #include <gtest/gtest.h>
 
 #include <utility>

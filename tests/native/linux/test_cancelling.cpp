@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tests that a canceled run ends without further factorizations and substitutions.
+// Tests that a run makes no factorization and no substitution after it is canceled.
 #include <gtest/gtest.h>
 
 #include <algorithm>

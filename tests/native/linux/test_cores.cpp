@@ -54,7 +54,7 @@ class RefuseThreads {
   RefuseThreads& operator=(const RefuseThreads&) = delete;
 };
 
-/// While an object of this class exists, this thread may use only the first few of its cores.
+/// While an object of this class exists, this thread may use only the first `count` of its cores.
 class FirstCores {
  public:
   explicit FirstCores(int count) {
@@ -84,7 +84,7 @@ TEST(Cores, AreThoseThatTheThreadMayUse) {
   EXPECT_FALSE(has_second_core());
 }
 
-TEST(Cores, IfTheSystemRefusesThreadsTheOthersDoTheWork) {
+TEST(Cores, IfTheSystemRefusesThreadsTheCallingThreadDoesTheWork) {
   for (const FlattenInput& input : {test::sphere_of_gores(12, 4, 16), test::quarter_sphere(40)}) {
     const FlattenResult expected = flatten(input);
     const RefuseThreads refuse;

@@ -116,8 +116,8 @@ FlattenInput elastic_gore() {
   return input;
 }
 
-/// Returns a saddle with a closed wire that touches nothing. Helper wires connect it with the outline, and have any
-/// length.
+/// Returns a saddle with a closed wire that touches nothing. Helper wires connect it with the outline, and may have
+/// any length.
 FlattenInput elastic_ring() {
   const int n = 16;
   FlattenInput input = test::saddle(n, 0.3);
