@@ -19,7 +19,7 @@ from surfaces import bumpy_sheet
 
 SIZES, FULL_SIZES = [1_000, 10_000, 100_000], [1_000, 10_000, 100_000, 1_000_000]
 SEAM_SIZE = 10_000
-JITTER = 0.3  # of an edge; sheets are then about as uneven as scanned and sculpted models
+JITTER = 0.3  # share of an edge; with it, sheets are about as uneven as scanned and sculpted models
 JITTERED_SIZES = [10_000, 100_000]
 NET_SIZE, NETS = 40_000, [8, 32, 128]  # triangles; numbers of wires (128 wires are 2.2 edges apart)
 LIMIT, FULL_LIMIT = 120.0, 900.0  # seconds of wall time for one method on one surface
@@ -51,7 +51,7 @@ def compare_seams() -> Comparison:
 
 
 def compare_hard(rounds: int | None) -> list[Comparison]:
-    """Compare the refined method with ARAP on jittered sheets and with many wires, in the same run."""
+    """Compare the refined method with ARAP on jittered sheets and on sheets with many wires, in turn."""
     jittered = [bumpy_sheet(size, jitter=JITTER, wires=wires) for size in JITTERED_SIZES for wires in (2, 8)]
     nets = [bumpy_sheet(NET_SIZE, wires=wires) for wires in NETS]
     names = [flatteners.REFINED_ELASTIC, flatteners.ARAP]
@@ -59,7 +59,7 @@ def compare_hard(rounds: int | None) -> list[Comparison]:
 
 
 def load(path: Path) -> dict[str, list[Comparison]]:
-    """Return the output of main(): "sheets" by size, "hard" sheets, and "seams", the sheet in two pieces."""
+    """Return what main() has written: "sheets" by size, "hard" sheets, and "seams", the sheet in two pieces."""
     found = json.loads(path.read_text())
     return {key: [from_dict(comparison) for comparison in comparisons] for key, comparisons in found.items()}
 

@@ -14,18 +14,18 @@ ONCE_IS_ENOUGH = 20.0  # seconds of a run; slower methods run once
 
 @dataclass(frozen=True)
 class Outcome:
-    """Results of one method. Errors are relative to its target lengths; without targets, to lengths on the surface."""
+    """Results of one method. Errors are relative to the target lengths, or to lengths on the surface if it has none."""
 
-    seconds: float  # on one core
+    seconds: float  # CPU seconds of the method
     megabytes: float
-    energy: float  # ARAP energy over area
+    energy: float  # ARAP energy divided by the area
     outline_error: float  # error of the worst section of outline
     wire_error: float  # error of the worst wire
     edge_error: float  # error of the worst edge of outline and wires
     mismatch: float  # difference in length between the sides of the worst seam, in the surface's units; 0 without seams
     flipped: int
-    iterations: int | None  # iterations of libigl
-    counts: dict[str, float | str]  # counts in the first piece's report
+    iterations: int | None  # number of iterations of libigl; None for other methods
+    counts: dict[str, float | str]  # counts of work in the report on the first piece
 
 
 @dataclass(frozen=True)
@@ -33,7 +33,7 @@ class Comparison:
     surface: str
     triangles: int
     outcomes: dict[str, Outcome]  # by the name of the method
-    without: dict[str, str]  # reason why a method has no result
+    without: dict[str, str]  # by the name of a method without a result: the reason
 
     def seconds(self, name: str) -> float | None:
         return self.outcomes[name].seconds if name in self.outcomes else None
@@ -69,7 +69,7 @@ def length_error(part: wirewarp.WireReport) -> float:
 
 
 def compare(surface: Surface, names: list[str], rounds: int, limit: float) -> Comparison:
-    """Return the results of all methods, with medians of the costs over the rounds. A slow method has only one round.
+    """Return the results of all methods, with medians of the costs over the rounds. Slow methods run only once.
 
     limit: seconds of wall time for a method in a round.
     """

@@ -7,15 +7,17 @@ from pathlib import Path
 
 import numpy as np
 
-MOST_OF_AREA = 0.99  # as in DartProposal.strain
+MOST_OF_AREA = 0.99  # share of the area that counts, as in DartProposal.strain
 
 
 @dataclass(frozen=True)
 class CutFigures:
     energy: float  # symmetric Dirichlet energy: mean over the area of |J|^2 + |1/J|^2; 4 without distortion
     strain: float  # DartProposal.strain of the whole surface
-    length: float  # total of the cuts on the surface, each edge counted once, over the square root of the area
-    mismatch: float  # difference between the flat lengths of a cut's sides, over the cuts' length; 0.01 is 10 mm per m
+    length: float  # of all cuts on the surface, each edge counted once, divided by the square root of the area
+    # Sum of the differences between the flat lengths of both sides of each cut edge, divided by the length of all cuts
+    # on the surface: 0.01 is 10 mm per meter of cut.
+    mismatch: float
     charts: int
     flipped: int  # number of flipped triangles
 
@@ -33,7 +35,7 @@ def read_corner_uv(path: Path) -> np.ndarray:
 
 
 def measure_cuts(vertices: np.ndarray, faces: np.ndarray, corner_uv: np.ndarray) -> CutFigures:
-    """Return the figures. A cut is an edge whose neighbors have different corner_uv (m, 3, 2) at one vertex."""
+    """Return the figures. At a cut, two triangles have different corner_uv (m, 3, 2) for the same vertex."""
     points = vertices[faces]
     areas = np.linalg.norm(np.cross(points[:, 1] - points[:, 0], points[:, 2] - points[:, 0]), axis=1) / 2
     values, is_flipped = stretches(points, corner_uv)
@@ -81,7 +83,7 @@ def cuts_of(faces: np.ndarray, corner_uv: np.ndarray) -> tuple[np.ndarray, np.nd
     edges, sides = [], []
     for (start, end), around in neighbors.items():
         if len(around) < 2:
-            continue  # outline of the surface itself
+            continue  # an edge on the outline of the surface is not a cut
         (f, f_start, f_end), (g, g_start, g_end) = around
         if (f_start == g_start).all() and (f_end == g_end).all():
             chart[root(chart, f)] = root(chart, g)

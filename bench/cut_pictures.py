@@ -25,8 +25,8 @@ from tables import table
 from toys import toys
 from wirewarp.pattern import has_room
 
-VIEWS = ((30, 15), (210, 15))  # degrees: rotation and tilt
-SIZE = (7.2, 2.4)  # inches
+VIEWS = ((30, 15), (210, 15))  # degrees of both views: rotation of the model to the left, and tilt toward the viewer
+SIZE = (7.2, 2.4)  # width and height of a picture in inches
 TOO_NARROW = "#e3b9a0"
 
 

@@ -3,9 +3,9 @@
 
 python bench/cut_sets.py MESH.obj...
 
-A row has the set with the fewest pieces that need no more stretch than plush has. If there is no such set, the row has
-the set with the least stretch. *With room* is the number of pieces with room for their allowances. *Bends* is the
-number of vertices inside a seam at which the seam turns sharply.
+A row has the set with the fewest pieces that need no more than the maximum stretch of plush. If there is no such set,
+the row has the set with the least stretch. *With room* is the number of pieces with room for their allowances. *Bends*
+is the number of vertices inside a seam at which the seam turns sharply.
 """
 
 import sys
@@ -21,14 +21,14 @@ from wirewarp.pattern import has_room, piece_width
 
 SOFT = 0.2  # maximum stretch of plush and stable knits
 HEIGHT = 300  # mm of the finished toy, along its largest side
-ALLOWANCE = 6  # mm: the usual allowance of plush, 5 mm, and 1 mm because the fabric is turned
-BEND = 30  # degrees
-SAME_PLACE = 1e-4  # of the largest side: maximum distance between a vertex and the mirror image of another
+ALLOWANCE = 6  # mm: 5 mm, the usual allowance of plush, and 1 mm for turning the toy right side out
+BEND = 30  # degrees; a sharper turn of a seam counts as a bend
+SAME_PLACE = 1e-4  # share of the largest side: maximum distance between a vertex and the mirror image of another vertex
 HEAD = ["mesh", "triangles", "pieces", "with room", "strain", "length", "narrowest, mm", "bends", "symmetric", "s"]
 
 
 def mirror_images(vertices: np.ndarray) -> list[int] | None:
-    """Return the mirror image of each vertex across the middle of an axis, or None if the model is not symmetric."""
+    """Return the mirror image of each vertex; None if the model is not symmetric across its middle in x, y or z."""
     size, low = float(np.ptp(vertices, axis=0).max()), vertices.min(axis=0)
     near = np.array(np.meshgrid(*[[0, 1, -1]] * 3)).reshape(3, -1).T
     places = {tuple(place): v for v, place in enumerate(np.rint((vertices - low) / size / SAME_PLACE).astype(int))}
@@ -76,8 +76,8 @@ class Cut:
     """A model that is cut along a set of seams."""
 
     proposal: wirewarp.DartProposal
-    seconds: float  # of processor time for the search
-    mesh: Mesh  # with new vertices where smooth seams cross triangles
+    seconds: float  # processor time of the search
+    mesh: Mesh  # the cut model, with new vertices if smooth seams cross triangles
     seams: np.ndarray  # (k, 2) edges of `mesh`
 
 

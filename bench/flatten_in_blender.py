@@ -32,7 +32,7 @@ TURNS = 3
 
 
 def add_sheet(triangles: int) -> bpy.types.Object:
-    """Add the sheet with two rigid wires across its middle. It is active and selected."""
+    """Add the sheet with two rigid wires across its middle, as the active and selected object."""
     surface = bumpy_sheet(triangles)
     mesh = bpy.data.meshes.new("Sheet")
     mesh.from_pydata(surface.vertices.tolist(), [], surface.faces.tolist())
@@ -93,7 +93,8 @@ def compare(triangles: int) -> dict:
 
 def main() -> None:
     output, *sizes = sys.argv[sys.argv.index("--") + 1 :]
-    os.sched_setaffinity(0, {max(os.sched_getaffinity(0))})  # unwrapping uses one thread
+    # one core for Flatten, too, because the unwrap uses one thread
+    os.sched_setaffinity(0, {max(os.sched_getaffinity(0))})
     rows = [compare(int(size)) for size in sizes or ("10000", "100000")]
     Path(output).write_text(json.dumps({"blender": bpy.app.version_string, "runs": rows}, indent=1), encoding="utf-8")
 

@@ -25,9 +25,9 @@ TOLERANCE = 0.03
 @dataclass(frozen=True)
 class Answer:
     flattening: wirewarp.FlattenResult
-    seconds: float  # on one core
+    seconds: float  # CPU seconds on one core
     megabytes: float  # peak memory, without the memory of the surface
-    iterations: int | None = None  # iterations of libigl
+    iterations: int | None = None  # number of iterations of libigl; None for other methods
 
 
 Method = Callable[[Surface], Answer]
@@ -47,7 +47,7 @@ def flatten_by_wirewarp(method: str, wires: str, tolerance: float, surface: Surf
 
 
 def judge(surface: Surface, corner_uv: np.ndarray) -> wirewarp.FlattenResult:
-    """Return the measures of a layout (m, 3, 2). Length errors are those of the outline and of many_wires."""
+    """Return the measures of a layout (m, 3, 2). Length errors are for the outline and many_wires."""
     wires = [wirewarp.Wire(chain) for chain in surface.many_wires]
     return wirewarp.measure(surface.vertices, surface.faces, corner_uv, seams=surface.seams, wires=wires)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Minimizes the symmetric Dirichlet energy of a flat shape, which OptCuts minimizes, too. The method is L-BFGS.
+"""Minimizes the symmetric Dirichlet energy of a flat shape by L-BFGS. OptCuts minimizes this energy, too.
 
 Only inner vertices move, so that the lengths of the outlines stay exact.
 """
@@ -11,13 +11,13 @@ import numpy as np
 STEPS = 20  # number of steps that L-BFGS remembers; also number of steps over which the decrease is measured
 ENOUGH = 1e-6  # the search ends if the energy decreases by less than this over STEPS steps
 SUFFICIENT = 1e-4  # share of the predicted decrease that a step must reach (Armijo)
-SHORTEST = 1e-12  # share of a step below which the search ends
+SHORTEST = 1e-12  # the search ends if not even this share of a step decreases the energy enough
 
 Slope = tuple[float, np.ndarray]  # energy and its gradient
 
 
 def least_energy(vertices: np.ndarray, faces: np.ndarray, corner_uv: np.ndarray) -> np.ndarray:
-    """Return the corners (m, 3, 2) of the shape to which the search leads from corner_uv (m, 3, 2)."""
+    """Return the corners (m, 3, 2) of the shape that the search finds if it starts at corner_uv (m, 3, 2)."""
     named = np.concatenate([faces.reshape(-1, 1), corner_uv.reshape(-1, 2)], axis=1)
     places, index = np.unique(named, axis=0, return_inverse=True)
     index = index.reshape(-1, 3)
@@ -38,7 +38,7 @@ class Triangles:
         height = np.linalg.norm(np.cross(first, second), axis=1) / length
         self.index, self.fixed = index, fixed
         self.shares = length * height / (length * height).sum()
-        # inverse of the matrix whose columns are two edges, in the plane of each triangle
+        # for each triangle: inverse of the matrix whose columns are two of its edges, in its own plane
         self.inverse = np.zeros((len(points), 2, 2))
         self.inverse[:, 0, 0] = 1 / length
         self.inverse[:, 0, 1] = -(first * second).sum(axis=1) / (length**2 * height)
@@ -69,7 +69,8 @@ class Triangles:
 def minimize(triangles: Triangles, uv: np.ndarray) -> np.ndarray:
     energy, gradient = triangles.energy(uv)
     past = deque([energy], maxlen=STEPS)
-    moves: deque[tuple[np.ndarray, np.ndarray]] = deque(maxlen=STEPS)  # steps and changes of the gradient
+    # the last steps, each with its change of the gradient
+    moves: deque[tuple[np.ndarray, np.ndarray]] = deque(maxlen=STEPS)
     while True:
         step = direction(gradient, moves)
         share, slope = 1.0, float((gradient * step).sum())

@@ -44,7 +44,7 @@ def arap(vertices: np.ndarray, faces: np.ndarray, most_iterations: int) -> Map:
 
 
 def slim(vertices: np.ndarray, faces: np.ndarray, most_iterations: int) -> Map:
-    """Return the map with the least symmetric Dirichlet energy, which prevents flips."""
+    """Return the map of SLIM, which minimizes the symmetric Dirichlet energy. This energy prevents flips."""
     start, _ = harmonic_start(vertices, faces)
     nothing_fixed = np.zeros(0, dtype=np.int32), np.zeros((0, 2))
     energy = igl.MappingEnergyType.SYMMETRIC_DIRICHLET

@@ -28,7 +28,7 @@ def read_obj(path: Path) -> Mesh:
 
 
 def read_ply(path: Path) -> Mesh:
-    """Return the mesh of a binary file of triangles. Its vertices must have positions only."""
+    """Return the mesh of a binary file of triangles, whose vertices have positions and no other properties."""
     header, _, data = path.read_bytes().partition(b"end_header\n")
     lines = header.decode().splitlines()
     count = {line.split()[1]: int(line.split()[2]) for line in lines if line.startswith("element")}

@@ -16,15 +16,15 @@ from pathlib import Path
 
 from mesh_files import read_obj
 
-BOUND = 4.1  # largest energy: the default of OptCuts and of its authors' benchmark
+BOUND = 4.1  # maximum energy of a flat shape: the default of OptCuts and of its authors' benchmark
 LIMIT = 600  # seconds of processor time for one surface
 HEADLESS = "100"
 
 
 @dataclass(frozen=True)
 class PeerRun:
-    seconds: float  # processor time
-    without: str  # reason why there is no result, or empty
+    seconds: float  # processor time of OptCuts
+    without: str  # reason why OptCuts has no result; empty if it has one
 
 
 def command(program: Path | str, mesh: Path | str, bound: float) -> list[str]:

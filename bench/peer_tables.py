@@ -62,7 +62,7 @@ def seam_table(comparison: Comparison) -> list[str]:
 
 
 def elastic_table(comparisons: Sequence[Comparison]) -> list[str]:
-    """Return the table with the work of WireWarping++ on its outer problem."""
+    """Return the table with the work of WireWarping++ in the search for the best lengths."""
     names = ("gradient_evaluations", "outer_iterations", "inner_solves", "factorizations")
     rows = [
         (c.surface, *(str(c.outcomes[WARPED_ELASTIC].counts[name]) for name in names))
@@ -86,7 +86,10 @@ def refined_table(comparisons: Sequence[Comparison]) -> list[str]:
 
 
 def growth(comparisons: Sequence[Comparison], name: str) -> tuple[list[int], list[float], float | None]:
-    """Return sizes, seconds and the exponent of growth from 10,000 triangles on. Fixed costs dominate smaller sizes."""
+    """Return sizes, seconds and the exponent of growth.
+
+    The exponent is for 10,000 triangles or more, because fixed costs dominate smaller sizes.
+    """
     points = [(c.triangles, c.outcomes[name].seconds) for c in comparisons if name in c.outcomes]
     large = [point for point in points if point[0] > 5_000]
     sizes, seconds = [size for size, _ in points], [time for _, time in points]

@@ -14,7 +14,7 @@ from palette import FAINT_INK, INK
 from peer_tables import growth
 from save_picture import save
 
-LEAST_ERROR = 1e-16  # relative; smaller errors are drawn as this error
+LEAST_ERROR = 1e-16  # relative; smaller errors are drawn as this error, because a logarithmic axis has no 0
 MARKER_SIZE = 6  # points
 SAME_ENERGY = 0.05  # relative; with a smaller difference of energy, markers would cover each other
 COLORS = {"wirewarp": "#0072b2", "refined": "#d55e00", "libigl": "#009e73", "Blender": "#8a6fb0"}

@@ -4,9 +4,10 @@
 PYTHONPATH=results python bench/price_of_exactness.py [--most-triangles N] [--most-triangles-for-bounds N]
 
 Surfaces are flattened along OptCuts' cuts with exact lengths, and with elastic seams. OptCuts' cuts for smaller bounds
-are longer. The price of exactness is the length of the shortest of them that keep the energy below the bound with exact
-lengths. The second table has the length of cuts for smaller bounds. Environment: as for compare_cuts.py, whose results
-are used and extended.
+on the energy are longer. Of these cuts, the shortest are chosen that keep the energy below BOUND with exact lengths.
+The price of exactness is the length of the chosen cuts, divided by the length of OptCuts' cuts for BOUND. The second
+table has the lengths of cuts for smaller bounds. Environment variables: as for compare_cuts.py. This program uses and
+extends the results of compare_cuts.py.
 """
 
 import argparse
@@ -24,8 +25,9 @@ from mesh_files import read_obj
 from optcuts import BOUND, by_size
 from tables import table
 
-TOLERANCE = 0.03  # of elastic seams; each edge is a wire of its own, which gives the seam the most freedom
-TIGHTER = (BOUND, 4.08, 4.065, 4.05, 4.035, 4.02)  # bounds for OptCuts, until pieces with exact lengths keep BOUND
+TOLERANCE = 0.03  # tolerance of elastic seams; each edge is a wire of its own, so that a seam has the most freedom
+# bounds for OptCuts, tried in this order until a flattening with exact lengths has an energy of at most BOUND
+TIGHTER = (BOUND, 4.08, 4.065, 4.05, 4.035, 4.02)
 BOUNDS = (BOUND, 4.05, 4.02)  # bounds of the second table
 
 
@@ -35,11 +37,11 @@ class Flat:
 
     energy: float
     least: float  # energy after least_energy(), which moves the inner vertices and keeps the outlines
-    overlaps: bool  # a piece overlaps itself
+    overlaps: bool  # whether a piece overlaps itself
 
 
 def flatten(shape: Path) -> list[Flat | None]:
-    """Return the results with exact lengths and with elastic seams. A result without a flat shape is None."""
+    """Return two results, with exact lengths and with elastic seams. A result is None if a piece has no flat shape."""
     vertices, faces = read_obj(shape)
     cuts, _, _ = cuts_of(faces, read_corner_uv(shape))
     found: list[Flat | None] = []
@@ -69,7 +71,7 @@ class Runs:
         self.results, self.program = results, program
 
     def lengths(self, mesh: Path, bound: float) -> tuple[float | None, float | None]:
-        """Return the length of OptCuts' cuts and of ours."""
+        """Return the length of OptCuts' cuts, and the length of WireWarp's cuts."""
         peer = self.peer(mesh, bound)
         own = ours(mesh, self.results, bound).figures
         return peer and peer.length, own and own.length
@@ -81,10 +83,10 @@ class Runs:
         return kept_flat(folder_of(self.results, bound) / mesh.name)
 
     def lengths_within(self, mesh: Path) -> list[float | None]:
-        """Return the lengths of OptCuts' shortest cuts with exact lengths and with elastic seams.
+        """Return two lengths of OptCuts' cuts: the shortest that suffice with exact seams, and with elastic seams.
 
-        The cuts must keep Flat.least below BOUND without overlaps. Cuts that do so with exact lengths count for elastic
-        seams, too.
+        Cuts suffice if Flat.least is at most BOUND and no piece overlaps itself. Cuts that suffice with exact seams
+        also suffice with elastic seams. A length is None if no cuts suffice.
         """
         found: list[float | None] = [None, None]
         for bound in TIGHTER:
@@ -142,8 +144,8 @@ def lengths_for_bounds(meshes: list[Path], runs: Runs) -> list[str]:
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--most-triangles", type=int, help="only surfaces of at most N triangles")
-    parser.add_argument("--most-triangles-for-bounds", type=int, help="the same limit for the second table")
+    parser.add_argument("--most-triangles", type=int, help="only surfaces of at most N triangles in the first table")
+    parser.add_argument("--most-triangles-for-bounds", type=int, help="the limit N for the second table")
     arguments = parser.parse_args()
     results, program = Path(os.environ["OPTCUTS_RESULTS"]), Path(os.environ["OPTCUTS_PROGRAM"])
     sizes = {mesh: len(read_obj(mesh)[1]) for mesh in by_size(Path(os.environ["OPTCUTS_MESHES"]))}

@@ -23,7 +23,7 @@ LONGEST = 2.0  # seconds for the flattening with a dart; a dart that needs more 
 def ways_from(start: int, vertices: np.ndarray, neighbors: dict[int, set[int]], inside: set[int]) -> dict[int, int]:
     """Return, for each vertex, the previous vertex on the shortest path from the start through inner vertices.
 
-    The start has the previous vertex -1.
+    The value of the start is -1.
     """
     distance, before = {start: 0.0}, {start: -1}
     queue = [(0.0, start)]

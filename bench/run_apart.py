@@ -41,7 +41,7 @@ def send_answer(work: Callable[[], Answer], sender: Connection) -> None:
     os.setsid()  # so that stop() also reaches processes that the work starts
     try:
         sender.send((False, work()))
-    except Exception as error:  # every error becomes an entry of the table
+    except Exception as error:  # any error, because the tables list the errors of methods
         sender.send((True, str(error) or type(error).__name__))
 
 

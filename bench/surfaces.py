@@ -42,7 +42,7 @@ def bumpy_sheet(triangles: int, in_two_pieces: bool = False, jitter: float = 0.0
     seams, pieces = np.zeros((0, 2), dtype=int), [np.arange(len(faces))]
     if in_two_pieces:
         vertices *= 0.25
-        cut = lines[:, n // 3]  # away from the wires
+        cut = lines[:, n // 3]  # a line without a wire
         seams = np.column_stack([cut[:-1], cut[1:]])
         is_left = (faces % (n + 1)).max(axis=1) <= n // 3
         pieces = [np.flatnonzero(is_left), np.flatnonzero(~is_left)]

@@ -73,7 +73,7 @@ def part_table(benchmarks: list[dict]) -> list[str]:
         "placement_factor": "interior placement, factoring",
         "placement_solve": "interior placement, solving",
         "circle_embedding": "embedding on a circle",
-        "free_start": "free ARAP from there, the embedding included",
+        "free_start": "free ARAP from the circle, including the embedding",
         "free_start_from_rigid": "free ARAP from the rigid shape",
     }
     sizes = sorted({run["triangles"] for name in names for run in select(benchmarks, name)})

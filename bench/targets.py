@@ -16,7 +16,7 @@ def nearest(comparisons: Sequence[Comparison], triangles: int) -> Comparison | N
 
 
 def ratio(comparisons: Sequence[Comparison], ours: str, theirs: str, triangles: int) -> float | None:
-    """Return the seconds of `ours` divided by those of `theirs`, or None if one of the methods did not run."""
+    """Return the seconds of `ours` divided by the seconds of `theirs`, or None if one of the methods did not run."""
     found = nearest(comparisons, triangles)
     return over(found, found, ours, theirs) if found else None
 
@@ -60,7 +60,7 @@ def of_hard_sheets(hard: Sequence[Comparison]) -> list[tuple[str, ...]]:
 
 
 def over(first: Comparison, second: Comparison, ours: str, theirs: str) -> float | None:
-    """Return the seconds of `ours` in `first` divided by those of `theirs` in `second`; None if one did not run."""
+    """Return the seconds of `ours` in `first` over the seconds of `theirs` in `second`; None if one did not run."""
     seconds = (first.seconds(ours), second.seconds(theirs))
     return None if None in seconds else seconds[0] / seconds[1]
 
@@ -73,7 +73,9 @@ def of_the_core(benchmarks: list[dict]) -> list[tuple[str, ...]]:
     largest = [run for run in select(benchmarks, "refine_sheet") if run["triangles"] == SIZES[-1]]
     rows = [
         row("refined, the slowest run of 1,000,000 triangles", 20, worst(largest, lambda r: r["total_ms"] / 1e3), " s"),
-        row("refined, the most memory of them", 1.3, worst(largest, lambda run: run["peak_MB"] / 1e3), " GB"),
+        row(
+            "refined, most memory of 1,000,000 triangles", 1.3, worst(largest, lambda run: run["peak_MB"] / 1e3), " GB"
+        ),
     ]
     for name, method in {"refine_sheet": "refined", "warp_sheet": "wirewarp++"}.items():
         for stage, title in STAGES[name].items():
@@ -87,8 +89,8 @@ def of_the_gradient(benchmarks: list[dict]) -> list[tuple[str, ...]]:
     evaluations = {run["wires"]: run for run in select(benchmarks, "error_evaluation") if run["triangles"] == 100_000}
     in_evaluations = {wires: runs[wires]["real_time"] / evaluations[wires]["real_time"] for wires in runs}
     return [
-        row("gradient in evaluations, 232 wires over 4", 1.0, in_evaluations[232] / in_evaluations[4]),
-        row("gradient in milliseconds, 232 wires over 4", 1.2, runs[232]["real_time"] / runs[4]["real_time"]),
+        row("gradient / evaluation of E, 232 wires relative to 4", 1.0, in_evaluations[232] / in_evaluations[4]),
+        row("gradient in milliseconds, 232 wires relative to 4", 1.2, runs[232]["real_time"] / runs[4]["real_time"]),
     ]
 
 

@@ -137,7 +137,10 @@ def toys() -> dict[str, Mesh]:
 
 
 def closed_mesh(field: Field, cells: int) -> Mesh:
-    """Return the surface of a field by surface nets: a vertex for each cell that it passes through, then evened out."""
+    """Return the surface of a field by surface nets: a vertex for each cell that the surface passes through.
+
+    The vertices are then spaced evenly.
+    """
     at = np.linspace(-HALF, HALF, cells + 1)
     size = at[1] - at[0]
     values = field(np.stack(np.meshgrid(at, at, at, indexing="ij"), axis=-1))

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writes a page and its pictures from measurements. docs/benchmarks.md is the page of the longest run:
+"""Writes a page and its pictures from measurements:
 
 PYTHONPATH=results python bench/write_page.py NATIVE_JSON BLENDER_JSON PEERS_JSON RATIOS_MD PAGE [--real-meshes JSON]
+
+./dev bench --full runs this program to write docs/benchmarks.md.
 """
 
 import argparse
@@ -162,8 +164,8 @@ def real_section(counts: dict | None) -> list[str]:
     answers = ", ".join(f"{count} {outcome}" for outcome, count in counts["outcomes"].items())
     return [
         *head,
-        f"The same comparison on {counts['panels']} panels of garments and covers, and on {counts['files']} unchanged "
-        "mesh files found on the web, each in its own process for at most a minute: "
+        f"The same methods flattened {counts['panels']} panels of garments and covers. WireWarp also flattened "
+        f"{counts['files']} unchanged mesh files from the web, each in its own process for at most a minute: "
         f"{answers}. We may not publish the meshes and the tables made from them. `./dev bench` writes the tables to "
         "`build/bench/real_meshes.md`.",
         "",
@@ -217,7 +219,8 @@ def main() -> None:
     peers = load(arguments.peers_json)
     real = json.loads(arguments.real_meshes.read_text()) if arguments.real_meshes else None
     ratios = arguments.ratios_md.read_text()
-    page = document(benchmarks, in_blender, peers, ratios, real)  # before the pictures change the result of commit()
+    # first, because new pictures would mark the commit as changed
+    page = document(benchmarks, in_blender, peers, ratios, real)
     use_style()
     pictures = arguments.page.with_suffix("")
     pictures.mkdir(parents=True, exist_ok=True)

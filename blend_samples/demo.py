@@ -29,7 +29,7 @@ from tables import object_tables  # noqa: E402
 
 
 def settings_of_the_file() -> dict[str, str | float]:
-    """Return the settings of the scene, because an operator that a script calls does not use them by itself."""
+    """Return the settings that samples change. An operator that a script calls does not read them from the scene."""
     names = ("cloth", "worn_across", "worn_along", "fairness")
     return {name: getattr(bpy.context.scene.wirewarp, name) for name in names}
 
@@ -62,8 +62,8 @@ def flatten_sample(name: str, output: Path, terminal: TextIO) -> bool:
 def log_of_blender(path: Path) -> Iterator[TextIO]:
     """Redirect all messages of Blender to a file, and yield the terminal for our own output.
 
-    After an error, messages go to the terminal again, so that Blender can show the error. Otherwise later messages go
-    to the file, too.
+    After an error, messages go to the terminal again, so that Blender can show the error. Without an error, later
+    messages go to the file, too.
     """
     terminal = os.fdopen(os.dup(1), "w", buffering=1)
     errors = os.dup(2)

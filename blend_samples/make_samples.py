@@ -24,7 +24,7 @@ from views import Projection, fit  # noqa: E402 (the folder must be on the path 
 CLOTHS = (  # names of fabrics in the order of the add-on's setting, "" for no fabric
     "", "woven", "denim", "jersey", "swim", "leather", "neoprene", "felt", "fleece", "minky", "vinyl", "foam",
 )  # fmt: skip
-# cotangents of half the width and half the height, as angles, of Blender's usual view without sidebar and toolbar
+# cotangents of half the horizontal and half the vertical angle of Blender's usual view, without sidebar and toolbar
 COTANGENTS = (1.7, 2.6)
 
 
@@ -116,7 +116,7 @@ def show_all(points: np.ndarray) -> None:
 
 
 def write_sample(shape: Shape) -> Path:
-    """Write a file with one object, whose lengths are displayed in millimeters."""
+    """Write a file with one object, in which Blender displays lengths in millimeters."""
     bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
     units = bpy.context.scene.unit_settings
     units.system, units.length_unit = "METRIC", "MILLIMETERS"
@@ -128,7 +128,7 @@ def write_sample(shape: Shape) -> Path:
         bpy.context.scene["wirewarp"] = settings(shape)
     bpy.context.view_layer.objects.active = model
     model.select_set(True)
-    show_all(shape.vertices)  # the first Flatten brings the pieces into view
+    show_all(shape.vertices)  # only the model, because the first Flatten brings the pieces into view
     path = FOLDER / file_name(shape)
     bpy.ops.wm.save_as_mainfile(filepath=str(path), compress=True, check_existing=False)
     return path

@@ -34,7 +34,7 @@ DELAY = 0.4  # time at which the last piece begins to move, as a share of the ti
 
 
 def way(time: float) -> float:
-    """Return the share of its path that a piece has covered at a time from 0 to 1. It begins and ends slowly."""
+    """Return the share of its path that a piece has covered at a time from 0 to 1. It starts and stops slowly."""
     t = min(max(time, 0.0), 1.0)
     return t * t * (3 - 2 * t)
 

@@ -17,9 +17,10 @@ import bpy
 sys.path.insert(0, str(Path(__file__).parent))
 from error_examples import EXAMPLES, example_sentence  # noqa: E402 (the folder must be on the path first)
 
-ADDON = type(bpy.context.scene.wirewarp).__module__.rpartition(".")[0]  # as extension or as legacy add-on
+# package of the add-on: extension or legacy add-on
+ADDON = type(bpy.context.scene.wirewarp).__module__.rpartition(".")[0]
 PARTS = {"FRONT": "Flatten", "MAIN": "Flatten > Settings", "ADVANCED": "Flatten > Settings > Advanced"}
-PANELS = {  # by class of a group of other settings: the place at which Blender shows them
+PANELS = {  # other settings, by the name of their class: the place at which Blender shows them
     "PatternSettings": "Export Pattern",
     "TargetSettings": "Suggest Darts and Suggest Seams",
     "EaseAmount": "Mark > Ease",
@@ -43,7 +44,7 @@ def sentence(text: str) -> str:
 
 
 def value_text(prop: bpy.types.Property) -> str:
-    """Return the default and the range of a setting, or its choices."""
+    """Return the default of a setting, with the range of a number."""
     match prop.type:
         case "BOOLEAN":
             return "on" if prop.default else "off"
@@ -76,7 +77,7 @@ def settings_of_scene() -> Iterator[tuple[str, list[bpy.types.Property]]]:
     for part, panel in PARTS.items():
         yield panel, [properties[each.name] for each in table if each.part(settings) == part]
     kinds = [kind for kind in type(settings).__mro__ if vars(kind).get("__annotations__")]
-    for kind in [*kinds[1:], kinds[0]]:  # settings of the class itself come last
+    for kind in [*kinds[1:], kinds[0]]:  # base classes first, then the class of the settings itself
         if kind.__name__ != "FlattenSettings":
             yield PANELS[kind.__name__], [properties[name] for name in vars(kind)["__annotations__"]]
 
@@ -184,8 +185,9 @@ def fabrics_page() -> list[str]:
     return [
         "# Fabrics",
         "",
-        "The table has the presets, with the maximum stretch that the verdict assumes. Bolts differ: if the verdict is",
-        "close, [measure your fabric](../how-to/fabric.md#measure-the-stretch-of-your-fabric).",
+        "The table has the presets, with the maximum stretch that the verdict assumes.",
+        "Fabric differs from bolt to bolt. If the two figures of the verdict are close,",
+        "[measure your fabric](../how-to/fabric.md#measure-the-stretch-of-your-fabric).",
         "",
         *table(["Fabric", "Across", "Along the grain", "Examples", "Source of the figures", "In scripts"], rows),
         "",

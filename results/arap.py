@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Computes the as-rigid-as-possible map of a piece by libigl (the paper's [6]), which does not keep lengths."""
+"""Computes the as-rigid-as-possible map of a piece ([6] in the paper) by libigl. This map does not keep lengths."""
 
 from __future__ import annotations
 
 import igl
 import numpy as np
 
-ITERATIONS = 300  # local/global steps
+ITERATIONS = 300  # number of local/global steps
 
 
 def arap_map(vertices: np.ndarray, faces: np.ndarray, start: np.ndarray) -> np.ndarray:

@@ -14,12 +14,12 @@ GAP = 0.04  # gap between pieces, as a fraction of the square root of the area o
 
 @dataclass(frozen=True)
 class Arrangement:
-    """The place of each piece. A piece has the same cell in all flattenings, in which it fits."""
+    """The place of each piece. All flattenings have the same cells, which are large enough for the piece of each."""
 
     # by flattening and piece: positions (p, 2), with the middle of the piece's box at 0
     turned: list[list[np.ndarray]]
-    centers: np.ndarray  # (pieces, 2) of the cells
-    size: np.ndarray  # (2,) of the box around all cells, which begins at 0
+    centers: np.ndarray  # (pieces, 2) centers of the cells
+    size: np.ndarray  # (2,) width and height of the box around all cells; its lower left corner is at 0
 
     def positions(self, flattening: int) -> list[np.ndarray]:
         """Return the positions (p, 2) of each piece of a flattening, in its cell."""

@@ -67,8 +67,8 @@ def angle_sentence(found: dict[str, tuple[Summary, Summary]]) -> str:
         "On the other hand, the angles deviate more from the angles on the surface. The rms deviation is larger on "
         f"{len(larger)} of the {len(found)} samples, most on {most}, {degrees(after.angle_rms)} instead of "
         f"{degrees(before.angle_rms)}. "
-        f"The largest single deviation grows most on {peak}, to {degrees(peak_after.angle_max)} from "
-        f"{degrees(peak_before.angle_max)}."
+        f"The largest single deviation grows most on {peak}, from {degrees(peak_before.angle_max)} to "
+        f"{degrees(peak_after.angle_max)}."
     )
 
 
@@ -85,7 +85,7 @@ def section(inputs: Inputs) -> str:
 
 WireWarping first finds the angles of wires and outline that are closest to the angles on the surface. The shape
 follows from these angles. The refined method, WireWarp's default, finds the least distorted shape with the same exact
-lengths, and includes the angles only enough to keep lines smooth (`native/README.md`).
+lengths, and uses the angles only to keep lines smooth (`native/README.md`).
 With the same tolerances, *E* of WireWarping++ is {times[least]:.1f} times ({least}) to
 {times[most]:.1f} times ({most}) the *E* of the refined method. With the refined method, too, every edge of outlines and
 wires has its target length, with a relative error below 1e{edge}, and

@@ -17,7 +17,7 @@ from shapes import Shape
 from sheet import Column, draw_sheet
 from text import degrees, picture, table
 
-STRAINED = 1e-3  # samples with less strain are unfolded, so they need no stretch
+STRAINED = 1e-3  # samples with less strain unfold without stretch, so the table leaves them out
 CHOICES: dict[str, dict[str, str]] = {
     "No fabric": {},
     "Woven": {"cloth": "woven"},
@@ -105,8 +105,8 @@ def worn_subsection(inputs: Inputs) -> str:
 
 A smaller energy of the flat pieces does not guarantee a better garment. We therefore simulated the fit with NVIDIA
 Newton's SolverStyle3D, a physics engine that shares no code with WireWarp (`results/wear_in_newton.py`). It sews the
-same pieces, as woven fabric with the stiffness ratios of the preset, and puts them on their model, without gravity and
-friction.
+pieces of each row, as woven fabric with the stiffness ratios of the preset, and puts them on their model, without
+gravity and friction.
 
 {table(["pieces flattened for", "gap, rms mm", "slide, rms mm", "strain", "worst wire"], rows)}
 

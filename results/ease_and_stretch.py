@@ -83,7 +83,7 @@ def draw(inputs: Inputs, name: str, as_made: Strained) -> str:
 
 
 def in_each_cloth(shape: Shape) -> dict[str, Strained]:
-    """Return the results in each fabric, by description. If the sample has a stretch, add each knit stretched by it."""
+    """Return the results in each fabric, by description. Samples with a stretch have results of knits with it, too."""
     found = {cloth or "no fabric": made_in(shape, cloth) for cloth in CLOTHS}
     if any(shape.stretch):
         across, along = (f"{100 * share:.0f}%" for share in shape.stretch)
@@ -125,7 +125,7 @@ The table shows the strain of each fabric (99th percentiles by area), the minimi
 All rows of a sample have the same exact lengths, except the rows that are cut for stretched fabric. In these rows, the
 strain is relative to the fabric as cut.
 
-{table(["", "across / along / shear", "its energy", "*E*", "s"], rows)}
+{table(["", "across / along / shear", "minimized energy", "*E*", "s"], rows)}
 
 **What to choose.** For a close-fitting knit, use negative ease: enter how far the fabric is stretched when worn, in
 both directions. Then choose a fabric that allows the total stretch in the report: for the swimsuit,

@@ -63,6 +63,7 @@ elastic, they change by {meridian} and {across}, *E* {change(rigid.energy, both.
 largest *E_r* is {both.max_aspect_ratio:.2f}. This reproduces the paper's figure qualitatively. Our surface is a quarter
 sphere without its tips. The paper uses the first angles that close all loops, and equal weights. With these options
 (`inner="least-norm"`, `node_weight="uniform"`), *E* of the rigid case is {first.energy:.4f} instead of
-{rigid.energy:.4f}. The refined method, second in the picture, keeps the same lengths. *E* of the rigid case
-{change(rigid.energy, refined.energy)}, and *E* with both wires elastic {change(both.energy, refined_both.energy)}.
+{rigid.energy:.4f}. The refined method, second in the picture, keeps the lengths of outline and rigid
+wires, too. Compared with the paper's methods, *E* of the rigid case {change(rigid.energy, refined.energy)}, and *E*
+with both wires elastic {change(both.energy, refined_both.energy)}.
 """

@@ -73,9 +73,9 @@ def verdict(found: list[str]) -> str:
         return "No derivative jumps: in this range *E* is as smooth as the paper finds it on its patches."
     return f"""The derivative jumps in {count(len(found), "place", "places")}: {"; ".join(found)}. At these
 values of *h*, *ψ(h)* switches to another minimum of Eq. (1). A wire that is too long must bend to one side, and *E* has
-a kink or a step at the length at which this starts. *E* is therefore not twice differentiable everywhere, although
-the paper concludes from its patches that it is. The search for the best lengths still works, because it only accepts
-lengths with a lower *E*."""
+a kink or a step at the length at which the bending starts. *E* is therefore not twice differentiable everywhere,
+although the paper concludes from its patches that it is. The search for the best lengths still works, because it
+only accepts lengths with a lower *E*."""
 
 
 def draw(curves: dict[str, list[Curve]], path: Path) -> None:

@@ -63,6 +63,6 @@ columns have our changes. A wire reaches the limit of its tolerance only if ever
 numbers therefore depend on the collar, and our collar is not the paper's. With the first angles that close all loops,
 as in the paper, and with equal weights, *E* of the rigid case is {first.energy:.4f}, and
 {count(first.flipped, "triangle is", "triangles are")} flipped. The refined method, second in the picture, keeps the
-same lengths: *E* of the rigid case {change(rigid.energy, refined.energy)}, and *E* within ±5%
-{change(five.energy, refined_five.energy)}.
+lengths of outline and rigid wires, too. Compared with the paper's methods, *E* of the rigid case
+{change(rigid.energy, refined.energy)}, and *E* within ±5% {change(five.energy, refined_five.energy)}.
 """

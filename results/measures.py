@@ -45,7 +45,7 @@ class Summary:
     wires: list[Line]  # whole wires, as marked
     tolerances: list[float]  # tolerances of the wires
     changes: list[float]  # relative change of length of every elastic part of a wire
-    factorizations: int  # of the piece with the most factorizations
+    factorizations: int  # number for the piece with the most factorizations
 
 
 def face_areas(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:

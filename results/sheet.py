@@ -107,7 +107,8 @@ def _label_wires(axes: Axes, column: Column, uv: np.ndarray) -> None:
     labels = np.empty((0, 2))
     for index, report in enumerate(column.result.wires):
         count = len(lines[index])
-        inner = lines[index][round(0.15 * count) : max(round(0.85 * count), 1)]  # the ends are on outlines
+        # no labels at the ends, which are on outlines
+        inner = lines[index][round(0.15 * count) : max(round(0.85 * count), 1)]
         taken = np.concatenate([labels, *lines[:index], *lines[index + 1 :]])
         gaps = np.linalg.norm(inner[:, None] - taken, axis=2).min(axis=1, initial=np.inf)
         place = inner[np.argmax(gaps)] if len(taken) else inner[len(inner) // 2]

@@ -18,7 +18,8 @@ def table(header: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
 
 
 def picture(alternative: str, path: Path) -> str:
-    return f"[![{alternative}](results/{path.name})](results/{path.name})"  # a click enlarges the picture
+    # the link to the file itself enlarges the picture
+    return f"[![{alternative}](results/{path.name})](results/{path.name})"
 
 
 def change(before: float, after: float) -> str:

@@ -27,7 +27,7 @@ CLOTH = (1000.0, 1000.0, 50.0)  # N/m: stiffness of weft, warp and shear, with t
 BENDING = (2e-5, 2e-5, 1e-5)  # N m: bending stiffness of a shirt, which is too soft to keep a shape by itself
 DENSITY = 0.2  # kg/m²; there is no gravity, so the fabric has no weight
 CLEARANCE = 0.002  # meters: offset of the body below the model, and of the fabric above the body
-CONTACT = 1e4  # N/m: stiffness of contacts; under its tension, the fabric sinks into the body by up to 3 mm
+CONTACT = 1e4  # N/m: stiffness of contacts; the tension of the fabric presses it into the body by up to 3 mm
 # seconds of a step, number of steps, and iterations in a step; 20 more steps would change the rms distance by < 3%
 STEP, STEPS, ITERATIONS = 1 / 240, 80, 10
 
@@ -72,7 +72,7 @@ def wear(shape: Shape, corner_uv: np.ndarray) -> np.ndarray:
     )
     body = shape.vertices - CLEARANCE * vertex_normals(shape)
     builder.add_shape_mesh(body=-1, mesh=newton.Mesh(body.astype(np.float32), triangles.ravel().astype(np.int32)))
-    model = builder.finalize(device="cpu")  # because sums on the CPU are reproducible
+    model = builder.finalize(device="cpu")  # on the CPU, because sums there are reproducible
     model.set_gravity((0.0, 0.0, 0.0))
     model.soft_contact_ke, model.soft_contact_kd, model.soft_contact_mu = CONTACT, 0.0, 0.0
     solver = newton.solvers.SolverStyle3D(model, config=newton.solvers.SolverStyle3D.Config(iterations=ITERATIONS))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Returns the commit of this repository, which pages name beside their figures."""
+"""Returns the commit of this repository. Pages name it beside their figures."""
 
 import subprocess
 from pathlib import Path

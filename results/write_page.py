@@ -81,7 +81,7 @@ def main() -> None:
     parser.add_argument("--output", type=Path, default=ROOT / "docs" / "results.md")
     arguments = parser.parse_args()
 
-    version = commit()  # before the page and its pictures change
+    version = commit()  # read first, because new pages and pictures would mark the commit as changed
     use_style()
     pictures = arguments.output.with_suffix("")
     pictures.mkdir(parents=True, exist_ok=True)

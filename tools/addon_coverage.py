@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Measures how much of the add-on its tests in Debian's Blender run, with and without the window."""
+"""Measures which lines of the add-on are run by its tests in Debian's Blender, with and without the window."""
 
 import ast
 import json
@@ -17,7 +17,7 @@ NEEDS_WINDOW = {  # modules that run in a window only; all other modules are tes
     "addon/wirewarp/overlay/view3d.py": "draws in a view and in a UV editor",
     "addon/wirewarp/overlay/screen.py": "draws text",
 }
-REGISTERING = {"attach", "detach", "register", "unregister"}  # run for every module, so they do not count
+REGISTERING = {"attach", "detach", "register", "unregister"}  # these run for every module, even an untested one
 
 
 def begin(kind: str) -> dict[str, str]:

@@ -29,7 +29,8 @@ QEMU_APT = ("qemu-user",)
 PYTHON_APT = (f"python{DEBIAN_VERSION}-minimal", f"libpython{DEBIAN_VERSION}-stdlib", "libstdc++6")
 FOLDER = BUILD / "arm"
 PLATFORMS = ("manylinux_2_28_aarch64", "manylinux2014_aarch64")  # pip's names; each package has a wheel for one of them
-# Only tests of lengths, errors and pattern files, because QEMU is slow and some tests start programs of this machine
+# Only tests of lengths, errors and pattern files, because QEMU is slow and some other tests start programs of this
+# machine
 TESTS = ("test_readme", "test_errors", "test_results", "test_wire_and_options", "test_pattern_files")
 
 

@@ -11,7 +11,7 @@ from tools.package import venv_with_core
 
 APT = (*CORE_APT, *BLENDER_APT, *BPY_APT, "libbenchmark-dev")
 PACKAGES = (NUMPY[DEBIAN_VERSION], "libigl==2.6.3", "matplotlib==3.10.9")
-PEER = "bpy==4.5.15"  # the Blender whose unwraps are compared
+PEER = "bpy==4.5.15"  # version of Blender whose unwraps are compared
 FOLDER = BUILD / "bench"
 SHARED = {"PYTHONPATH": str(ROOT / "results")}  # modules that the pages of benchmarks and results share
 NOT_THE_LARGEST = "--benchmark_filter=-triangles:1000000"

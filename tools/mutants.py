@@ -21,7 +21,7 @@ from tools.environment import BUILD, CORES, DEBIAN_VERSION, ROOT, StepError, cle
 from tools.native import build_native
 
 SAMPLE = 60  # number of mutants; the standard error of the share is then about 5%
-SECONDS = 900.0  # limit for the tests of a mutant; if they take longer, the mutant counts as caught
+SECONDS = 900.0  # limit for the tests of a mutant; if the tests take longer, the mutant counts as caught
 SWAPPED = {"<": "<=", "<=": "<", ">": ">=", ">=": ">", "==": "!=", "!=": "==", "+": "-", "-": "+"}
 CPP_SWAPPED = SWAPPED | {"&&": "||", "||": "&&"}
 PYTHON_SWAPPED = SWAPPED | {"and": "or", "or": "and"}
@@ -80,7 +80,7 @@ def mutants(words: list[str]) -> None:
         if outcome is False:
             survivors.append(mutant)
             say(f"not caught: {mutant}")
-    say(f"{caught} of {caught + len(survivors)} caught; {len(every)} can be made, those that compile")
+    say(f"{caught} of {caught + len(survivors)} mutants that compile were caught; {len(every)} mutants can be made")
 
 
 def _mutants_of(source: Path) -> Iterator[Mutant]:

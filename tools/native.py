@@ -11,8 +11,9 @@ NATIVE_APT = (*CORE_APT, "libgtest-dev", "libnlopt-dev")
 FUZZ_APT = (*CORE_APT, "clang", "libclang-rt-dev")
 ATHERIS = ("atheris==3.0.0", "numpy==1.26.4")  # atheris is libFuzzer for Python
 FEW_CASES, MANY_CASES = 1_000, 10_000
-TEST_SECONDS = 1500  # limit for a part of the tests, which takes half a minute of one core under the sanitizers
-# The address sanitizer records this many callers of each allocation. The usual 30 need up to a tenth of the time.
+TEST_SECONDS = 1500  # limit for a part of the tests; under the sanitizers, a part takes half a minute of one core
+# The address sanitizer records this many callers of each allocation. Recording 30, the default, would take up to a
+# tenth of the time of the tests.
 FEW_CALLERS = {"ASAN_OPTIONS": "malloc_context_size=5"}
 FUZZ_SECONDS = {"flatten": 600, "reader": 120}
 
@@ -31,7 +32,7 @@ def run_native_tests(preset: str) -> None:
 
 
 def native_tests() -> None:
-    """Test the core as it is in the wheels. It has the same OpenMesh, so the wheels need not compile the core again."""
+    """Test the core as it is in the wheels, with their OpenMesh, so that ccache has its objects for the wheels."""
     require_apt(*NATIVE_APT)
     build_native("release", "wirewarp_tests", FETCHCONTENT_SOURCE_DIR_OPENMESH=str(openmesh_source()))
     run_native_tests("release")
@@ -50,7 +51,7 @@ def random_cases(count: int = FEW_CASES) -> None:
     """Run this many random cases under the sanitizers."""
     require_apt(*NATIVE_APT)
     build_native("asan", "wirewarp_random_cases")
-    core_coverage.begin()  # deletes the counts of an earlier build
+    core_coverage.begin()  # deletes counts of an earlier build, with which new counts cannot be merged
     run([BUILD / "asan" / "wirewarp_random_cases", "0", str(count)], **FEW_CALLERS)
 
 

@@ -23,8 +23,8 @@ OPENMESH = "openmesh==1.2.1"  # contains the C++ source of OpenMesh 9.1
 GLIBC = "2.28"  # version on the oldest systems that blender.org supports
 POLICY = f"manylinux_{GLIBC.replace('.', '_')}_x86_64"
 # Defines names for which libstdc++ or its headers would otherwise need a newer glibc. The variable
-# __libc_single_threaded is 0, which means that there may be several threads and is always safe. Debian 13's headers
-# replace strtol and strtoul by the functions __isoc23_*, which also accept binary numbers.
+# __libc_single_threaded is 0: there may be several threads. This value is always safe. Debian 13's headers replace
+# strtol and strtoul by the functions __isoc23_*, which also accept binary numbers.
 NEWER_GLIBC = """
 #define OURS extern "C" __attribute__((visibility("hidden")))
 OURS char __libc_single_threaded;

@@ -99,7 +99,7 @@ def extension_for(system: System) -> Path:
 def cross_wheel(system: System, version: str, wheel: Path) -> Path:
     """Return the wheel for another system. If the sources have not changed, this is the wheel of the last build.
 
-    The wheel is in a folder of the system, because other steps delete wheels in dist/.
+    The wheel is in build/cross, in a folder for its system, because other steps delete wheels in dist/.
     """
     folder = BUILD / "cross" / system.platform / "wheels"
     folder.mkdir(parents=True, exist_ok=True)
@@ -192,7 +192,7 @@ def build_wheel_alone(version: str, python: Path) -> Path:
     }
     # The core is compiled as in build/release, so that both builds share objects in ccache.
     options = {"build-dir": str(BUILD / f"wheel-{tag}")}
-    # Only here are warnings errors. In the builds of users they are not, because their compilers may be newer.
+    # Warnings are errors only here. In builds of users, newer compilers may have more warnings.
     options["cmake.define.CMAKE_COMPILE_WARNING_AS_ERROR"] = "ON"
     options |= {f"cmake.define.{name}": value for name, value in old_glibc.cmake_definitions().items()}
     build = ("pip", "wheel", "--quiet", "--no-build-isolation", "--no-deps", "-w", raw)

@@ -31,7 +31,8 @@ TOURS = (
 )
 SHEET, DOTS = 6, 60  # number of the page of the PDF in the picture, and dots per inch of the picture
 DRAWN = {"pattern": 2600, "marker": 1100}  # width of each picture in pixels, by the name of its SVG file and style
-PART = (970, 0, 1930, 1000)  # pixels of the pattern in the picture: the left sleeve and the neck of the front
+# left, top, right, bottom in pixels of the part of the pattern to show: left sleeve and neck of the front
+PART = (970, 0, 1930, 1000)
 AT_ONCE = 4  # number of Blenders at a time, which mostly wait for their windows
 SECONDS = 600.0  # limit for a busy machine; a tour takes about ten seconds on an idle machine
 

@@ -15,7 +15,7 @@ from tools.zips import extension_zips
 
 REPOSITORY = DIST / "repository"
 PAGE = ROOT / "tools" / "repository.html"  # template; Blender replaces ${body} by the table of zips, and ${date}
-# Version of bpy with the generator, a separate script: the newest version for Debian's Python.
+# The bpy whose script generates the list: the newest that runs in Debian's Python.
 GENERATOR = next((each for each in reversed(BPY) if BPY[each] == DEBIAN_VERSION), "")
 
 

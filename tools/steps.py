@@ -30,15 +30,15 @@ class When(IntEnum):
     """Which runs of ./dev test include a step that they do not name."""
 
     ALWAYS = 0
-    ALL = 1  # only ./dev test --all
-    NAMED = 2  # no run: the step must be named
+    ALL = 1  # only in ./dev test --all
+    NAMED = 2  # in no run: the step must be named
 
 
 @dataclass(frozen=True)
 class Step:
     name: str
     work: Callable[[], None]  # raises StepError or NotTestedError
-    after: str = ""  # name of the step whose builds this one uses
+    after: str = ""  # name of the step whose builds this step uses
     when: When = When.ALWAYS
 
 

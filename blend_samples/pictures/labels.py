@@ -32,7 +32,8 @@ def seam_labels(
     lines = points[np.unique(np.concatenate([pieces.outline, pieces.wires]))]
     labels: list[tuple[int, np.ndarray]] = []
     for seam in seams:
-        rows = [rows_of.get(frozenset(edge), []) for edge in seam["edges"]]  # empty for a piece without a layout
+        # a row is empty for a piece without a layout
+        rows = [rows_of.get(frozenset(edge), []) for edge in seam["edges"]]
         numbers = [*taken, *(place for _, place in labels)]
         for distance in (offset, NARROW * offset):
             room, places = _best_places(pieces, points, rows, distance, (lines, numbers))
@@ -56,7 +57,7 @@ def _best_places(
         if not places:
             continue
         room = min(np.linalg.norm(lines - place, axis=1).min() for place in places)
-        for number in numbers:  # between two numbers, both need space
+        for number in numbers:  # each number gets half of the space between two numbers
             room = min(room, *(np.linalg.norm(number - place) / 2 for place in places))
         off_middle = abs((step + 0.5) / len(rows) - 0.5)
         best = max(best, (min(room, offset) - 0.5 * offset * off_middle, room, places), key=lambda choice: choice[0])

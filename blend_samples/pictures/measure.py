@@ -22,7 +22,7 @@ def _areas_around(points: np.ndarray, triangles: np.ndarray) -> np.ndarray:
 
 
 def chains(edges: np.ndarray) -> list[list[int]]:
-    """Return edges (k, 2) as polylines. They end at vertices with one edge or more than two edges.
+    """Return edges (k, 2) as polylines, which end at vertices with one edge or more than two edges.
 
     Closed polylines repeat their first vertex.
     """

@@ -28,7 +28,7 @@ _SCALE = [linear(c) for c in ("#08519c", "#5a9bd4", "#f6f4ef", "#f2a03d", "#a63c
 
 
 def stretch_colors(stretch: np.ndarray, limit: float) -> np.ndarray:
-    """Return linear colors (..., 4) of relative stretch. Beyond -limit and limit, they are constant."""
+    """Return linear colors (..., 4) of relative stretch. Beyond -limit and limit, the colors are constant."""
     at = np.clip(np.asarray(stretch) / limit, -1, 1)
     stops = np.linspace(-1, 1, len(_SCALE))
     return np.stack([np.interp(at, stops, [color[k] for color in _SCALE]) for k in range(4)], axis=-1)

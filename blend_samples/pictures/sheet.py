@@ -88,7 +88,7 @@ def _beginnings(points: np.ndarray, edges: np.ndarray, share: float) -> list[np.
 
 
 def _draw_numbers(sheet: Sheet, pieces: Flat, points: np.ndarray, report: dict) -> None:
-    """Draw a large number in each piece and a small number on both sides of each seam, as in tables.py."""
+    """Draw a large number in each piece, and a small number on both sides of each seam. tables.py prints them, too."""
     lines = points[np.unique(np.concatenate([pieces.outline, pieces.wires]))]
     taken = []
     for piece in np.unique(pieces.piece):
@@ -113,7 +113,7 @@ def _draw_lengths(sheet: Sheet, report: dict) -> None:
             sheet.add_text(cell, x, TABLE_Y - TABLE_STEP * row, TABLE_TEXT, color, align)
     if report["seams"]:
         worst = 1000 * max(seam["mismatch_m"] for seam in report["seams"])
-        sides = "But for their ease, the sides" if any(any(seam["eases"]) for seam in report["seams"]) else "The sides"
+        sides = "Except for ease, the sides" if any(any(seam["eases"]) for seam in report["seams"]) else "The sides"
         text = f"{sides} of every seam differ by less than {max(math.ceil(1e4 * worst), 1) / 1e4:.4f} mm"
         sheet.add_text(text, MODEL_BOX.left, TABLE_Y - TABLE_STEP * len(rows), TABLE_TEXT, FAINT_INK)
 

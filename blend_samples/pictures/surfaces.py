@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Reads the data of a model and of its flat pieces, which a picture needs, from Blender meshes into arrays."""
+"""Reads the data that a picture needs from Blender meshes into arrays: a model and its flat pieces."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ class Model:
 
 @dataclass(frozen=True)
 class Flat:
-    """The flat pieces of a sample. Their outline includes their sides of the seams."""
+    """The flat pieces of a sample. The outline includes both sides of each seam."""
 
     vertices: np.ndarray  # (p, 3), Blender units, z 0
     source_vertex: np.ndarray  # (p,) vertex of the model for each vertex

@@ -11,7 +11,7 @@ from .shape import Shape, ShapeBuilder
 # All lengths are in meters. In the plan, the wall of arms and back runs around the seat from the left arm's front to
 # the right arm's front.
 HALF_SEAT, FRONT, BACK, CORNER = 0.27, -0.36, 0.25, 0.10  # inner face: |x|, y of front and back, corner radius
-THICKNESS = 0.15  # of the wall
+THICKNESS = 0.15  # thickness of the wall
 BOTTOM, SEAT, ARM, TOP = 0.06, 0.40, 0.60, 0.88  # heights of hem, seat seam, arms and back
 # The wall rises from the arm to the back between these lengths from the arm's front.
 RISE_BEGIN, RISE_END = 0.32, 0.90
@@ -27,7 +27,8 @@ def armchair_cover(
     """Return the cover with a rigid line around its outside, and elastic lines along and across.
 
     The arguments are numbers of edges. arm, corner, back: along the wall, with half a corner; outside, roll, inside: up
-    the wall, over its top and down; across: across an arm's front, whose sides get the other edges of the roll.
+    the wall, over its top and down; across: across an arm's front. The other edges of the roll are at the sides of this
+    front.
     """
     builder = ShapeBuilder()
     wall = builder.add_grid(_wall(arm, corner, back, outside, roll, inside))
@@ -113,7 +114,7 @@ def _seat(inner: np.ndarray, depth: int, apron: int) -> np.ndarray:
 
 
 def _near_the_nose(points: np.ndarray) -> np.ndarray:
-    """Return the share of relaxation of each point, 0 to 1, which rounds the seat's front edge between the arms."""
+    """Return the share of relaxation of each point, 0 to 1. It rounds the seat's front edge between the arms."""
     x, y, z = points.T
     between, front, high = (HALF_SEAT - np.abs(x)) / 0.08, (FRONT + 0.16 - y) / 0.1, (z - 0.2) / 0.1
     return 0.6 * np.clip(between, 0, 1) * np.clip(front, 0, 1) * np.clip(high, 0, 1)

@@ -8,9 +8,9 @@ import numpy as np
 from . import torso
 from .curves import chord_lengths, cubic_spline, even_parameters
 
-# Points of the left armhole, from the front underarm over the shoulder tip to the back underarm. Each has the distance
-# x from the middle in meters, and a position that is 0 at the shoulder line and ±1 at the underarm: -1 in front, 1
-# behind.
+# Points of the left armhole, from the front underarm over the shoulder tip to the back underarm. Each point has its
+# distance x from the middle in meters, and a position that is 0 at the shoulder line and ±1 at the underarm: -1 in
+# front, 1 behind.
 ARMHOLE = np.array(
     [
         [0.1700, -1.0], [0.1690, -0.975], [0.1600, -0.90], [0.1510, -0.75], [0.1500, -0.55], [0.1580, -0.32],
@@ -46,7 +46,7 @@ def neckline(depth: float) -> np.ndarray:
 
 
 def evenly(body: torso.Half, curve: np.ndarray, count: int) -> np.ndarray:
-    """Return count + 1 points of a curve in longitude and v, at equal distances on the body. The ends are exact."""
+    """Return count + 1 points of a curve in longitude and v, at equal distances on the body. It keeps its ends."""
     at = chord_lengths(body.points(curve[:, 0], curve[:, 1]))
     even = np.linspace(0, 1, count + 1)
     points = np.stack([np.interp(even, at, curve[:, k]) for k in range(2)], axis=-1)
@@ -73,7 +73,8 @@ def upper_block(
     across = (1 - t) * bust[:, 0] / bust[-1, 0] + t * upper[:, 0] / upper[-1, 0]  # from -1 at the right edge to 1
     followed = (1 - t) * left[0, 0] + t * left[-1, 0] if straight else left[:, :1]
     phi = (followed + (left[:, :1] - followed) * across**4) * across
-    height = (left[:, 1:] - bust[0, 1]) / (1 - bust[0, 1])  # height of the left edge in the block, from 0 to 1
+    # height of each point of the left edge in the block, from 0 to 1
+    height = (left[:, 1:] - bust[0, 1]) / (1 - bust[0, 1])
     v = bust[0, 1] + (t + (height - t) * across**2) * (upper[:, 1] - bust[0, 1])
     return np.stack([phi, v], axis=-1)
 

@@ -43,14 +43,14 @@ def _half(columns: int, rows: int) -> np.ndarray:
     chest = (HEM[:, 2].max() - hem[:, 2:]) / np.ptp(HEM[:, 2])  # 1 on the chest, 0 on the shoulder
     slope = SLOPES[0] + (SLOPES[1] - SLOPES[0]) * chest
     leave = SPREAD * (inward + slope * [0, 0, 1])
-    arrive = RISE * np.array([0, -0.25, 1.0])  # the neck leans forward
+    arrive = RISE * np.array([0, -0.25, 1.0])  # -0.25, because the neck leans forward
     return hermite_curves(hem, leave, top, arrive, rows)
 
 
 def _round(points: np.ndarray, columns: int) -> np.ndarray:
     """Return evenly spaced points (columns + 1, 3) of a smooth curve through `points`, up to the gap at the back.
 
-    It crosses the middle of the front at a right angle.
+    The curve crosses the middle of the front at a right angle.
     """
     mirrored = np.concatenate([points[2:0:-1] * [-1, 1, 1], points, points[-2:-4:-1] * [-1, 1, 1]])
     knots = chord_lengths(mirrored)

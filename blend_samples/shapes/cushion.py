@@ -147,7 +147,7 @@ def _inflate(x: np.ndarray, y: np.ndarray, core: int, rings: int) -> np.ndarray:
 
 
 def _strip(x: np.ndarray, y: np.ndarray, rows: int) -> np.ndarray:
-    """Return points (rows + 1, c, 3) of the strip along the closed outline, bottom row first. It bulges outward."""
+    """Return points (rows + 1, c, 3) of the strip along the closed outline, bottom row first, bulging outward."""
     outline = np.stack([x, y], axis=-1)
     along = np.roll(outline[:-1], -1, axis=0) - np.roll(outline[:-1], 1, axis=0)
     normal = np.stack([along[:, 1], -along[:, 0]], axis=-1) / np.linalg.norm(along, axis=1, keepdims=True)

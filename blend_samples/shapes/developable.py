@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Makes surfaces that unroll without distortion. Their meshes do so, too."""
+"""Makes surfaces whose meshes unroll without distortion."""
 
 from __future__ import annotations
 

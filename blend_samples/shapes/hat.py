@@ -33,9 +33,9 @@ def hat(fan_rows: int = 12, side_rows: int = 7, brim_rows: int = 6, sectors: int
     brim = builder.add_grid(np.stack([_round(p, around) for p in _brim(brim_rows)]), flip=True)
 
     quarter = sectors // 4
-    for k in (1, 3):  # front and back: the middle seam over the top
+    for k in (1, 3):  # at front and back: the middle seam over the top
         builder.add_seam(_meridian(fans[k * quarter], crown[:, k * quarter * fan_rows], 0))
-    for k in (0, 2):  # left and right: the darts, from the hem up
+    for k in (0, 2):  # at left and right: the darts, from the hem up
         builder.add_seam(_meridian(fans[k * quarter], crown[:, k * quarter * fan_rows], fan_rows // 2))
     builder.add_seam(crown[-1])
     builder.add_seam(brim[:, quarter * fan_rows])

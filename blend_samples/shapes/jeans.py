@@ -75,7 +75,7 @@ def _panel(side: int, leg: int, heights: np.ndarray, columns: int) -> tuple[np.n
     """Return angles and heights (r, columns + 1) of the left front or back, from the inner seams to the side."""
     inner_angle, inner_height = _inner_edge(side, leg, len(heights) - 1 - leg)
     s = np.linspace(0, 1, columns + 1)
-    near = (1 - s) ** 3  # the corner at the crotch fades out quickly
+    near = (1 - s) ** 3  # the effect of the corner at the crotch fades out quickly
     middle = (3 * heights + inner_height) / 4
     above = np.clip((middle - THIGH) / (legs.WAIST - THIGH), 0, 1)
     crease = np.where(above > 0, legs.center(THIGH) * (1 - above) + CREASE_AT_WAIST * above, legs.center(middle))

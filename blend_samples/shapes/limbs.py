@@ -13,7 +13,7 @@ from .shape import ShapeBuilder
 
 @dataclass(frozen=True)
 class Hole:
-    """A hole in a grid of quads, in the middle of which a seam ends."""
+    """A hole in a grid of quads. The seam along its middle column ends at its border."""
 
     row: int  # lowest row of vertices of the hole
     column: int  # column of vertices of the seam
@@ -21,7 +21,7 @@ class Hole:
     half_width: int  # width in quads to each side of the seam
 
     def cut(self, holes: np.ndarray) -> None:
-        """Set the quads of the hole in `holes` (r - 1, c - 1)."""
+        """Set `holes` (r - 1, c - 1) to true for the quads of the hole."""
         columns = slice(self.column - self.half_width, self.column + self.half_width)
         holes[self.row : self.row + self.rows, columns] = True
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Makes a carnival mask: a piece with two holes, which wires connect with each other and with the outline."""
+"""Makes a carnival mask: a piece with two holes. Wires connect the holes with each other and with the outline."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ OUTLINE = np.array(
         [0.087, 0.004], [0.094, 0.026], [0.084, 0.034], [0.062, 0.033], [0.036, 0.033], [0.014, 0.026], [0.0, 0.022],
     ]
 )  # fmt: skip
-TEMPLE_KNOT = 7  # row of OUTLINE
+TEMPLE_KNOT = 7  # row of OUTLINE at the temple
 BRIDGE = np.array([0.0, -0.0035])
 EYE_CENTER = np.array([0.039, 0.0])
 EYE_AXES = np.array([0.021, 0.011])
@@ -43,7 +43,8 @@ def _half(around: int, rings: int, below: int, above: int) -> tuple[np.ndarray, 
     The outer ends of the columns run from the bridge of the nose down the middle line, along the outline, and back to
     the bridge.
     """
-    mirrored = np.concatenate([OUTLINE[2:0:-1] * [-1, 1], OUTLINE, OUTLINE[-2:-4:-1] * [-1, 1]])  # smooth at the middle
+    # continued beyond the middle, so that the curve is smooth there
+    mirrored = np.concatenate([OUTLINE[2:0:-1] * [-1, 1], OUTLINE, OUTLINE[-2:-4:-1] * [-1, 1]])
     knots = chord_lengths(mirrored)
     outline = cubic_spline(knots, mirrored)
     begin, tip, end = knots[2], knots[2 + TEMPLE_KNOT], knots[-3]

@@ -13,7 +13,7 @@ NECK_DEPTH = {1: 0.30, -1: 0.08}  # of front (1) and back (-1): depth of bodice.
 # Centers of elbow and cuff, and their radii from the underarm to the shoulder side and from front to back, in meters.
 ELBOW, CUFF = np.array([0.308, 0.004, 0.225]), np.array([0.404, -0.026, -0.005])
 ELBOW_RADII, CUFF_RADII = np.array([0.062, 0.066]), np.array([0.048, 0.052])
-UPPER_ARM, FOREARM = np.array([0.44, 0.02, -0.898]), np.array([0.36, -0.14, -0.922])  # their directions
+UPPER_ARM, FOREARM = np.array([0.44, 0.02, -0.898]), np.array([0.36, -0.14, -0.922])  # directions
 LEAVE = np.array([0.92, 0.0, -0.39])  # direction of the sleeve at the armhole
 ELBOW_SPEED = 0.24  # meters: velocity of the curves at the elbow, about the distance from the elbow to the armhole
 CAP_FULLNESS = 0.22  # meters: distance from the armhole over which the sleeve is straight before it bends to the arm

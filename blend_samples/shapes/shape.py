@@ -40,7 +40,7 @@ class Shape:
     seams: np.ndarray  # (k, 2) vertex pairs
     wires: list[Wire] = field(default_factory=list)
     eases: list[Ease] = field(default_factory=list)
-    cloth: str = ""  # fabric of wirewarp.Cloth.presets() that stretches far enough; empty: every fabric does
+    cloth: str = ""  # fabric of wirewarp.Cloth.presets() that stretches far enough; empty if every fabric does
     stretch: tuple[float, float] = (0.0, 0.0)  # stretch of the fabric when worn, across and along the grain
     fairness: float = FAIRNESS  # option of wirewarp.Options
     allowance: float = ALLOWANCE  # seam allowance in mm
@@ -77,7 +77,8 @@ class ShapeBuilder:
     def add_points(self, points: np.ndarray) -> np.ndarray:
         """Return the vertex indices (...) of points (..., 3). Points without a vertex get new vertices."""
         flat = points.reshape(-1, 3)
-        # Without the offset, round coordinates (0, 0.05, ...) would be at borders of cells.
+        # Without the offset, round coordinates (0, 0.05, ...) would be at borders of cells, and rounding errors could
+        # put equal points into different cells.
         cells = np.floor((flat + 0.3183 * WELD_DISTANCE) / WELD_DISTANCE).astype(np.int64)
         indices = []
         for point, cell in zip(flat, cells, strict=True):
@@ -144,7 +145,7 @@ class ShapeBuilder:
         self._eases.append(Ease(np.column_stack([chain[:-1], chain[1:]]), ratio))
 
     def add_group(self, vertices: np.ndarray, name: str) -> None:
-        """Give the pieces of these vertices a name."""
+        """Name the pieces that these vertices form."""
         self._groups[name] = np.unique(vertices)
 
     def build(

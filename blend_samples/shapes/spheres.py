@@ -11,7 +11,7 @@ from .fan import add_sector
 from .shape import Shape, ShapeBuilder
 
 QUARTER_SPHERE_RADIUS = 0.10
-BALL_RADIUS = 0.11  # of a football
+BALL_RADIUS = 0.11  # meters: a football
 
 
 def quarter_sphere(segments: int = 28, cap: float = np.radians(20)) -> Shape:

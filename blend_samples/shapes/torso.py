@@ -27,11 +27,11 @@ PROFILE = np.array([
     [0.600, 0.000, 0.000, 0.200],
     [0.585, -.048, -.054, 0.199],  # a row beyond the shoulder line, so that the shoulder is round
 ])  # fmt: skip
-WAIST, BUST, UNDERARM = 0.20, 0.37, 0.42  # heights
+WAIST, BUST, UNDERARM = 0.20, 0.37, 0.42  # heights in meters
 SHOULDER_DROP = 0.060  # drop of the shoulder line from the middle to the half width
 BUST_POINT = np.array([0.078, 0.37])  # |x| and z
 BUST_RISE, BUST_SIZE = 0.032, 0.058  # height and radius of the bust
-CROTCH = np.array([-0.075, 0.0, 0.0, 0.165])  # in the form of a row of PROFILE
+CROTCH = np.array([-0.075, 0.0, 0.0, 0.165])  # the crotch, with the columns of PROFILE
 # derivative of the profile at CROTCH, at which front and back meet level
 CROTCH_ARRIVAL = np.array([0.0, -0.20, -0.22, 0.0])
 CROTCH_V = -0.22  # v of the crotch
@@ -45,7 +45,7 @@ _FINE = np.linspace(0, 1, 4001)
 def _profile(v: np.ndarray) -> np.ndarray:
     """Return values (..., 4) in the form of the columns of PROFILE. Below the hip, a cubic continues it smoothly."""
     v = np.asarray(v, dtype=float)
-    t = np.clip(v / CROTCH_V, 0, 1)[..., None]  # from the hip to the crotch
+    t = np.clip(v / CROTCH_V, 0, 1)[..., None]  # 0 at the hip, 1 at the crotch
     below = hermite(t, PROFILE[0], CROTCH_V * _HIP_SLOPE, CROTCH, CROTCH_ARRIVAL)
     return np.where((v < 0)[..., None], below, _above_hip(v))
 

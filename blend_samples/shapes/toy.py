@@ -72,7 +72,7 @@ def _add_trunk(
     back: range,
     pole_first: bool,
 ) -> np.ndarray:
-    """Add body or head. Return the grid (rows + 1, COLUMNS + 1) between the fan around the pole and the neck.
+    """Add the body or the head. Return the grid (rows + 1, COLUMNS + 1) between the fan around the pole and the neck.
 
     front, back: rows in which two seams are left out, so that three gores are joined. The rest of these seams are
     darts. pole_first: true for the body, whose grid begins at its pole.
@@ -107,7 +107,7 @@ def _add_trunk(
 
 
 def _around(profile_point: np.ndarray, longitudes: np.ndarray) -> np.ndarray:
-    """Return points (n, 3) at these longitudes (n,) and the height of the profile point. They include the snout."""
+    """Return points (n, 3) at these longitudes (n,) and the height of the profile point, with the snout."""
     radius, height = profile_point
     x, y = radius * np.sin(longitudes), -radius * DEPTH * np.cos(longitudes)
     points = np.stack([x, y, np.full_like(x, height)], axis=-1)

@@ -31,8 +31,8 @@ COLORS = {
 }
 LABEL = 0.19  # inches
 # Each view: title, box, rotation to the left and tilt toward the viewer in degrees, and labels. Each label: name of the
-# line, share of the length of the line at which the leader ends, and offset of the text from this point in inches. The
-# text is to the right for a line on the right half of the model.
+# line, share of the length of the line at which the leader ends, and offset of the text from this point in inches. A
+# label with an offset to the right is for the line on the right half of the model.
 VIEWS = (
     (
         "From the front and above",
@@ -71,7 +71,8 @@ def draw_view(sheet: Sheet, body: Model, title: str, box: Box, view: tuple[float
     for kind, share, (right, up) in labels:
         placed = [body.vertices[line] for line in lines]
         on_side = [k for k, own in enumerate(placed) if kind_of(own) == kind and right * own[:, 0].sum() > 0]
-        line = points[lines[min(on_side, key=lambda k: placed[k][:, 1].mean())]]  # the front half of an armhole
+        # of the two lines of an armhole, the line on the front
+        line = points[lines[min(on_side, key=lambda k: placed[k][:, 1].mean())]]
         at = line[round(share * (len(line) - 1))] * [1, 1, 0] + [0, 0, 1]
         end = at + [right, up, 0]
         sheet.add_lines([np.array([at, end])], 0.4 * LINE_WIDTH, COLORS[kind])

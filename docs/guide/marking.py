@@ -65,7 +65,7 @@ def mark_garment() -> None:
 
 
 def clear_wires(kept: Collection[str] = ()) -> None:
-    """Clear the wires of the sample, except for those with these names."""
+    """Clear all wires of the sample, except for wires with these names."""
     mesh = bpy.context.object.data
     cleared = {wire.wire_id for wire in mesh.wirewarp_names if wire.name not in kept}
     wire_at = {

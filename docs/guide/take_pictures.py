@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Takes the pictures of the pages in tours through Blender's window, with the sample Fitted Top or a ring.
+"""Takes the pictures for the pages of the site, in tours through Blender's window. They show *Fitted Top* or a ring.
 
 tools/pictures.py runs the tours. Each tour is a function that takes the picture with its own name.
 """
@@ -31,15 +31,17 @@ LEFT = 480  # pixels on the left of the view that pictures leave out
 
 
 def open_sample(*opened: str) -> drive.Tour:
-    """Open the sample in a window with only a 3D view, in which only these panels of ours are open."""
+    """Open the sample in a window with only a 3D view, in which only these panels of WireWarp are open."""
     open_panels(*opened)
     bpy.ops.wm.open_mainfile(filepath=str(SAMPLE), load_ui=False)
     yield from show_view_only(opened[0])
 
 
 def open_panels(*opened: str) -> None:
-    """Register all our panels again, with only these open, because Blender reads the state of a new panel from its
-    class."""
+    """Register all panels of WireWarp again, with only these open.
+
+    Blender reads from the class of a panel whether it is open, but only when the panel is registered.
+    """
     bpy.context.preferences.view.ui_scale = UI_SCALE
     bpy.context.preferences.view.smooth_view = 0  # otherwise, Flatten still moves the view when a picture is taken
     panels = [cls for cls in wirewarp_addon.registration.CLASSES if issubclass(cls, bpy.types.Panel)]
@@ -99,7 +101,7 @@ def fit(bottom: float = 0.0) -> drive.Tour:
     corners = visible_corners()
     view.view_location = sum(corners, Vector()) / len(corners)
     view.update()
-    for _ in range(4):  # perspective makes a single step inexact
+    for _ in range(4):  # several steps, because perspective makes a single step inexact
         places = [location_3d_to_region_2d(region, view, corner) for corner in corners]
         low, high = (Vector(end(place[k] for place in places) for k in range(2)) for end in (min, max))
         size = Vector((right - LEFT, (1 - bottom) * region.height))
@@ -149,7 +151,8 @@ def take_picture(name: str) -> drive.Tour:
     drive.screenshot(name)
     area, height = drive.view_area(), bpy.context.window_manager.windows[0].height
     top = height - area.y - area.height
-    box = (area.x + LEFT, top + 1, area.x + area.width, top + area.height - 1)  # without the border of the area
+    # without the border of the area, which is 1 pixel wide
+    box = (area.x + LEFT, top + 1, area.x + area.width, top + area.height - 1)
     (Path(os.environ["WIREWARP_PICTURES"]) / f"{name}.json").write_text(json.dumps(box))
 
 
@@ -217,7 +220,7 @@ def contradiction() -> drive.Tour:
     leave_edit_mode()
     yield from flatten()
     hide_others()
-    yield from look_at_model()  # Flatten has moved the view
+    yield from look_at_model()  # again, because Flatten has moved the view
     yield from take_picture("contradiction")
 
 
@@ -290,7 +293,7 @@ def pages() -> drive.Tour:
     settings.pairs = settings.on_fold = settings.show_pages = True
     settings.arrangement, settings.paper = "IN_ROWS", "A4"
     yield from show_pieces_from_above()
-    yield from fit(bottom=0.55)  # the sheets are below the pieces
+    yield from fit(bottom=0.55)  # room for the sheets, which are below the pieces
     yield from drive.ticks(10)
     yield from take_picture("pages")
 
