@@ -267,7 +267,7 @@ def test_a_stop_leaves_the_old_file(tmp_path, monkeypatch, ending):
     moments = {stage: [number for number, (own, _) in enumerate(asked) if own == stage] for stage, _ in asked}
     for count in sorted({number for own in moments.values() for number in (own[0], own[-1])}):
         left = iter([True] * count + [False])
-        with pytest.raises(wirewarp.FlattenError, match="Stopped") as stopped:
+        with pytest.raises(wirewarp.FlattenError, match="canceled before") as stopped:
             pattern.write(path, progress=lambda *_, left=left: next(left))
         assert stopped.value.code == "cancelled"
         assert path.read_bytes() == old and list(tmp_path.iterdir()) == [path]
@@ -298,7 +298,7 @@ def test_a_pattern_can_be_stopped_while_it_is_made(monkeypatch):
     Pattern.from_result(flattened("Hat"), progress=lambda stage, _: asked.append(stage))
     assert list(dict.fromkeys(asked)) == list(STAGES)[:3] == ["allowance", "marks and lines", "texts"]
     for stage in dict.fromkeys(asked):
-        with pytest.raises(wirewarp.FlattenError, match="Stopped"):
+        with pytest.raises(wirewarp.FlattenError, match="canceled before"):
             Pattern.from_result(flattened("Hat"), progress=lambda now, _, stage=stage: now != stage)
 
 

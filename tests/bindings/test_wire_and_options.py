@@ -191,7 +191,7 @@ def test_contradicting_options_are_refused():
         options.method = "wirewarp++"
     options.orientation = "best"
     for attempt in (lambda: setattr(options, "cloth", None), lambda: Options(orientation="best")):
-        with pytest.raises(FlattenError, match="without a cloth"):
+        with pytest.raises(FlattenError, match="if there is no cloth"):
             attempt()
 
 

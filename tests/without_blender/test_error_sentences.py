@@ -120,7 +120,7 @@ def test_broken_guarantees_are_reported_together(said):
             {"reason": "no_gain", "kind": "dart", "strain": 0.149, "wires": [0, 1] * 5},
             '14.9%: loosen wires "Hip", "Bust", "Hip", "Bust", "Hip" and 5 more or divide',
         ),
-        ({"reason": "no_gain", "kind": "seam", "strain": 0.149, "wires": []}, "14.9%: move one of its seams to"),
+        ({"reason": "no_gain", "kind": "seam", "strain": 0.149, "wires": []}, "14.9%: move a seam to"),
         ({"reason": "too_strained"}, "by over 100%"),
         ({"reason": "no_set", "is_restricted": True}, "Mark a first seam."),
         ({"reason": "unfolded"}, "is unfolded without distortion."),
