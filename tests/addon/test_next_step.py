@@ -71,7 +71,7 @@ def turned_over():
 @pytest.mark.parametrize(
     ("make", "said", "button", "faces", "again"),
     [
-        (contradiction, "flattened with", "Loosen and Flatten", 32, "has no suggested tolerance"),
+        (contradiction, "flattened with", "Loosen and Flatten", 32, "does not suggest a tolerance"),
         (sliver, "no area", "Dissolve and Flatten", 2, "has no zero-area faces"),
         (loose_faces, "(?i)merge", "Merge and Flatten", 48 * 48, "Nothing to merge: no vertices"),
         (turned_over, "to opposite sides", "Fix Normals and Flatten", 16, "so that more normals agree"),
@@ -153,7 +153,7 @@ def test_the_button_is_refused_without_a_fault(addon):
     with pytest.raises(RuntimeError, match="has not been flattened yet"):
         FIX(what="SEAMS")
     bpy.ops.object.wirewarp_flatten()
-    with pytest.raises(RuntimeError, match="has no suggested seam"):
+    with pytest.raises(RuntimeError, match="does not suggest a seam"):
         FIX(what="SEAMS")
     assert len(seams_of(source)) == 0
 
