@@ -49,7 +49,7 @@ class Widths:
         if self._unused:
             edges = sorted(self._unused)
             a, b = edges[0]
-            message = f"Edge {a}-{b} is not on the outline of a piece. Remove its allowance or fold."
+            message = f"Edge {a}-{b} is not on the outline of a piece, so remove its allowance or fold."
             raise FlattenError("invalid_option", message, edges=edges)
 
     def _width(self, edge: tuple[int, int], default: float) -> float:
