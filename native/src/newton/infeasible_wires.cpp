@@ -204,11 +204,12 @@ class ToleranceSearch {
   double trials_ = 0;
 };
 
-/// Returns whether even the shape with the least cost changes lengths, so that a longer search would not help.
+/// Returns whether the relaxed shape changes lengths, so that a longer search would hardly find a shape that keeps all
+/// lengths.
 bool shows_conflict(const RelaxedShape& relaxed) {
   const bool are_wires_violated =
       (relaxed.strain_rms.array() > kKept || relaxed.tolerance_violation.array() > kKept).any();
-  return relaxed.is_minimum && (are_wires_violated || relaxed.outline_strain > kKept);
+  return are_wires_violated || relaxed.outline_strain > kKept;
 }
 
 std::vector<ProposedTolerance> propose_tolerances(const Chart& chart, const InternalOptions& options,

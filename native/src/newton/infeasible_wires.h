@@ -19,7 +19,7 @@ struct LengthDiagnosis {
   /// change when they are free. The tolerance is infinite if no tolerance up to 50% helps, or if there are too many
   /// wires to try. Empty if no such shape is found even with all wires free.
   std::vector<ProposedTolerance> tolerances{};
-  /// Whether the lengths contradict one another near the relaxed shape, so that a longer search would not help.
+  /// Whether the lengths contradict one another near the relaxed shape, so that a longer search would hardly help.
   bool lengths_conflict = false;
 };
 

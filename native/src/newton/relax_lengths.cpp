@@ -35,7 +35,7 @@ class RelaxedLengths {
  public:
   RelaxedLengths(const Problem& problem, const Positions2& start, const StopToken& stop);
 
-  bool minimize(double smoothing, const Control& control);
+  void minimize(double smoothing, const Control& control);
   RelaxedShape shape() const;
 
  private:
@@ -176,15 +176,14 @@ Step RelaxedLengths::step(double smoothing, const StopToken& stop) {
   return step;
 }
 
-/// Minimizes Φ for one σ, with at most kMaxRelaxSteps steps. Returns false if the minimum is not reached with them, or
-/// before the budget is spent.
-bool RelaxedLengths::minimize(double smoothing, const Control& control) {
+/// Takes steps to the minimum of Φ for one σ: at most kMaxRelaxSteps, and no more than the budget allows.
+void RelaxedLengths::minimize(double smoothing, const Control& control) {
   double now = value(now_, smoothing);
   for (int i = 0; i < kMaxRelaxSteps; ++i) {
-    if (!control.budget.allows()) return false;
+    if (!control.budget.allows()) return;
     control.budget.spend(1);
     const Step full = step(smoothing, control.stop);
-    if (-full.slope <= kWorthwhile * now) return true;
+    if (-full.slope <= kWorthwhile * now) return;
     double t = 1;
     Iterate trial;
     double reached = 0;
@@ -193,11 +192,10 @@ bool RelaxedLengths::minimize(double smoothing, const Control& control) {
       reached = value(trial, smoothing);
       if (reached <= now + kSufficientDecrease * t * full.slope) break;
     }
-    if (t <= kShortestRelaxStep) return true;
+    if (t <= kShortestRelaxStep) return;
     now_ = std::move(trial);
     now = reached;
   }
-  return false;
 }
 
 RelaxedShape RelaxedLengths::shape() const {
@@ -230,11 +228,8 @@ RelaxedShape relax_lengths(const Problem& problem, const Positions2& start, cons
   const Chart varied = with_variations(problem.chart());
   const Problem varied_problem(varied, problem.network(), problem.fairness());
   RelaxedLengths lengths(varied_problem, start, control.stop);
-  bool is_minimum = false;  // for the last σ; the others only lead there
-  for (const double smoothing : kSmoothing) is_minimum = lengths.minimize(smoothing, control);
-  RelaxedShape shape = lengths.shape();
-  shape.is_minimum = is_minimum;
-  return shape;
+  for (const double smoothing : kSmoothing) lengths.minimize(smoothing, control);
+  return lengths.shape();
 }
 
 }  // namespace wirewarp

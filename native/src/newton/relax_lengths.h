@@ -27,7 +27,6 @@ struct RelaxedShape {
   Eigen::VectorXd tolerance_violation;  // |x|, one per wire part of the chart
   Eigen::VectorXd strain_rms;           // √m, one per wire part; 0 for parts of one edge
   double outline_strain = 0;            // largest √m of a boundary edge
-  bool is_minimum = true;               // false: the steps or the budget were spent before the minimum
 };
 
 /// Minimizes Φ from a start, one row per chart vertex. Throws Stopped; the token is polled before each factorization.
