@@ -7,9 +7,10 @@ from typing import Any
 
 import numpy as np
 
+from ..report.words import counted
 from .geometry import Motion
 from .model import PatternPiece
-from .units import UnitSystem, counted
+from .units import UnitSystem
 
 SAME = 0.1  # millimeters by which outlines may differ from the outlines of the marker
 SHEETS_APART = 50.0  # millimeters between sheets that are drawn one above the other

@@ -9,11 +9,12 @@ from typing import Literal, Self
 
 import numpy as np
 
+from ..report.words import counted
 from .checks import problem
 from .geometry import Motion
 from .marker import Marker
 from .model import KINDS, PatternPiece
-from .units import UnitSystem, counted
+from .units import UnitSystem
 
 GAP = 10.0  # millimeters between pieces in rows
 OVERLAP = 10.0  # millimeters that neighboring sheets share, to glue or tape

@@ -11,11 +11,6 @@ INCH = 25.4
 FINEST = 16  # denominator of the smallest fraction of an inch on a tape measure
 
 
-def counted(count: int, noun: str) -> str:
-    """Return the count with the noun, such as "1 piece" or "2 pieces"."""
-    return f"{count} {noun}{'' if count == 1 else 's'}"
-
-
 @dataclass(frozen=True)
 class UnitSystem:
     name: Units = "metric"

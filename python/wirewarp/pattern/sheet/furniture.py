@@ -6,13 +6,14 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ...report.words import counted
 from ..label import helvetica
 from ..label.room import Segments, joined, touches
 from ..label.room import strokes as text_strokes
 from ..label.text_place import text_width
 from ..model import PatternPiece, Text
 from ..pattern_data import OVERLAP, PatternData
-from ..units import INCH, UnitSystem, counted
+from ..units import INCH, UnitSystem
 from .drawing import LOOKS, Stroke, strokes_of
 from .papers import MARGIN, sheet_name
 from .tiles import Tile, Tiles
