@@ -110,7 +110,7 @@ def middle(values: list[float | None], decimals: int) -> str:
     return f"**{median(known):.{decimals}f}**" if known else "–"
 
 
-def prices(meshes: list[Path], runs: Runs) -> list[str]:
+def price_table(meshes: list[Path], runs: Runs) -> list[str]:
     names, columns = [], []
     for mesh in meshes:
         peer = runs.peer(mesh, BOUND)
@@ -118,15 +118,17 @@ def prices(meshes: list[Path], runs: Runs) -> list[str]:
             continue
         flat = runs.flat(mesh, BOUND)
         energies = [value for each in flat for value in ((each.energy, each.least) if each else (None, None))]
-        lengths = [*runs.lengths_within(mesh), runs.lengths(mesh, BOUND)[1]]
+        exact, elastic = runs.lengths_within(mesh)
+        own = runs.lengths(mesh, BOUND)[1]
+        prices = [length and length / peer.length for length in (exact, elastic, own)]
         names.append(mesh.stem + (", overlaps" if flat[0] and flat[0].overlaps else ""))
-        columns.append([peer.energy, *energies, *(length and length / peer.length for length in lengths)])
+        columns.append([peer.energy, *energies, *prices, own / exact if own and exact else None])
         print(names[-1], columns[-1], flush=True)
-    decimals = [3] * 5 + [2] * 3
+    decimals = [3] * 5 + [2] * 4
     rows = [[name, *map(shown, values, decimals)] for name, values in zip(names, columns, strict=True)]
     rows.append(["**median**", *map(middle, map(list, zip(*columns, strict=True)), decimals)])
-    elastic = f"±{100 * TOLERANCE:.0f}%"
-    return table(["mesh", "OptCuts", "exact", "least", elastic, "least", "exact", elastic, "ours"], rows)
+    limit = f"±{100 * TOLERANCE:.0f}%"
+    return table(["mesh", "OptCuts", "exact", "least", limit, "least", "exact", limit, "ours", "ours/exact"], rows)
 
 
 def lengths_for_bounds(meshes: list[Path], runs: Runs) -> list[str]:
@@ -154,7 +156,7 @@ def main() -> None:
         return [mesh for mesh, size in sizes.items() if most is None or size <= most]
 
     runs = Runs(results, program)
-    priced = prices(of_at_most(arguments.most_triangles), runs)
+    priced = price_table(of_at_most(arguments.most_triangles), runs)
     bounded = lengths_for_bounds(of_at_most(arguments.most_triangles_for_bounds), runs)
     print("\n".join([*priced, "", *bounded]))
 
