@@ -15,8 +15,8 @@ namespace {
 
 using Sides = std::vector<char>;  // 0 or 1 per face
 
-/// The cost of each edge if it is on the border between the sides: its length in scene units; infinite if the edge is
-/// forbidden.
+/// Length of each edge, in scene units. Forbidden edges have an infinite length, so that the border between the sides
+/// avoids them.
 using Prices = std::vector<double>;
 
 Prices prices_of(const HalfEdgeMesh& mesh, const CutMask& forbidden) {
@@ -32,7 +32,6 @@ VertexHandle farthest_from(const HalfEdgeMesh& mesh, const std::vector<VertexHan
   return farthest_vertex(shortest_paths(mesh, sources));
 }
 
-/// Returns the vertex farthest from the boundary, or from the first vertex if the surface is closed.
 VertexHandle far_end(const HalfEdgeMesh& mesh) {
   const std::vector<VertexHandle> boundary = boundary_vertices(mesh);
   return farthest_from(mesh, boundary.empty() ? std::vector<VertexHandle>{VertexHandle(0)} : boundary);
@@ -43,8 +42,7 @@ bool is_border(const HalfEdgeMesh& mesh, const Sides& side, HalfedgeHandle h) {
   return side[mesh.face_handle(h).idx()] != side[mesh.opposite_face_handle(h).idx()];
 }
 
-/// Returns the increase of the border's cost if all faces around a vertex move to the side `to`; infinite if the border
-/// would run along a forbidden edge.
+/// Returns how much longer the border becomes if all faces around a vertex move to the side `to`, in scene units.
 double growth_of_border(const HalfEdgeMesh& mesh, const Prices& prices, const Sides& side, VertexHandle v, char to) {
   const auto price = [&](HalfedgeHandle h) { return prices[mesh.edge_handle(h).idx()]; };
   double growth = 0;
@@ -58,9 +56,9 @@ double growth_of_border(const HalfEdgeMesh& mesh, const Prices& prices, const Si
   return growth;
 }
 
-/// Straightens the border: moves it over single vertices as long as this makes it shorter.
+/// Moves the border over single vertices as long as this makes it shorter.
 void shorten_border(const HalfEdgeMesh& mesh, const Prices& prices, Sides& side) {
-  constexpr double kRounding = 1e-12;  // smaller gains, over the vertex's longest edge, are rounding errors
+  constexpr double kRounding = 1e-12;  // gains below this share of the vertex's longest edge are rounding errors
   std::vector<VertexHandle> queue(mesh.vertices_begin(), mesh.vertices_end());
   while (!queue.empty()) {
     const VertexHandle v = queue.back();
@@ -75,12 +73,11 @@ void shorten_border(const HalfEdgeMesh& mesh, const Prices& prices, Sides& side)
   }
 }
 
-/// Distances that differ by less than this share of the distance between the two ends count as equal, so that rounding
+/// Distances count as equal if they differ by less than this share of the distance between the two ends. So rounding
 /// errors do not choose sides.
 constexpr double kSameDistance = 1e-9;
 
-/// Returns 1 for each face that is nearer to the second vertex than to the first, by more than rounding errors;
-/// otherwise 0.
+/// Returns 1 for each face that is clearly nearer to the second vertex than to the first, otherwise 0.
 Sides nearer_to(const HalfEdgeMesh& mesh, VertexHandle first, VertexHandle second) {
   const std::vector<double> from_first = shortest_paths(mesh, {first}).distance;
   const std::vector<double> from_second = shortest_paths(mesh, {second}).distance;
@@ -94,8 +91,6 @@ Sides nearer_to(const HalfEdgeMesh& mesh, VertexHandle first, VertexHandle secon
   return side;
 }
 
-/// middle: centroid of each face. area: half the cross product of b - a and c - a for each face with corners a, b, c.
-/// Both are #faces by 3.
 struct FaceGeometry {
   explicit FaceGeometry(const HalfEdgeMesh& mesh) {
     const Positions3 points = points_of(mesh);
@@ -109,12 +104,12 @@ struct FaceGeometry {
       area.row(f) = (b - a).cross(c - a) / 2;
     }
   }
-  Positions3 middle, area;
+  Positions3 middle, area;  // per face: centroid; normal with the face's area as length
 };
 
-/// Returns 1 for each face whose value along an axis is clearly above 0, and otherwise 0. The axis gets the direction
-/// in which the first value that is clearly not 0 is positive. So the sides stay the same if the caller reverses the
-/// axis. The tolerance covers the small rotation of axes that principal_axes() allows.
+/// Returns 1 for each face whose position along an axis is clearly above 0, otherwise 0. Reverses the axis if the first
+/// position that is clearly not 0 is negative. So the result does not depend on the direction of the axis. The
+/// tolerance covers the small rotation of axes that principal_axes() allows.
 Sides sides_along(Eigen::VectorXd along) {
   const double middle = 1e-5 * along.cwiseAbs().maxCoeff();
   const auto first = std::find_if(along.begin(), along.end(), [&](double place) { return std::abs(place) > middle; });
@@ -124,8 +119,6 @@ Sides sides_along(Eigen::VectorXd along) {
   return side;
 }
 
-/// Returns six divisions of the faces. Three use planes through the center, perpendicular to the principal axes. The
-/// other three separate the faces whose normals point along a principal axis from the other faces.
 std::vector<Sides> sides_of_axes(const HalfEdgeMesh& mesh) {
   const FaceGeometry faces(mesh);
   const Eigen::VectorXd areas = faces.area.rowwise().norm();
@@ -142,8 +135,6 @@ std::vector<Sides> sides_of_axes(const HalfEdgeMesh& mesh) {
   return result;
 }
 
-/// Returns two divisions. In each, a face belongs to the nearer of two far ends of the surface. For the second
-/// division, one end is far from both ends of the first division. The other end is the vertex farthest from this end.
 std::vector<Sides> sides_of_ends(const HalfEdgeMesh& mesh) {
   const VertexHandle first = far_end(mesh);
   const VertexHandle second = farthest_from(mesh, {first});
@@ -152,7 +143,7 @@ std::vector<Sides> sides_of_ends(const HalfEdgeMesh& mesh) {
   return {nearer_to(mesh, first, second), nearer_to(mesh, third, fourth)};
 }
 
-/// Moves each group of faces that share forbidden edges to the side that has most faces of the group.
+/// Faces that share forbidden edges form a group. Moves each group to the side that has most of its faces.
 void keep_together(const HalfEdgeMesh& mesh, const CutMask& forbidden, Sides& side) {
   DisjointSets groups(mesh.n_faces());
   for (const EdgeHandle e : mesh.edges()) {
@@ -185,9 +176,9 @@ std::vector<CutMask> bisections(const HalfEdgeMesh& mesh, const CutMask& forbidd
     const bool is_known = std::find(cuts.begin(), cuts.end(), cut) != cuts.end();
     if (!is_known && length_of_cut(mesh, cut) > 0) cuts.push_back(std::move(cut));
   };
-  // On a box with few faces, shortening may reduce a border to nothing, so the original border is a candidate, too. On
-  // fine meshes, original borders are jagged. Without the limit kCoarse, 43 garments, shoes, cushions and toys are cut
-  // into 154 pieces in total instead of 93.
+  // On a box with few faces, shortening may reduce a border to nothing. So the border before shortening is a candidate,
+  // too. On fine meshes, such borders are jagged. Without the limit kCoarse, 43 garments, shoes, cushions and toys are
+  // cut into 154 pieces in total instead of 93.
   constexpr std::size_t kCoarse = 1000;
   for (Sides& side : all_sides) {
     keep_together(mesh, forbidden, side);

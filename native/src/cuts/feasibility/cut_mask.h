@@ -9,14 +9,13 @@
 
 namespace wirewarp {
 
-/// Edges to cut along, one flag per edge of a chart's mesh.
+/// For each edge of a chart's mesh: 1 if the cut follows the edge, otherwise 0.
 using CutMask = std::vector<char>;
 
 CutMask cut_along(const HalfEdgeMesh& mesh, const std::vector<HalfedgeHandle>& half_edges);
 
 bool is_empty(const CutMask& cut);
 
-/// Adds the edges of the cut `other` to the cut `cut`.
 void unite(CutMask& cut, const CutMask& other);
 
 /// Returns the input vertices at the ends of each cut edge, in the order of the mesh's edges.
@@ -28,7 +27,7 @@ std::vector<VertexPair> outline_of(const Chart& chart);
 /// Returns the length of all cut edges in scene units.
 double length_of_cut(const HalfEdgeMesh& mesh, const CutMask& cut);
 
-/// Returns rules for paths that avoid forbidden edges. The rules keep references to the mesh and the mask.
+/// Returns rules for paths that avoid forbidden edges. The mesh and the mask must outlive the rules.
 PathRules around(const HalfEdgeMesh& mesh, const CutMask& forbidden);
 
 }  // namespace wirewarp

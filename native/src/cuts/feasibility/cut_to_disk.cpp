@@ -13,20 +13,21 @@
 namespace wirewarp {
 namespace {
 
-/// Number of base points on a closed surface. Each cut that is tried passes through one base point, so the points are
-/// spread out.
+/// Number of base points on a closed surface. The search tries one cut through each base point, and returns the
+/// shortest.
 constexpr int kBasePoints = 8;
 
-/// Cuts count as equally long if their lengths differ by less than this share. Detours (see edges_left_over) count as
-/// equally long if they differ by less than this share of the longest path. So rotating the mesh does not change the
-/// choice.
+/// Two cuts count as equally long if their lengths differ by less than this share. Two detours (see edges_left_over)
+/// count as equally long if they differ by less than this share of the longest path. So rotating the mesh does not
+/// change the choice.
 constexpr double kTie = 1e-9;
 
-/// Returns the edges that are neither crossed by the tree of faces nor in the tree of paths. There are two such edges
-/// for each handle, and one for each boundary loop except one. The detour of an edge is the path from the sources to
-/// one end, along the edge, and back from the other end. The tree of faces crosses edges with long detours first, so
-/// that edges with short detours remain. It crosses forbidden and unreachable edges before all others. If such edges
-/// remain, they are not returned.
+/// The tree of paths consists of all shortest paths. The tree of faces connects all faces across other edges. Returns
+/// the inner edges that belong to neither tree: two for each handle, and one for each boundary loop except one.
+///
+/// The detour of an edge leads from the sources to one end, along the edge, and from its other end back to the sources.
+/// The tree of faces crosses edges with long detours first, so edges with short detours are left over. Forbidden and
+/// unreachable edges count as infinitely long detours. If they are left over, they are not returned.
 std::vector<EdgeHandle> edges_left_over(const HalfEdgeMesh& mesh, const CutMask& forbidden,
                                         const ShortestPaths& paths) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();

@@ -8,20 +8,19 @@
 
 namespace wirewarp {
 
-/// Makes cuts symmetric if a plane mirrors their chart onto itself.
+/// Makes cuts of a chart symmetric if a plane mirrors the chart onto itself.
 class MirroredCuts {
  public:
-  /// image: mirror image of each vertex; empty if no plane mirrors the chart. Without a plane, cuts do not change. An
-  /// edge without a mirror image counts as its own image.
+  /// image: mirror image of each vertex; empty if there is no plane. Without a plane, cuts do not change. An edge
+  /// without a mirror image counts as its own image.
   MirroredCuts(const Chart& chart, const std::vector<VertexHandle>& image);
 
   CutMask with_image(const CutMask& cut) const;
 
-  /// Forbids the edges without a mirror image.
   void forbid_edges_without_image(CutMask& forbidden) const;
 
-  /// Returns two symmetric cuts: each is the part of the cut on one side of the plane together with its mirror image.
-  /// Without a plane, returns the cut alone.
+  /// Returns two symmetric cuts. Each consists of the part of the cut on one side of the plane, and of the mirror image
+  /// of this part. Without a plane, returns the given cut alone.
   std::vector<CutMask> both_ways(const CutMask& cut) const;
 
   /// Returns one cut along all edges in the plane, then one cut along each connected run of these edges.
@@ -29,8 +28,8 @@ class MirroredCuts {
 
  private:
   const HalfEdgeMesh& mesh_;
-  std::vector<EdgeHandle> image_;  // image of each edge; empty: there is no plane
-  std::vector<int> side_;          // side of each edge: -1 or 1; 0 if the edge is its own image
+  std::vector<EdgeHandle> image_;  // mirror image of each edge; empty without a plane
+  std::vector<int> side_;          // side of the plane for each edge: -1 or 1; 0 if the edge is its own image
   CutMask has_image_, is_in_plane_;
 };
 

@@ -32,14 +32,14 @@ constexpr int kMostDepth = 3;
 /// no better.
 constexpr int kMostJudged = 3;
 
-/// Price of distortion over area; the price of cut length over √area is 1. With this value, a cushion is cut around its
-/// edge (length 2.8, distortion 0.02), not along one line (1.2, 0.3). A skirt is cut along one line (0.7, 0.014), not
-/// into two pieces (1.3, 0.01). With each of the values 3, 10, 30 and 100, all 43 garments, shoes, cushions and toys
-/// become flat. The total length of their cuts is then 86, 97, 100 and 103, and the total distortion 3.5, 0.9, 0.6 and
-/// 0.5.
+/// The price of a cut is its length over √area, plus this factor times its distortion over area. With the factor 10, a
+/// cushion is cut around its edge (length 2.8, distortion 0.02), not along one line (length 1.2, distortion 0.3). A
+/// skirt is cut along one line (length 0.7, distortion 0.014), not into two pieces (length 1.3, distortion 0.01). With
+/// the factors 3, 10, 30 and 100, all 43 garments, shoes, cushions and toys become flat. The total lengths of their
+/// cuts are then 86, 97, 100 and 103, and the total distortions 3.5, 0.9, 0.6 and 0.5.
 constexpr double kPriceOfDistortion = 10;
 
-/// Two shares of the area, or two costs, count as equal if they differ by less than this value. Free maps have errors
+/// Two prices, or two shares of the area, count as equal if they differ by less than this value. Free maps have errors
 /// of about this size.
 constexpr double kSamePrice = 1e-6;
 
@@ -63,12 +63,11 @@ Proxy evaluate_proxy(const Chart& chart, const StopToken& stop) {
   return proxy.value_or(nothing);
 }
 
-/// A cut of a piece, and the pieces that result from the cut.
 struct Division {
   CutMask cut;
   std::vector<Chart> pieces;
   std::vector<Proxy> proxies;  // one per piece
-  double price = 0;            // lower is better
+  double price = 0;            // see kPriceOfDistortion
   double covered = 0;          // share of the area that is flipped or overlaps other faces
 };
 
@@ -88,8 +87,8 @@ CutMask slit_to_far_end(const HalfEdgeMesh& mesh, const CutMask& forbidden) {
   return cut;
 }
 
-/// Searches for a cut of a chart. Each cut is a mask of edges of the whole chart. The sources of parts are vertices and
-/// faces of the input, like the sources of the whole chart.
+/// Searches for a cut of a chart. Cuts are masks of the whole chart's edges, even if they cut only a part. The sources
+/// of all parts are vertices and faces of the input.
 class OpeningSearch {
  public:
   OpeningSearch(const Chart& whole, const std::function<bool(const Chart&)>& lies_flat, const StopToken& stop,
@@ -160,7 +159,7 @@ Division OpeningSearch::divide(const Chart& piece, CutMask cut) const {
   return division;
 }
 
-/// Returns candidates for cuts of a piece. The cuts are symmetric if the whole chart is symmetric.
+/// Returns candidates for cuts of a piece. They are symmetric if the whole chart is symmetric.
 std::vector<CutMask> OpeningSearch::cuts_through(const Chart& piece) const {
   const CutMask forbidden = map_.on_part(piece, places_.forbidden);
   std::vector<CutMask> drawn = bisections(piece.mesh, forbidden);
@@ -231,7 +230,7 @@ CutMask OpeningSearch::open(const Chart& piece, int depth) const {
   CutMask cut = best->cut;
   for (const std::size_t p : failing) {
     const Chart& part = best->pieces[p];
-    const bool is_cut = !is_empty(map_.on_part(part, cut));  // a mirrored earlier cut already divides the part
+    const bool is_cut = !is_empty(map_.on_part(part, cut));  // by the mirror image of another part's cut
     if (depth > 0 && !is_cut && part.mesh.n_faces() > 1) unite(cut, open(part, depth - 1));
   }
   return cut;

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Finds cuts for a chart that has no good flat shape.
 #pragma once
 
 #include <functional>
@@ -11,17 +10,20 @@
 
 namespace wirewarp {
 
-/// Edges that cuts must avoid, and the symmetry that cuts must have.
 struct CutPlaces {
-  CutMask forbidden;                // edges that no cut may follow; empty: none
+  CutMask forbidden;                // edges that no cut may follow; empty: cuts may follow all edges
   std::vector<VertexHandle> image;  // mirror image of each vertex; empty: cuts need not be symmetric
 };
 
-/// Returns a cut that divides a chart without a good flat shape into parts with good flat shapes. Opens tubes and
-/// handles, and slits charts or cuts them in two. Flattens all candidates without fixed lengths, then lies_flat()
-/// judges the best few. If candidates succeed, uses the candidate with the least cost of length and distortion.
-/// Otherwise, uses the candidate that leaves the least area without a good flat shape, and cuts this area again a few
-/// times. Returns an empty cut if the search is canceled, or if no edge can be cut, for example because all edges are
+/// Returns a cut that divides a chart without a good flat shape into parts with good flat shapes.
+///
+/// The candidates open tubes and handles, slit the chart, or cut it in two. Their flat shapes without fixed lengths
+/// rank them: first by the area that is flipped or overlaps, then by length and distortion. Then lies_flat() judges the
+/// parts of the best few. The first candidate that succeeds is the result. If none succeeds, the result is the
+/// candidate that leaves the least area without a good flat shape. The search cuts this area again, a few times at
+/// most.
+///
+/// Returns an empty cut if the search is canceled, or if no edge can be cut, for example because all edges are
 /// forbidden.
 CutMask open_chart(const Chart& chart, const std::function<bool(const Chart& part)>& lies_flat, const StopToken& stop,
                    CutPlaces places = {});

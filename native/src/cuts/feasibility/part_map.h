@@ -9,7 +9,7 @@
 
 namespace wirewarp {
 
-/// Converts cuts between a chart and its parts. Edges between the same source vertices are the same edge.
+/// Converts cuts between a chart and its parts. Two edges are the same if their ends have the same source vertices.
 class PartMap {
  public:
   explicit PartMap(const Chart& chart);
@@ -21,15 +21,14 @@ class PartMap {
   /// Returns the mask of all given edges that are inner edges of the chart. edges: source vertices of each edge.
   CutMask mask_of(const std::vector<VertexPair>& edges) const;
 
-  /// Converts a cut of a part to a cut of the chart.
   CutMask on_chart(const Chart& part, const CutMask& cut) const;
 
-  /// Converts a cut of the chart to a cut of a part. Edges of the cut outside the part are left out.
+  /// Leaves out the edges of the cut that are outside the part.
   CutMask on_part(const Chart& part, const CutMask& cut) const;
 
  private:
   std::vector<std::pair<VertexPair, EdgeHandle>> edges_;  // inner edges, sorted
-  std::size_t num_edges_;                                 // number of the chart's edges
+  std::size_t num_edges_;
 };
 
 }  // namespace wirewarp

@@ -14,12 +14,12 @@
 namespace wirewarp {
 namespace {
 
-/// The band around a loop reaches this far from the loop, in radii of the loop: towards the limb's tip and towards the
-/// body. If the limb's axis meets the body at 45 degrees, the whole crease is within two radii.
+/// Widths of the band around a loop: from the loop towards the limb's tip, and from the loop towards the body. The unit
+/// is the loop's radius. If the limb's axis meets the body at 45 degrees, the whole crease is within two radii.
 constexpr double kTowardsTip = 1, kTowardsBody = 2;
 
-/// A concave curvature of kConcave over the loop's radius halves the conductance of an edge. For much larger
-/// curvatures, the conductance falls with the square of the curvature.
+/// The conductance of an edge is halved if its concave curvature times the loop's radius equals kConcave. For much
+/// larger curvatures, the conductance falls with the square of the curvature.
 constexpr double kConcave = 0.5;
 
 /// Number of times that each normal is averaged with the normals of the neighboring vertices. Without averaging, lines
@@ -28,7 +28,6 @@ constexpr int kSmoothings = 2;
 
 using Point = HalfEdgeMesh::Point;
 
-/// Returns a smoothed normal of length 1 for each vertex.
 std::vector<Point> smooth_normals(const HalfEdgeMesh& mesh) {
   std::vector<Point> normals(mesh.n_vertices(), Point(0, 0, 0));
   for (const HalfedgeHandle h : mesh.halfedges()) {

@@ -13,12 +13,12 @@ class LevelSet {
       : mesh_(mesh), values_(values), level_(level) {}
 
   /// Returns whether the function rises through the level along a half-edge. If so, a line leaves the half-edge's face
-  /// there.
+  /// through this half-edge.
   bool rises(HalfedgeHandle h) const {
     return values_[mesh_.from_vertex_handle(h).idx()] < level_ && values_[mesh_.to_vertex_handle(h).idx()] >= level_;
   }
 
-  /// Returns the half-edge through which the line that enters at `in` leaves the face of `in`.
+  /// A line enters the face of `in` through `in`. Returns the half-edge through which the line leaves this face.
   HalfedgeHandle way_out(HalfedgeHandle in) const {
     const HalfedgeHandle next = mesh_.next_halfedge_handle(in);
     return rises(next) ? next : mesh_.next_halfedge_handle(next);
@@ -41,7 +41,6 @@ std::vector<MeshPath> level_lines(const HalfEdgeMesh& mesh, const Eigen::VectorX
   const LevelSet set(mesh, values, level);
   std::vector<char> is_done(mesh.n_halfedges(), 0);
   std::vector<MeshPath> lines;
-  /// Follows a line that enters a face through the half-edge `in`. line: the line's first point.
   const auto follow = [&](HalfedgeHandle in, MeshPath line) {
     while (true) {
       const HalfedgeHandle out = set.way_out(in);

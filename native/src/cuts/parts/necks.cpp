@@ -21,17 +21,18 @@ namespace {
 constexpr std::size_t kSamples = 40;
 
 /// kAroundTip: radius around a tip in which no other vertex has a larger average distance. kBetweenTips: least distance
-/// between two tips. Both are over √area. The ears of a bear of 30 cm are four times kBetweenTips apart.
+/// between two tips. Both are shares of √area. The ears of a bear of 30 cm are four times kBetweenTips apart.
 constexpr double kAroundTip = 0.12, kBetweenTips = 0.06;
 
 /// Largest number of tips. A figure with ten fingers has fewer.
 constexpr std::size_t kMostTips = 24;
 
-/// kLevels: number of distances from a tip at which lines are measured. At a neck, L / √A (see necks.h) is the least
-/// among kAround of these distances on each side.
+/// kLevels: number of distances from a tip at which L / √A (see necks.h) is measured. At a neck, L / √A is the least
+/// value among kAround distances on each side.
 constexpr int kLevels = 120, kAround = 6;
 
-/// Least and largest area of the part at a tip, as a share of the surface's area. A bear's ear has 0.024, its head 0.4.
+/// Least and largest area of the part at a tip, as a share of the surface's area. A bear's ear has the share 0.024, and
+/// its head 0.4.
 constexpr double kSmallest = 0.006, kLargest = 0.55;
 
 /// At a neck, L / √A is at most kShort. A bear's ears have 2.27, and the arms of a star 2. If the part at the tip has
@@ -60,7 +61,6 @@ constexpr double kCrease = 0.5;
 
 using Distances = Eigen::VectorXd;
 
-/// Returns the index of the first value that equals the largest value, except for rounding errors.
 int first_of_largest(const Eigen::VectorXd& values) {
   const double least = (1 - kRounding) * values.maxCoeff();
   return static_cast<int>(std::find_if(values.begin(), values.end(), [&](double value) { return value >= least; }) -
@@ -188,7 +188,6 @@ std::vector<Distances> NeckSearch::distances_from_tips() const {
   return tips;
 }
 
-/// Returns the mean distance of the corners of each face.
 Eigen::VectorXd NeckSearch::of_faces(const Distances& distance) const {
   Eigen::VectorXd means = Eigen::VectorXd::Zero(areas_.size());
   for (const FaceHandle f : mesh_.faces()) {
@@ -197,8 +196,7 @@ Eigen::VectorXd NeckSearch::of_faces(const Distances& distance) const {
   return means;
 }
 
-/// Adds a candidate for each distance from a tip that is a narrow place: the surface is wider before and beyond this
-/// distance. distance: distance of each vertex from the tip.
+/// Adds a candidate for each neck around a tip. distance: distance of each vertex from the tip.
 void NeckSearch::add_candidates(const Distances& distance, std::vector<Candidate>& found) const {
   const double farthest = distance.maxCoeff(), first = kBetweenTips * std::sqrt(area_);
   const Eigen::VectorXd face_distance = of_faces(distance);
@@ -225,7 +223,6 @@ void NeckSearch::add_candidates(const Distances& distance, std::vector<Candidate
   }
 }
 
-/// Returns whether two parts are clearly different, and clearly nested or disjoint.
 bool NeckSearch::fits(const Faces& one, const Faces& other) const {
   const double both = common_area(one, other), a = area_of(one), b = area_of(other), least = std::min(a, b);
   if (both > kSame * (a + b - both) || a + b - 2 * both > kWhole * area_) return false;

@@ -20,15 +20,15 @@
 namespace wirewarp {
 
 /// A loop along which a function has one value. The function is the distance from a tip, or the potential of
-/// crease_lines.h. The function is smaller in the part at the tip than beyond the loop.
+/// crease_lines.h. The function has smaller values in the part at the tip.
 struct Neck {
   Eigen::VectorXd distance;  // value of the function per vertex
   double level = 0;          // value of the function at the loop
 };
 
-/// Returns the necks, largest part first. No two of them cross: their parts are disjoint, or one contains the other.
-/// mesh: closed and connected. image: mirror image of each vertex, or empty; with an image, the necks are symmetric.
-/// Throws Stopped.
+/// Returns the necks of a closed and connected mesh. The neck of the largest part comes first. No two necks cross:
+/// their parts are disjoint, or one contains the other. image: mirror image of each vertex, or empty. With an image,
+/// the necks are symmetric. Throws Stopped.
 std::vector<Neck> find_necks(const HalfEdgeMesh& mesh, const std::vector<VertexHandle>& image, const StopToken& stop);
 
 }  // namespace wirewarp

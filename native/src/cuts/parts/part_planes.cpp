@@ -13,18 +13,17 @@ namespace wirewarp {
 namespace {
 
 /// Weight of a part's centroid in the choice of the plane nearest to the middles of the part's outlines. Each middle
-/// has the weight 1. The centroid decides if all middles are on one line.
+/// has the weight 1. The centroid decides if all middles are on one line, because such middles define no plane.
 constexpr double kCentroid = 0.1;
 
-/// Planes through the middle of a part count as the same if the cosine of the angle between their normals is above this
-/// value.
+/// Planes count as the same if the cosine of the angle between their normals is above this value.
 constexpr double kSameNormal = 0.98;
 
-/// Parallel planes are the same if their distance is less than this share of √area.
+/// Parallel planes count as the same if their distance is at most this share of √area, a rounding error.
 constexpr double kSamePlace = 1e-9;
 
-/// Normals are projected to the mirror plane, so that each plane is symmetric. If the projected normal is shorter than
-/// this, the normal of the mirror plane replaces it.
+/// Normals of length 1 are projected to the mirror plane, so that each plane is symmetric. If the projected normal is
+/// shorter than this value, the normal of the mirror plane replaces it.
 constexpr double kInPlane = 0.3;
 
 /// Returns the sum of area times x xᵀ over all faces, where x is the face's centroid relative to a point.
@@ -102,8 +101,7 @@ std::vector<Plane> planes_through(const Chart& part, const std::optional<Eigen::
     });
     if (!is_known) planes.push_back(plane);
   };
-  /// Adds two planes that contain a line. The normals of the planes point along the least and the largest spread across
-  /// the line.
+  // Adds two planes that contain a line. Their normals are the principal axes of the spread across the line.
   const auto add_along = [&](const Eigen::Vector3d& point, const Eigen::Vector3d& direction) {
     const Eigen::Matrix3d across = Eigen::Matrix3d::Identity() - direction * direction.transpose();
     const Eigen::Matrix3d frame = principal_axes(mesh, across * spread * across);

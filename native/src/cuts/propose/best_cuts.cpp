@@ -23,15 +23,15 @@
 namespace wirewarp {
 namespace {
 
-/// A piece counts as larger only if its area exceeds the other area by this factor, so that rounding errors in rotated
-/// input do not decide.
+/// A piece counts as larger only if its area exceeds the other area by this factor. So rounding errors in rotated input
+/// do not decide.
 constexpr double kClearlyLarger = 1 + 1e-9;
 
 /// Progress once the sets are found, before they are smoothed.
 constexpr double kSearched = 0.7;
 
-/// Progress once the piece is divided into parts. For most models, the search then ends. If the search continues along
-/// edges, the division took a quarter of the whole time.
+/// Progress once the piece is divided into parts. Most searches then end. If a search continues along edges, the
+/// division took a quarter of the whole time. The value is between both cases.
 constexpr double kDivided = 0.5;
 
 /// Two decreases of strain by a cut: of the largest strain of all pieces, and of the strain of the piece that it cuts.
@@ -58,7 +58,6 @@ std::vector<DartProposal> best_of(const std::vector<DartProposal>& proposals, co
   return best;
 }
 
-/// Returns the strain of a piece, or -1 if it has an error.
 double strain_of(const FlatPiece& piece) { return piece.error ? -1 : piece.strain; }
 
 /// Returns the gain of a cut that leaves the strain `left` in its piece.
@@ -77,12 +76,10 @@ bool is_second_of_pair(const std::vector<DartProposal>& proposals, std::size_t i
 
 double strain_left(const DartProposal& dart) { return dart.strain_with_twin.value_or(dart.strain); }
 
-/// A dart along edges has elbows, which are hard to sew. It is listed only if it leaves less strain than all smooth
-/// darts by at least this share. A smaller gain is not noticeable in fabric (0.5% of stretch for a piece that needs
-/// 10%).
+/// A dart along edges must leave less strain than each smooth dart by at least this share, because its elbows are hard
+/// to sew. A smaller gain is not noticeable in fabric: for a piece that needs 10% of stretch, it is 0.5% of stretch.
 constexpr double kWorthElbows = 0.05;
 
-/// Returns smooth darts, and the best dart along edges if it leaves clearly less strain than all smooth darts.
 std::vector<DartProposal> with_best_along_edges(std::vector<DartProposal> smooth,
                                                 const std::vector<DartProposal>& along_edges) {
   const auto leaves_less = [](const DartProposal& a, const DartProposal& b) { return strain_left(a) < strain_left(b); };
@@ -157,7 +154,7 @@ std::optional<std::size_t> without_shape(const FlatPieces& pieces, const CutOpti
   return largest;
 }
 
-/// Returns cut sets along edges. Smooths them if the caller wants smooth sets. begin: the progress so far.
+/// Returns cut sets along edges, or smooth sets if cut_options.is_smooth is set. begin: the progress so far.
 std::vector<DartProposal> sets_along_edges(const FlatPieces& pieces, std::size_t piece, const CutOptions& cut_options,
                                            const ExactEvaluation& exact, CutProgress& progress, double begin) {
   const double searched = cut_options.is_smooth ? begin + (1 - begin) * kSearched : 1;
@@ -179,7 +176,7 @@ std::vector<DartProposal> sets_along_edges(const FlatPieces& pieces, std::size_t
 }
 
 /// Returns the cut sets that divide the piece into its parts. Adds cut sets along edges if no set of parts is easy to
-/// sew. For soft shapes such as a goat's head, sets along edges often have half as many pieces, but take two or three
+/// sew. For soft shapes such as a goat's head, sets along edges often have half as many pieces. They take two or three
 /// times as long to find.
 std::vector<DartProposal> cut_sets(const FlatPieces& pieces, std::size_t piece, const CutOptions& cut_options,
                                    const ExactEvaluation& exact, CutProgress& progress) {

@@ -10,12 +10,12 @@
 
 namespace wirewarp {
 
-/// Throws invalid_option if an option is out of range.
+/// Throws invalid_option if an option is out of range, or contains an edge that the mesh does not have.
 void check_cut_options(const CutOptions& cut_options, const FlattenInput& input, std::size_t num_pieces);
 
-/// Returns whether a piece lacks seams. A piece lacks seams if it is closed, has handles, has an outline that is too
-/// short to enclose it, is flipped or overlaps itself. A piece without wires inside also lacks seams if its lengths are
-/// infeasible, or if its flat shape needs a strain of 1 or more.
+/// Returns whether a piece is closed, has handles, has an outline that is too short to enclose it, is flipped or
+/// overlaps itself. Also returns true if a piece without wires inside has infeasible lengths, or needs a strain of 1 or
+/// more.
 bool lacks_seams(const FlatPiece& piece);
 
 /// Returns the darts of propose_darts() or the seams of propose_seams() for these pieces. If a search for cut sets is

@@ -52,9 +52,9 @@ std::array<std::vector<OutlineStep>, 2> walk_outline(const Chart& chart) {
   return walks;
 }
 
-/// Returns the start of the lexicographically least rotation, in linear time. Compares two candidates, and at the first
-/// difference drops the greater candidate with all starts in its compared section (J. P. Duval, Factorizing words over
-/// an ordered alphabet, 1983).
+/// Returns the start of the lexicographically least rotation, in linear time (J. P. Duval, Factorizing words over an
+/// ordered alphabet, 1983). Compares the rotations from two starts up to their first difference. Then drops the start
+/// of the greater rotation, and all starts in its compared section.
 std::size_t least_rotation(const std::vector<OutlineStep>& ring, WorkMeter& work) {
   const std::size_t count = ring.size();
   std::size_t a = 0, b = 1, same = 0;

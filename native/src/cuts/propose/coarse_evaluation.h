@@ -17,8 +17,8 @@ struct CoarseCopy {
   std::vector<VertexHandle> fine_vertex;  // vertex of the original chart at each coarse vertex
 };
 
-/// Returns a copy with about half as many faces as requested, or the chart itself if it has few faces or cannot be
-/// coarsened. faces: requested number. Throws Stopped.
+/// Returns a copy with about half as many faces as the requested number `faces`. Returns the chart itself if it has few
+/// faces or cannot be coarsened. Throws Stopped.
 CoarseCopy coarse_copy(const Chart& chart, double faces, const StopToken& stop);
 
 /// Evaluates cuts of a chart by a few Newton steps. The chart is usually a coarse copy. May be used in any thread.
@@ -27,8 +27,8 @@ class CoarseEvaluation {
   /// The chart must outlive this object. Throws Stopped.
   CoarseEvaluation(const Chart& chart, const InternalOptions& options, const StopToken& stop);
 
-  /// Returns the energy of the uncut chart: E of Eq. (4) by the refined method, in scene units squared. Infinite if the
-  /// chart has no flat shape.
+  /// Returns the energy of the uncut chart: E of Eq. (4) by the refined method, in scene units squared. It is infinite
+  /// if the chart has no flat shape.
   double energy_uncut() const { return uncut_; }
 
   /// Returns the energy of the chart with a cut, measured like energy_uncut(). Throws Stopped.

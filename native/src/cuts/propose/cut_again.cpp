@@ -70,7 +70,7 @@ std::vector<char> not_collapsed(const Triangles& faces, int num_vertices, const 
       kept[p] = 0;
       is_fewer = true;
     }
-    if (!is_fewer) return kept;  // tries again, because points may move elsewhere without the collapsed paths
+    if (!is_fewer) return kept;  // otherwise tries again, as points may move elsewhere without the collapsed paths
   }
 }
 

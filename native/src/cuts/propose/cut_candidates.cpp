@@ -49,7 +49,7 @@ OutlineLoop measure_loop(const Chart& chart, const HalfEdgeChain& half_edges) {
   return loop;
 }
 
-/// Adds the landings on a loop: the points with a cheaper path than all points of the loop nearby.
+/// Adds the landings on a loop: see list_candidates(). length: length of the loop.
 void add_landings(const OutlineLoop& loop, double length, const SmoothPaths& paths, std::vector<VertexHandle>& taken) {
   const auto cost_at = [&](std::size_t i) {
     const HalfedgeHandle h = paths.arrival[loop[i].vertex.idx()];
@@ -88,7 +88,6 @@ std::vector<VertexHandle> spread(const Chart& chart, std::vector<VertexHandle> s
   return taken;
 }
 
-/// Returns points spread along the outline: corners first, then any vertices.
 std::vector<VertexHandle> spread_on_outline(const Chart& chart, const std::vector<OutlineLoop>& loops,
                                             const SmoothPathFinder& paths, int count) {
   std::vector<char> is_corner(chart.mesh.n_vertices(), 0), is_on_outline = is_corner;

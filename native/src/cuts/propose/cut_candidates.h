@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Finds candidates for cuts of a chart.
 #pragma once
 
 #include <vector>
@@ -13,7 +12,6 @@ enum class CutKind {
   seam,  // from the outline to the outline
 };
 
-/// A line along which to cut, given by its ends.
 struct CutEnds {
   VertexHandle start;  // on the outline
   VertexHandle end;    // inside; for a seam, on the outline
@@ -22,15 +20,14 @@ struct CutEnds {
   bool operator<(const CutEnds& other) const { return start == other.start ? end < other.end : start < other.start; }
 };
 
-/// Numbers of points at which cuts start and end.
 struct CandidatePoints {
   int inside;
   int on_outline;  // half of them at corners, if there are enough corners
 };
 
-/// Returns candidates for cuts. Darts connect points spread over the inside with points spread along the outline, and
-/// with landings. A landing is a point of the outline that has a cheaper path to the other end than all points nearby.
-/// Seams connect points spread along the outline with each other, and with landings.
+/// Returns candidates for cuts. Darts end at points spread over the inside, and seams at points spread along the
+/// outline. Both start at points spread along the outline, or at landings. A landing is a point of the outline with a
+/// cheaper path to the end of the cut than all points of the outline nearby.
 std::vector<CutEnds> list_candidates(const Chart& chart, const SmoothPathFinder& paths, CutKind kind,
                                      CandidatePoints count);
 
@@ -38,7 +35,7 @@ std::vector<CutEnds> list_candidates(const Chart& chart, const SmoothPathFinder&
 std::vector<CutEnds> neighbors_of(const Chart& chart, const SmoothPathFinder& paths, CutEnds cut);
 
 /// Returns whether the ends of two cuts are so near each other that a tailor would see one cut. size: √area of the
-/// chart, in scene units.
+/// chart.
 bool are_beside(const HalfEdgeMesh& mesh, double size, CutEnds a, CutEnds b);
 
 /// Returns the edges of a cut from its start to its end; empty if no path exists.

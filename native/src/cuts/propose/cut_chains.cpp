@@ -4,7 +4,7 @@
 namespace wirewarp {
 namespace {
 
-/// Returns the half-edges that leave a vertex along the edges of a mask. left: the mask of edges that are left.
+/// Returns the half-edges from a vertex along the edges of the mask `left`.
 HalfEdgeChain left_at(const HalfEdgeMesh& mesh, const CutMask& left, VertexHandle v) {
   HalfEdgeChain leaving;
   for (const HalfedgeHandle h : mesh.voh_range(v)) {

@@ -6,8 +6,7 @@
 
 namespace wirewarp {
 
-/// Returns the sections of a cut. First come the sections that lead from one vertex at which cuts end or meet to the
-/// next such vertex. Closed rings follow.
+/// Returns the sections of a cut: first the sections between vertices at which cuts end or meet, then closed rings.
 std::vector<HalfEdgeChain> sections_of(const HalfEdgeMesh& mesh, const CutMask& cut);
 
 /// Returns the input vertices at the ends of each cut edge, section by section.

@@ -15,7 +15,7 @@ struct WireRun {
   int begin;  // first edge of the run, counted along the wire
 };
 
-/// Some faces of an input as a separate input, with vertices and faces in the same order.
+/// Some faces of an input as a separate input, which keeps the order of vertices and faces.
 class PartOfInput {
  public:
   PartOfInput(const FlattenInput& whole, const std::vector<int>& faces, const std::vector<VertexPair>& seams)
@@ -101,7 +101,7 @@ class PartOfInput {
 
   const FlattenInput& whole_;
   const std::vector<int>& faces_;
-  std::vector<int> vertices_;  // of the whole input, sorted
+  std::vector<int> vertices_;  // vertex of the whole input for each vertex of the part, sorted
   FlattenInput part_;
   std::optional<EdgeTable> edges_;
   std::vector<WireRun> runs_;  // one per wire of the part

@@ -10,8 +10,7 @@
 namespace wirewarp {
 
 /// Reports the progress of a search as stage "cuts", only in the thread that created this object. The duration of a
-/// search is unknown, so each poll advances the progress by a share of the rest, unless the search reports its
-/// progress.
+/// search is unknown, so each poll advances the progress by a share of the rest of the current range, see enter().
 class CutProgress {
  public:
   /// rounds: largest number of consecutive searches.

@@ -29,7 +29,7 @@ namespace {
 /// cuts for each of its twenty parts.
 constexpr std::size_t kMostCuts = 40;
 
-/// kPlaces: number of seams, and of darts, that are candidates in a round. kMostTrials: largest number of exact
+/// kPlaces: a round has this many seams and this many darts as candidates. kMostTrials: largest number of exact
 /// evaluations in a round. On a koala, the first candidate was good enough in each of forty rounds.
 constexpr int kPlaces = 2;
 constexpr std::size_t kMostTrials = 5;
@@ -38,11 +38,11 @@ constexpr std::size_t kMostTrials = 5;
 /// strain of a shorter set by more than this share.
 constexpr double kWorthSewing = 0.02;
 
-/// Lower strains count as this strain, because their ratios are meaningless.
+/// Lower strains count as this strain, because ratios of such strains are meaningless.
 constexpr double kFlat = 1e-4;
 
-/// Progress when all parts have a flat shape, and when the last cut is added, measured on models of a cow and a
-/// penguin.
+/// kOpened: progress when all parts have a flat shape. kCut: progress when the last cut is added. Both were measured on
+/// models of a cow and a penguin.
 constexpr double kOpened = 0.1, kCut = 0.5;
 
 /// kStrainStep: ratio of the strains for which sets are merged. With the default target, these strains are 5%, 10% and
@@ -50,14 +50,14 @@ constexpr double kOpened = 0.1, kCut = 0.5;
 constexpr double kStrainStep = 2;
 constexpr std::size_t kMergedSets = 3;
 
-/// Pieces with smooth outlines are merged up to this share of the allowed strain, because they need more strain after
-/// the corners of their outlines are smoothed. With 0.95, most corners of a whale remained. In the end, pieces are
-/// merged up to the whole allowed strain. Without this last merge, a penguin has two more pieces.
+/// Pieces with smooth outlines are merged up to this share of the allowed strain, because smoothing their new corners
+/// adds strain. With 0.95, most corners of a whale remained. In the end, pieces are merged up to the whole allowed
+/// strain. Without this last merge, a penguin has two more pieces.
 constexpr double kMergeShare = 0.85;
 
-/// Cuts that remove at least this share of the energy are tried first, even if shorter cuts remove more per length.
-/// Many small darts would be slow to sew and to find. With 0 to 0.5, the sets of a ball, a head and a penguin differ
-/// little in strain. With 0.5, the search takes two thirds of the time that it takes with 0, but the sets are 10%
+/// Cuts that remove at least this share of the energy are tried first, even if shorter cuts remove more per length. The
+/// reason is that many small darts are slow to sew and to find. With 0 to 0.5, the sets of a ball, a head and a penguin
+/// differ little in strain. With 0.5 instead of 0, the search takes two thirds of the time, but the sets are 10%
 /// longer.
 constexpr double kLargeGain = 0.25;
 
@@ -118,7 +118,6 @@ CutSetSearch::CutSetSearch(const FlatPieces& pieces, std::size_t piece, const Cu
   mirrored_.forbid_edges_without_image(forbidden_);
 }
 
-/// Returns cuts that make the piece flat when it is solved without its neighbors. Throws Stopped.
 CutMask CutSetSearch::opening() const {
   const auto lies_flat_alone = [&](const Chart& part) { return lies_flat(part, exact_.options(), exact_.stop()); };
   CutMask cut = open_chart(chart_, lies_flat_alone, exact_.stop(), {forbidden_, image_});
@@ -139,7 +138,7 @@ CutSetSearch::CutSet CutSetSearch::with_figures(CutMask cut, FlatPieces pieces) 
   return set;
 }
 
-/// Returns the set for this cut, with exact figures. before: pieces that are already cut along some edges of the cut.
+/// before: pieces that are already cut along some edges of the cut.
 CutSetSearch::CutSet CutSetSearch::evaluate(const FlatPieces& before, const CutMask& cut) const {
   return with_figures(cut, exact_.with_cut(before, edges_by_section(chart_, cut)));
 }
@@ -171,9 +170,8 @@ void CutSetSearch::add_lines(const CutSet& set, std::size_t part, std::vector<Ca
 }
 
 /// Adds bisections of one part as candidates, because they help if no single line helps. part: index in set.pieces. If
-/// the part folds in the coarse evaluation, its energy without a cut is unknown. Then bisections without folds come
-/// first, the shortest before the others, and bisections with folds follow. Exact evaluations measure the gain of these
-/// bisections later.
+/// the part folds in the coarse evaluation, its energy without a cut is infinite. Then each bisection without folds has
+/// the gain 1. A bisection with folds has the least accepted gain, because only an exact evaluation can measure it.
 void CutSetSearch::add_bisections(const CutSet& set, std::size_t part, std::vector<Candidate>& found) const {
   const Chart& chart = set.pieces[part]->chart;
   const CoarseEvaluation trials(chart, exact_.options(), exact_.stop());
@@ -189,8 +187,6 @@ void CutSetSearch::add_bisections(const CutSet& set, std::size_t part, std::vect
                [](const Candidate& candidate) { return candidate.gain >= kWorthSewing; });
 }
 
-/// Returns the bisections of a part. If a plane mirrors the piece onto itself, each bisection has two symmetric
-/// versions.
 std::vector<CutMask> CutSetSearch::bisections_of(const Chart& part) const {
   const Chart ordered = in_canonical_order(part, exact_.stop());
   std::vector<CutMask> cuts;
@@ -204,7 +200,6 @@ std::vector<CutMask> CutSetSearch::bisections_of(const Chart& part) const {
   return cuts;
 }
 
-/// Returns whether a set makes a narrow piece out of a part that is wide enough.
 bool CutSetSearch::makes_narrow(const CutSet& more, const FlatPiece& part) const {
   const double narrowest = cut_options_.narrowest;
   return !is_narrow(part, narrowest) && std::any_of(more.pieces.begin(), more.pieces.end(), [&](const auto& piece) {
@@ -212,8 +207,8 @@ bool CutSetSearch::makes_narrow(const CutSet& more, const FlatPiece& part) const
   });
 }
 
-/// Returns the set with one more cut of its worst part, or nullopt if no cut helps. Prefers cuts that leave every piece
-/// wide enough.
+/// Returns the set with one more cut of its worst part; nullopt if no cut helps. Prefers cuts that make no narrow
+/// pieces.
 std::optional<CutSetSearch::CutSet> CutSetSearch::cut_once_more(const CutSet& set) const {
   const std::size_t worst = worst_part(set);
   const FlatPiece& part = *set.pieces[worst];
@@ -235,7 +230,7 @@ std::optional<CutSetSearch::CutSet> CutSetSearch::cut_once_more(const CutSet& se
     if (is_known || length_of_cut(chart_.mesh, cut) > cut_options_.longest) continue;
     tried.push_back(cut);
     CutSet more = evaluate(set.pieces, cut);
-    // Compares energies, because the strain may rise: the parts have more outline with fixed lengths than the whole.
+    // Compares energies, because the strain may rise: the parts together have more outline with fixed lengths.
     const double before = part.energy / part.area, after = figures_of(more.pieces, part.chart).energy;
     if (!more.lies_flat || after > (1 - kWorthSewing) * before) continue;
     if (!makes_narrow(more, part)) return more;
@@ -244,9 +239,12 @@ std::optional<CutSetSearch::CutSet> CutSetSearch::cut_once_more(const CutSet& se
   return narrow;
 }
 
-/// Selects the sets to propose, the longest first. sets: the shortest first. Drops sets that are hardly better than a
-/// shorter set, and sets with more pieces than a less strained set. Drops sets that are longer than a set that meets
-/// the target. If too many sets are left, keeps sets with about equal ratios of consecutive strains.
+/// Returns the sets to propose, the longest first. sets: the shortest first. Drops three kinds of sets:
+/// - sets that are longer than a set that meets the target,
+/// - sets that are hardly better than a shorter set,
+/// - sets with more pieces than a less strained set.
+///
+/// If too many sets are left, keeps sets with about equal ratios of consecutive strains.
 std::vector<DartProposal> CutSetSearch::best_of(const std::vector<CutSet>& sets) const {
   std::vector<DartProposal> best;
   for (const CutSet& set : sets) {
@@ -274,7 +272,7 @@ std::vector<DartProposal> CutSetSearch::best_of(const std::vector<CutSet>& sets)
   return chosen;
 }
 
-/// Adds sets with one more cut each, until the last set meets the target. Throws Stopped; sets added by then remain.
+/// Adds sets with one more cut each, until the last set meets the target. Throws Stopped. Sets added by then remain.
 void CutSetSearch::add_more_cuts(std::vector<CutSet>& sets) {
   while (sets.size() <= kMostCuts && sets.back().proposal.strain > target_) {
     report_strain(sets.front().proposal.strain, sets.back().proposal.strain);
@@ -284,8 +282,8 @@ void CutSetSearch::add_more_cuts(std::vector<CutSet>& sets) {
   }
 }
 
-/// Adds sets with fewer sections than the last set: first for the same allowed strain, then for higher strains. Throws
-/// Stopped; sets added by then remain.
+/// Adds sets with fewer sections than the last set: first for the strain of the last set or the target, whichever is
+/// larger, then for higher strains. Throws Stopped. Sets added by then remain.
 void CutSetSearch::add_merged(std::vector<CutSet>& sets) {
   SectionMerger merger({sets.back().cut, sets.back().pieces}, chart_, mirrored_, exact_,
                        {cut_options_.narrowest, kLeastSolidity});
@@ -304,8 +302,8 @@ void CutSetSearch::add_merged(std::vector<CutSet>& sets) {
 }
 
 /// Adds sets with smooth lines and fewer sections than the last set. Drops earlier sets with more pieces than the first
-/// added set. Returns false if the lines cannot be smooth, or if the last smooth set needs too much strain. If the
-/// result is false, the former last set is at the end. Throws Stopped; sets added by then remain.
+/// added set. Returns false if the lines cannot be smooth, or if the last smooth set needs too much strain. Then the
+/// original last set is at the end again. Throws Stopped. Sets added by then remain.
 bool CutSetSearch::add_smooth(std::vector<CutSet>& sets) {
   const CutSet fine = sets.back();
   double least = std::max(target_, kFlat);
@@ -315,7 +313,7 @@ bool CutSetSearch::add_smooth(std::vector<CutSet>& sets) {
   if (!merger.start(fine.proposal, fine.cut, least)) return false;
   struct Level {
     double allowed;      // allowed strain of the smooth set
-    double share = 1.0;  // share of this strain up to which pieces are merged before they are smoothed
+    double share = 1.0;  // before smoothing, pieces are merged up to this share of the allowed strain
   };
   std::vector<Level> levels;
   for (const double allowed : allowed_strains(least, target_)) levels.push_back({allowed, kMergeShare});

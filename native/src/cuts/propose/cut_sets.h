@@ -18,27 +18,26 @@ namespace wirewarp {
 constexpr double kTargetStrain = 0.05;
 
 /// The largest strain that plush allows. Sets along edges are merged up to about this strain, or up to twice the target
-/// if that is larger. Sets for more strain, which only stretchy knits allow, are the slowest to find.
+/// if this is larger. The limit saves time: sets for more strain are the slowest to find, and suit only stretchy knits.
 constexpr double kSoftStrain = 0.2;
 
-/// Returns the allowed strains of up to three merged sets, each twice the strain before. If three sets are enough, the
-/// last strain is as near as possible to kSoftStrain, or to twice the target if that is larger. least: the first
-/// strain. target: accepted strain.
+/// Returns the allowed strains of up to three merged sets. The first strain is `least`, and each further strain is
+/// twice the strain before. If three sets are enough, the last strain is as near as possible to kSoftStrain, or to
+/// twice the target if this is larger. target: accepted strain.
 std::vector<double> allowed_strains(double least, double target);
 
 /// Drops each set if a shorter set has at most as many pieces and at most as much strain. Returns the other sets, the
 /// longest first.
 std::vector<DartProposal> without_worse(std::vector<DartProposal> sets);
 
-/// Returns the strain that the fabric of a set must allow. It is the smallest of 1, 2, 4, 8, … times the target that is
-/// not below the strain of the set. With the default target, the limits are 5% for woven fabric, 10%, 20% for plush,
-/// and so on.
+/// Returns the strain that the fabric of a set must allow: the strain of the set, rounded up to 1, 2, 4, 8, … times the
+/// target. With the default target, the limits are 5% for woven fabric, 10%, 20% for plush, and so on.
 double limit_of_set(const DartProposal& set, const CutOptions& cut_options);
 
-/// Searches for sets of cuts of one piece whose flat shape is missing or needs too much strain. First it finds a cut
-/// that makes the whole piece flat. Then it cuts the part with the most strain, one cut after the other. Candidates are
-/// lines and bisections. It tries candidates that remove much of the energy first, and among them the candidates that
-/// remove the most energy for their length. At the end, it merges pieces.
+/// Searches for sets of cuts of one piece that has no flat shape or needs too much strain. First, the search finds a
+/// cut that makes the whole piece flat. Then it cuts the part with the most strain, and repeats this. Candidates are
+/// lines and bisections. Candidates that remove much of the energy come first, sorted by the energy that they remove
+/// for their length. At the end, the search merges pieces.
 class CutSetSearch {
  public:
   /// piece: index of the piece to cut. Keeps all references.
@@ -50,15 +49,13 @@ class CutSetSearch {
   std::vector<DartProposal> search();
 
  private:
-  /// A set of cuts, evaluated exactly.
   struct CutSet {
     CutMask cut;
-    FlatPieces pieces;  // of the whole input
+    FlatPieces pieces;  // all pieces of the input
     DartProposal proposal;
     bool lies_flat = false;
   };
 
-  /// A cut that can be added to a set.
   struct Candidate {
     CutMask cut;                 // symmetric if the piece is symmetric
     double gain = 0;             // share of the part's energy that the cut removes
@@ -83,14 +80,14 @@ class CutSetSearch {
   const FlatPieces& pieces_;
   const std::size_t piece_;
   const Chart& input_chart_;
-  const bool is_flat_;  // whether the piece has a flat shape, but with too much strain
+  const bool is_flat_;  // whether the piece has a flat shape without cuts
   const Chart chart_;   // in canonical order
   const PartMap map_;
   const std::vector<VertexHandle> image_;
   const MirroredCuts mirrored_;
   CutMask forbidden_;
   const CutOptions& cut_options_;
-  const double target_;  // strain
+  const double target_;  // accepted strain
   const ExactEvaluation& exact_;
   CutProgress& progress_;
 };

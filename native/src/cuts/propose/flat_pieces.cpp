@@ -48,8 +48,7 @@ bool has_outline_edge(const FlatPiece& piece, const std::set<VertexPair>& edges)
   });
 }
 
-/// A selection of pieces: one flag per piece.
-using Selection = std::vector<char>;
+using Selection = std::vector<char>;  // one flag per piece
 
 std::vector<int> faces_of(const FlatPieces& pieces, const Selection& chosen) {
   std::vector<int> faces;
@@ -64,7 +63,7 @@ std::vector<int> faces_of(const FlatPieces& pieces, const Selection& chosen) {
 
 /// Returns the chosen pieces and all pieces that elastic seams couple with them.
 Selection coupled(const FlatPieces& pieces, Selection chosen) {
-  std::set<std::pair<int, int>> shared;  // wire and part
+  std::set<std::pair<int, int>> shared;  // wire index and part of each elastic seam of chosen pieces
   for (bool has_grown = true; has_grown;) {
     has_grown = false;
     for (std::size_t i = 0; i < pieces.size(); ++i) {
@@ -82,8 +81,8 @@ Selection coupled(const FlatPieces& pieces, Selection chosen) {
   return chosen;
 }
 
-/// Returns the chosen pieces, all pieces that share an edge of their outline with them, and all pieces coupled with
-/// these neighbors.
+/// Returns the chosen pieces, their neighbors along outlines, and all pieces that elastic seams couple with these
+/// neighbors.
 Selection with_neighbors(const FlatPieces& pieces, const Selection& chosen) {
   std::set<VertexPair> outline;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
@@ -108,8 +107,7 @@ Selection changed_pieces(const FlatPieces& before, const std::vector<VertexPair>
   return coupled(before, std::move(cut));
 }
 
-/// The area of a piece on each face of the surface, scene units squared.
-using AreaOfFaces = std::map<int, double>;
+using AreaOfFaces = std::map<int, double>;  // area of a piece on each face of the surface, scene units squared
 
 AreaOfFaces areas_of(const FlatPiece& piece, const std::vector<int>& faces) {
   AreaOfFaces areas;

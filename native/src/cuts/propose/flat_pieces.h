@@ -15,13 +15,12 @@
 
 namespace wirewarp {
 
-/// One piece of a flattened input.
 struct FlatPiece {
   Chart chart;                      // its sources are the input's vertices and faces
   PartMap edges;                    // inner edges of the chart
-  std::vector<VertexPair> outline;  // edges of the input, sorted
+  std::vector<VertexPair> outline;  // input vertices at the ends of each outline edge, sorted
   std::optional<FlattenError> error;
-  double energy = 0;              // E of Eq. (4), or of the fabric, scene units squared
+  double energy = 0;              // E of Eq. (4), or the energy of the fabric, scene units squared
   double area = 0;                // in 3D, scene units squared
   double strain = 0;              // as in DartProposal::strain
   Eigen::VectorXd face_strain{};  // strain of each face of the chart
@@ -38,23 +37,21 @@ struct PieceFigures {
   double strain = 0;  // strain of the most strained part
   double area = 0;    // in 3D, scene units squared
   int num_pieces = 0;
-  std::optional<FlattenError> error;  // error of any part
+  std::optional<FlattenError> error;  // error of one of the parts
 };
 
 /// Sorts pieces in flatten()'s order.
 void sort_pieces(FlatPieces& pieces);
 
-/// Returns the pieces that are parts of a chart.
 FlatPieces parts_of(const FlatPieces& pieces, const Chart& chart);
 
 /// Returns the figures of all pieces together. If a piece has no flat shape, energy and strain are infinite.
 PieceFigures figures_of(const FlatPieces& pieces);
 
-/// Returns the figures of the pieces that are parts of a chart.
 PieceFigures figures_of(const FlatPieces& pieces, const Chart& chart);
 
-/// Returns whether a cut of a chart leaves another piece without a flat shape, or with more strain than any piece had
-/// before. This is possible because elastic seams and stretched fabric couple the lengths of neighbors. before, after:
+/// Returns whether a cut of a chart makes another piece lose its flat shape, or strains it more than any piece before
+/// the cut. This is possible because elastic seams and stretched fabric couple the lengths of neighbors. before, after:
 /// all pieces of the input.
 bool spoils_others(const FlatPieces& before, const FlatPieces& after, const Chart& chart);
 
@@ -64,16 +61,16 @@ struct PiecesOnMesh {
   const std::vector<int>& faces;  // face of the surface that contains each face of the mesh
 };
 
-/// Compares pieces on two meshes of one surface. Each piece `there` belongs to the piece `here` with which it shares
-/// most area. Returns the pieces `here` that failed. A piece has failed if not exactly one piece `there` belongs to it.
-/// It has also failed if a piece that belongs to it has no flat shape or too much strain.
+/// Compares pieces on two meshes of one surface. Each piece of `there` belongs to the piece of `here` with which it
+/// shares most area. Returns the pieces of `here` that failed. A piece fails if not exactly one piece of `there`
+/// belongs to it. It also fails if this piece has no flat shape, or more strain than `most_strain`.
 FlatPieces failed_on_mesh(const PiecesOnMesh& here, const PiecesOnMesh& there, double most_strain);
 
 /// Returns the largest strain of the pieces with a flat shape; 0 if there are none.
 double most_strain(const FlatPieces& pieces);
 
-/// Returns whether the faces of `part` are in `chart`. Tests only the first face, so either all or none must be there.
-/// The source faces of both charts must be faces of the same input, in increasing order.
+/// Returns whether the faces of `part` are in `chart`. Tests only the first face, so either all faces of `part` or none
+/// must be in `chart`. The source faces of both charts must be faces of the same input, in increasing order.
 bool is_part_of(const Chart& part, const Chart& chart);
 
 /// Returns whether the outline of a chart runs through a piece.
@@ -88,7 +85,6 @@ class SurfaceToCut {
   /// input: kept by reference. Throws the errors of flatten().
   SurfaceToCut(const FlattenInput& input, const Options& options);
 
-  /// The input as the user gave it.
   const FlattenInput& given() const { return input_; }
 
   const FlattenInput& middle() const { return middle_ ? *middle_ : input_; }

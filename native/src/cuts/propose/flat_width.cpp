@@ -51,7 +51,7 @@ class DistanceGrid {
     }
   }
 
-  /// Returns whether the parts that disks of this radius cover are one large part and only scraps: see kScrap.
+  /// Returns whether disks of this radius cover one large part of the shape, and otherwise only scraps: see kScrap.
   bool is_whole(double radius) const {
     const std::vector<Run> runs = runs_inside(radius);
     int num_parts = 0, num_kept = 0;
@@ -80,8 +80,8 @@ class DistanceGrid {
     int y, begin, end;
   };
 
-  /// Sets the area, and returns the points in a frame of the shape. Its origin is the centroid, and its first axis
-  /// leads to the farthest vertex. So the grid turns with the shape and is mirrored with it.
+  /// Sets area_, and returns the points in a frame of the shape. The origin of the frame is the centroid, and its first
+  /// axis leads to the farthest vertex. So the grid turns with the shape.
   Eigen::Matrix<double, Eigen::Dynamic, 2> in_own_frame(const HalfEdgeMesh& mesh, const Positions2& uv) {
     Point center = Point::Zero();
     for (const FaceHandle f : mesh.faces()) {
@@ -130,7 +130,7 @@ class DistanceGrid {
     const std::array<Point, 3> corners = corners_of(mesh, points, f);
     const Eigen::Array2d low = corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]);
     const Eigen::Array2d high = corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]);
-    const double rounding = kRounding * step_ * step_;  // points on a side of two faces are inside
+    const double rounding = kRounding * step_ * step_;  // points on the edge between two faces must be inside
     for_each_cell(low - kRounding * step_, high + kRounding * step_, [&](const Cell& cell) {
       const Point p = point_of(cell);
       int num_left = 0, num_right = 0;
@@ -190,7 +190,7 @@ class DistanceGrid {
     return count * step_ * step_;
   }
 
-  /// Returns the area outside of a part that disks around the points of this part cover. runs: the part.
+  /// Disks around the points of a part also cover area outside of the part. Returns this area. runs: the part.
   double area_around(const std::vector<Run>& runs, double radius) const {
     std::vector<char> is_covered(distances_.size(), 0);
     for (const Run& run : runs)
@@ -212,7 +212,6 @@ class DistanceGrid {
     return count * step_ * step_;
   }
 
-  /// Returns whether all four neighbors of a point are at least `radius` away from the outline.
   bool is_surrounded(const Cell& cell, double radius) const {
     const std::array<Cell, 4> around{Cell(cell.x() - 1, cell.y()), Cell(cell.x() + 1, cell.y()),
                                      Cell(cell.x(), cell.y() - 1), Cell(cell.x(), cell.y() + 1)};

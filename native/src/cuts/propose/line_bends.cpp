@@ -15,11 +15,10 @@ namespace {
 /// eye on the flat piece.
 constexpr double kSmooth = kPi / 6;
 
-/// Returns the angle in radians by which a line turns at the vertex v between the vertices `from` and `to`; 0 on an
-/// outline. All angles at v are scaled to a total of 2 pi. faces: the faces at v. Walks once around v from `from`;
-/// `left` is the angle up to `to`.
+/// Returns the angle in radians by which a line turns at its vertex v, between its vertices `from` and `to`; 0 on an
+/// outline. All angles at v are scaled to a total of 2 pi. faces: the faces at v.
 double turn_at(const CutMesh& mesh, int v, const std::vector<int>& faces, int from, int to) {
-  double left = 0, total = 0;
+  double left = 0, total = 0;  // angles around v: between `from` and `to`, and all together
   bool has_passed = false;
   int at = from;
   for (std::size_t count = 0; count < faces.size(); ++count) {

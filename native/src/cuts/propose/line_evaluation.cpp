@@ -14,11 +14,10 @@
 namespace wirewarp {
 namespace {
 
-/// The strain around a tip is measured within this radius, a multiple of √area of the piece. The radius is about 10 mm
-/// on a front of 30 by 40 cm. Within this radius, the strain shows a puckered tip.
+/// The strain around a tip is measured within this radius, a share of √area of the piece. On a front of 30 by 40 cm,
+/// the radius is about 10 mm. The strain within this radius shows whether the tip puckers.
 constexpr double kAroundTip = 0.03;
 
-/// Returns the mean strain of the area around a tip; nullopt if the piece does not contain the tip.
 std::optional<double> mean_strain_around(const FlatPiece& piece, int tip, double radius) {
   const HalfEdgeMesh& mesh = piece.chart.mesh;
   const std::vector<int>& sources = piece.chart.source_vertex;
@@ -41,7 +40,7 @@ std::optional<double> mean_strain_around(const FlatPiece& piece, int tip, double
   return strained / area;
 }
 
-/// Returns the last vertex of each path; nothing if paths meet.
+/// Returns the last vertex of each path, or an empty list if paths meet.
 std::vector<int> tips_of(const CutMesh& cut) {
   std::map<int, int> count;
   for (const VertexPair& edge : cut.edges) {
@@ -89,7 +88,7 @@ SurfacePath on_input(const FlattenInput& input, const Chart& chart, const MeshPa
 }
 
 std::vector<SurfacePath> paths_along(const Triangles& faces, const std::vector<VertexPair>& edges) {
-  std::map<int, std::pair<int, int>> corner_at;  // for each vertex of the lines: a face and its corner there
+  std::map<int, std::pair<int, int>> corner_at;  // per vertex of the lines: a face, and the vertex's index in the face
   for (const VertexPair& edge : edges) {
     for (const int v : edge) corner_at[v] = {-1, 0};
   }

@@ -27,7 +27,7 @@ struct LineFigures {
 /// A surface that cut_mesh() has divided along the lines of a cut, with its pieces before and after the cut.
 class CutSurface {
  public:
-  /// piece: index of the piece that is cut. exact: evaluates the surface without the cut. Keeps all references. Throws
+  /// piece: index of the piece that is cut. exact: evaluation on the original mesh. Keeps all references. Throws
   /// Stopped.
   CutSurface(const FlatPieces& pieces, std::size_t piece, const ExactEvaluation& exact, const CutMesh& cut);
 
@@ -51,17 +51,17 @@ class CutSurface {
   const FlattenInput input_;
   const SurfaceToCut surface_;
   const ExactEvaluation exact_;
-  FlatPieces before_, after_;  // without and with the cut
+  FlatPieces before_, after_;
 };
 
-/// Returns a copy of a cut set with other lines. surface: the surface after the cut along these lines. figures: figures
-/// of the piece that these lines cut.
+/// Returns a copy of a cut set with the lines `paths`. surface: the surface that is cut along these lines. figures:
+/// figures of the cut piece.
 DartProposal with_lines(DartProposal set, std::vector<SurfacePath> paths, const CutSurface& surface,
                         const PieceFigures& figures);
 
-/// Returns the figures of a piece with cuts along lines from outlines to tips inside; nullopt if the lines meet, if a
-/// part has no flat shape, or if the cuts make other pieces worse. Lines must not divide an edge on a wire or outline.
-/// May be called in any thread. Throws Stopped.
+/// Returns the figures of a piece with cuts along lines, each from an outline to a tip inside. Returns nullopt if the
+/// lines meet, if a part has no flat shape, or if the cuts make other pieces worse. Lines must not divide an edge on a
+/// wire or outline. May be called in any thread. Throws Stopped.
 std::optional<LineFigures> figures_with_lines(const FlatPieces& pieces, std::size_t piece,
                                               const std::vector<SurfacePath>& lines, const ExactEvaluation& exact);
 

@@ -35,16 +35,18 @@ constexpr double kSameLength = 1e-9;
 /// sets.
 constexpr int kMergeFactorizations = 20;
 
-/// A free map, which has no fixed lengths, has about the least strain. In 90 accepted joined pieces of a cow and a
-/// penguin, it had at most 1.09 times the allowed strain. At most 2.1% of its area was folded. These limits save three
-/// quarters of the time for all joined pieces.
+/// A free map has no fixed lengths, and about the least strain. A joined piece is not flattened if its free map has
+/// more than kMostFreeStrain times the allowed strain, or folds more than the share kMostFolded of the area. In 90
+/// accepted joined pieces of a cow and a penguin, free maps had at most 1.09 times the allowed strain. They folded at
+/// most 2.1% of the area. These limits save three quarters of the time for all joined pieces.
 constexpr double kMostFreeStrain = 1.1;
 constexpr double kMostFolded = 0.025;
 
-/// Lower strains are rounding errors, because shapes are only exact to about this value.
+/// Lower strains are rounding errors, because shapes are exact only to about this value.
 constexpr double kFlatStrain = 1e-6;
 
-/// Solidities that differ by less count as equal: half a ring has the same solidity as the whole ring.
+/// Solidities count as equal if they differ by less than this rounding error. For example, half a ring and the whole
+/// ring have the same solidity.
 constexpr double kSameSolidity = 1e-6;
 
 constexpr double kNoFlatShape = std::numeric_limits<double>::infinity();
@@ -71,7 +73,6 @@ double least_strain(const Chart& chart, const StopToken& stop) {
   return folded > kMostFolded * area ? kNoFlatShape : widespread(areas, strains) / kMostFreeStrain;
 }
 
-/// Returns whether a chart is a part of one of the pieces.
 bool is_in(const FlatPieces& pieces, const Chart& part) {
   return std::any_of(pieces.begin(), pieces.end(), [&](const auto& piece) { return is_part_of(part, piece->chart); });
 }
@@ -141,7 +142,6 @@ std::vector<HalfEdgeChain> halves_of(const HalfEdgeMesh& mesh, const HalfEdgeCha
   return halves;
 }
 
-/// Sorts sections by length, the longest first.
 std::vector<HalfEdgeChain> sorted_by_length(const HalfEdgeMesh& mesh, std::vector<HalfEdgeChain> sections) {
   std::vector<double> lengths;
   for (const HalfEdgeChain& section : sections) lengths.push_back(length_of(mesh, section));
@@ -202,14 +202,13 @@ bool SectionMerger::undo(const FlatPieces& unwanted) {
   return earlier_.size() < count;
 }
 
-/// Returns whether a chart contains an unwanted piece.
 bool SectionMerger::is_unwanted(const Chart& chart) const {
   return std::any_of(unwanted_.begin(), unwanted_.end(), [&](const auto& piece) { return contains(chart, *piece); });
 }
 
 /// Removes the first allowed candidate: a section, or a part of a section if is_half is true. Returns false if no
-/// candidate is allowed. Tries candidates in order on all cores, but keeps no trial after the first allowed candidate,
-/// so that the number of cores does not change the result.
+/// candidate is allowed. Tries candidates in order on all cores, but keeps no trial after the first allowed candidate.
+/// So the number of cores does not change the result.
 bool SectionMerger::open_one(bool is_half) {
   exact_.stop().check();
   const std::vector<CutMask> candidates = list_candidates(is_half);
@@ -250,7 +249,6 @@ const SectionMerger::Replacement* SectionMerger::known(const CutMask& mask) cons
   return found == trials->second.rend() ? nullptr : &*found;
 }
 
-/// Returns the state after a trial.
 CutState SectionMerger::replaced(const CutMask& mask, const Replacement& replacement) const {
   CutState state{state_.cut, without_those(state_.pieces, replacement.before)};
   for (std::size_t e = 0; e < mask.size(); ++e) state.cut[e] = state_.cut[e] != 0 && mask[e] == 0;
@@ -288,12 +286,10 @@ std::vector<CutMask> SectionMerger::list_candidates(bool are_halves) {
   return candidates;
 }
 
-/// Returns the allowed strain of a piece that joins these pieces.
 double SectionMerger::allowed_beside(const FlatPieces& pieces) const {
   return std::max({kFlatStrain, most_strain_, most_strain(pieces)});
 }
 
-/// Returns whether the piece of the state that contains this chart has no flat shape.
 bool SectionMerger::had_error(const Chart& chart) const {
   return std::any_of(state_.pieces.begin(), state_.pieces.end(),
                      [&](const auto& piece) { return piece->error && is_part_of(chart, piece->chart); });
@@ -313,7 +309,6 @@ double SectionMerger::least_strain_without(const CutMask& mask, const FlatPieces
   return needed;
 }
 
-/// Returns whether sections beside a piece come first.
 bool SectionMerger::comes_first(const std::shared_ptr<const FlatPiece>& piece) {
   const auto [found, is_new] = comes_first_.try_emplace(piece, false);
   if (is_new) found->second = piece->error || is_narrow(*piece, first_);

@@ -13,28 +13,26 @@
 
 namespace wirewarp {
 
-/// A cut of a chart, and all pieces of the input with this cut.
 struct CutState {
   CutMask cut;
   FlatPieces pieces;
 };
 
-/// Largest number of times that pieces are merged for a set. The final mesh lacks the lines that merging removes, so it
-/// is coarser. Therefore some pieces may need more strain at the end, mostly on a mesh of a few hundred triangles. Then
-/// other pieces are merged. A cow needs five merges.
+/// Largest number of attempts to merge the pieces of a set. The final mesh lacks the lines that merging removes, so it
+/// is coarser. Therefore, some merged pieces may need more strain in the end, mostly on a mesh of a few hundred
+/// triangles. The next attempt avoids these pieces. A cow needs five attempts.
 inline constexpr int kMostMerges = 6;
 
-/// Limits for the pieces that merging makes.
 struct MergeRules {
   double narrowest = 0;       // least width of a new piece, scene units, unless an old piece is as narrow
   double least_solidity = 0;  // least solidity of a new piece, unless an old piece has as little
 };
 
 /// Removes sections of seams from a cut, the longest first, until no more sections can be removed. If no whole section
-/// can be removed, it tries half sections, and the parts before and after the sharpest corner. A section and its mirror
-/// image are removed together, after an exact evaluation of the pieces beside them. The new pieces must have a flat
-/// shape with at most the allowed strain or the strain of one of the old pieces. Other pieces that had no flat shape
-/// before are ignored.
+/// can be removed, the merger tries half sections, and the parts before and after the sharpest corner. A section and
+/// its mirror image are removed together, after an exact evaluation of the pieces beside them. The new pieces must have
+/// a flat shape, and at most the allowed strain or the strain of one of the old pieces. Errors of other pieces are
+/// ignored if these pieces had no flat shape before.
 class SectionMerger {
  public:
   /// Keeps references to chart, mirrored and exact. state: a cut of the chart, and the pieces with it.
@@ -42,7 +40,7 @@ class SectionMerger {
                 const MergeRules& rules = {});
 
   /// Removes sections from the current state. most_strain: the allowed strain. report: called with the share of
-  /// candidates that were tried. Throws Stopped; then the state is the last accepted state.
+  /// candidates that were tried. Throws Stopped. Then the state is the last accepted state.
   void run(double most_strain, const std::function<void(double)>& report);
 
   /// Returns to the first state. From then on, sections beside pieces that are narrower than `first` come first.
@@ -50,25 +48,22 @@ class SectionMerger {
   void restart(double first);
 
   /// Returns to the last state without the unwanted pieces. Later runs do not make these pieces again, or pieces that
-  /// contain all of an unwanted piece without a cut inside it. Ignores pieces of the first state. Returns whether the
-  /// state has changed.
+  /// contain all of an unwanted piece without a cut inside it. Ignores unwanted pieces that a piece of the first state
+  /// contains in this way. Returns whether the state has changed.
   bool undo(const FlatPieces& unwanted);
 
-  /// The state, evaluated exactly.
   const CutState& state() const { return state_; }
 
  private:
-  /// All pieces after a section is opened.
   struct Trial {
     double strain;  // largest strain of the new pieces
     FlatPieces pieces;
     bool is_final;  // whether FlatPiece::is_final is true for all new pieces
   };
 
-  /// The change that a trial makes: opening a section replaces the pieces `before` by the pieces `after`, whatever the
-  /// other pieces of the state are.
+  /// Opening a section replaces the pieces `before` by the pieces `after`, whatever the other pieces of the state are.
   struct Replacement {
-    FlatPieces before;  // all pieces that change, or the pieces beside the section if they were not flattened
+    FlatPieces before;  // all pieces that change; if `after` was not flattened, only the pieces beside the section
     FlatPieces after;   // the new pieces; empty if they were not allowed, to save memory
     double strain;      // largest strain of the new pieces; a lower bound if they were not flattened
   };
@@ -101,7 +96,7 @@ class SectionMerger {
   double most_strain_ = 0;
   std::function<void(double)> report_;
   std::map<CutMask, std::vector<Replacement>> known_;             // all trials of each section
-  std::map<std::shared_ptr<const FlatPiece>, bool> comes_first_;  // for each measured piece
+  std::map<std::shared_ptr<const FlatPiece>, bool> comes_first_;  // known results of comes_first()
 };
 
 }  // namespace wirewarp

@@ -11,17 +11,17 @@
 
 namespace wirewarp {
 
-/// Smooths the lines of a finely cut set, then merges its pieces. Merging along edges first would be worse: zigzags
-/// along edges work like many small darts. Therefore, merged pieces often need too much strain when their outlines are
-/// smoothed.
+/// Smooths the lines of a finely cut set, then merges its pieces. The opposite order would be worse: zigzags along
+/// edges work like many small darts, so merged pieces often need too much strain after their outlines are smoothed.
 class SmoothMerger {
  public:
   /// least_solidity: as in MergeRules. Keeps all references.
   SmoothMerger(const PieceToCut& piece, double least_solidity, const CutOptions& cut_options,
                const ExactEvaluation& exact);
 
-  /// Smooths the lines of a set along edges. The strain may be twice `most_strain`, the strain for which pieces will be
-  /// merged, or the strain of the set if that is larger. Returns false if no line can be smooth. Throws Stopped.
+  /// Smooths the lines of a set along edges. most_strain: strain for which pieces will be merged. The smooth set may
+  /// have twice this strain, or the strain of the given set if this is larger. Returns false if no line can be smooth.
+  /// Throws Stopped.
   bool start(const DartProposal& set, const CutMask& cut, double most_strain);
 
   /// Merges pieces as SectionMerger does, up to the given share of `most_strain`. Returns false if the caller canceled.
@@ -36,11 +36,9 @@ class SmoothMerger {
   /// Continues from a set that smooth() has returned.
   void go_on(DartProposal set) { set_ = std::move(set); }
 
-  /// The set, evaluated exactly.
   const DartProposal& set() const { return set_; }
 
  private:
-  /// A set of lines on the input, and the pieces between them.
   struct CutSet {
     DartProposal set;
     FlatPieces pieces;
@@ -56,7 +54,7 @@ class SmoothMerger {
   const ExactEvaluation unstopped_;  // completes the last set if the caller cancels
   DartProposal set_;
   SurfaceLines lines_;  // lines of set_
-  int num_narrow_ = 0;  // number of narrow pieces of set_
+  int num_narrow_ = 0;
 };
 
 }  // namespace wirewarp

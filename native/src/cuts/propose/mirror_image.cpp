@@ -61,9 +61,10 @@ class MirrorSearch {
     tolerance_ = kSamePlace * std::sqrt(surface_area(mesh_));
   }
 
-  /// Returns the mirror image by the plane that contains the greatest length of edges. A plane that mirrors a surface
-  /// onto itself cannot contain all corners of a face, unless the surface is flat. Therefore each mirror plane moves a
-  /// corner of the first face, and the possible images of these corners define all planes.
+  /// Returns the mirror image by the plane that contains the greatest length of edges. Unless the surface is flat, a
+  /// mirror plane cannot contain all corners of a face. So each mirror plane mirrors a corner of the first face to
+  /// another vertex. Each pair of such a corner and a vertex at the same distance from the center defines a plane to
+  /// try.
   std::vector<VertexHandle> best_image(const StopToken& stop) const {
     std::vector<VertexHandle> best;
     double longest = -1;
@@ -87,7 +88,6 @@ class MirrorSearch {
     return best;
   }
 
-  /// Returns the mirror image by the plane with this normal; empty if this plane does not mirror the surface.
   std::vector<VertexHandle> across(const Eigen::RowVector3d& normal) const {
     std::vector<VertexHandle> image;
     for (Eigen::Index v = 0; v < points_.rows(); ++v) {
@@ -106,7 +106,6 @@ class MirrorSearch {
     return points;
   }
 
-  /// Returns the length of the edges in the mirror plane, in scene units.
   double length_in_plane(const std::vector<VertexHandle>& image) const {
     double length = 0;
     for (const EdgeHandle e : mesh_.edges()) {
@@ -151,7 +150,7 @@ MeshPath mirrored(const Chart& chart, const std::vector<VertexHandle>& image, co
       result.push_back(PathPoint::at_vertex(image[point.vertex.idx()]));
       continue;
     }
-    // Mirroring reverses the half-edges around the face that the path leaves, so the ends are exchanged.
+    // Mirroring reverses the orientation of faces. So the image of a half-edge starts at the image of its end.
     const HalfedgeHandle h = chart.mesh.find_halfedge(image[chart.mesh.to_vertex_handle(point.half_edge).idx()],
                                                       image[chart.mesh.from_vertex_handle(point.half_edge).idx()]);
     if (!h.is_valid()) return {};

@@ -16,8 +16,8 @@ Eigen::ArrayXd as_numbers(const Eigen::VectorXd& strains) {
   return strains.array().isFinite().select(strains.array(), std::numeric_limits<double>::infinity());
 }
 
-/// Returns the necessary stretch of the fabric in each face beyond the eases, in the worst direction. Compression
-/// counts as the stretch that would undo it.
+/// Returns for each face the stretch that the fabric needs beyond the eases, in the worst direction. Compression counts
+/// as the stretch that would undo it.
 Eigen::VectorXd worst_direction(const Metrics& metrics, double wanted_stretch, double wanted_compression) {
   const Eigen::ArrayXd weft = 1 + as_numbers(metrics.face_weft_strain), warp = 1 + as_numbers(metrics.face_warp_strain);
   Eigen::VectorXd worst(weft.size());

@@ -18,11 +18,11 @@ class NeededStretch {
   /// input: as given by the user; kept by reference.
   NeededStretch(const FlattenInput& input, bool has_cloth);
 
-  /// Returns the strain of a piece with a flat shape.
+  /// The piece must have a flat shape.
   double of(const Piece& piece) const;
 
   /// Returns the strain of each face of a piece with a flat shape. At most 1% of the area has more strain than of()
-  /// returns. With a cloth, this holds for the weft and the warp separately.
+  /// returns. With a fabric, this is true for the weft and the warp separately.
   Eigen::VectorXd of_faces(const Piece& piece) const;
 
  private:

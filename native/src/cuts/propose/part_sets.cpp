@@ -34,48 +34,48 @@ namespace {
 /// bear seven rounds for a strain of 20%.
 constexpr int kMostRounds = 8;
 
-/// A model with more than kMostParts parts is not divided further. Sets with more than kMostPieces pieces are not
-/// proposed, because a plush maker would not sew them. A rabbit has 32 parts, which are joined to 12 pieces; a bear of
+/// A model with more than kMostParts parts is not divided further. A rabbit has 32 parts, which are joined to 12
+/// pieces. Sets with more than kMostPieces pieces are not proposed, because a plush maker would not sew them. A bear of
 /// 24 cm needs up to 29 pieces.
 constexpr std::size_t kMostParts = 64, kMostPieces = 30;
 
 /// Larger strains count as this strain, so that one bad part does not outweigh all others.
 constexpr double kWorst = 2;
 
-/// Costs, added to the mean strain of a divided part, that decide between planes with about the same strain.
-/// kLengthPrice is for the seam's length over √area, kPartPrice for each new part, kNarrowPrice for each narrow part.
+/// These prices are added to the mean strain of a divided part, and decide between planes with about the same strain.
+/// kLengthPrice: per length of the seam over √area. kPartPrice: per new part. kNarrowPrice: per narrow new part.
 constexpr double kLengthPrice = 0.02, kPartPrice = 0.01, kNarrowPrice = 0.1;
 
 /// Least solidity of joined parts. With 0.75, half of a fish and its tail become one piece with arms; with 0.85, they
 /// do not.
 constexpr double kPartSolidity = 0.85;
 
-/// The search along edges finds fewer pieces, but with long arms. A set of at most this many compact pieces is easier
-/// to sew, so the search along edges is then left out. A star has ten compact pieces, a rabbit twelve.
+/// No search along edges follows if a set has at most this many pieces, all wide enough and within the accepted strain.
+/// A search along edges finds fewer pieces, but with long arms, which are harder to sew. A star has ten compact pieces,
+/// a rabbit twelve.
 constexpr int kFewPieces = 12;
 
-/// Parts are joined twice, in different orders. The first time, parts narrower than the least width come first. The
-/// second time, parts narrower than kSmall times this width come first. The better set is proposed. A banana's caps are
+/// Parts are joined twice, in different orders, and the better set is proposed. The first time, parts narrower than the
+/// least width come first. The second time, parts narrower than kSmall times this width come first. A banana's caps are
 /// joined to its sides only if the caps come first.
 constexpr double kSmall = 2;
 
 /// Parts are not divided for less strain than this, because the number of parts grows with the inverse of the strain.
 constexpr double kLeastStrain = 0.02;
 
-/// If a model has no necks, and its sharp edges are longer than kSharp √area in total, the search along edges is used.
-/// The reason is that the seams of a box belong on its edges. An edge is sharp if the cosine of the angle between the
-/// normals of its faces is below kSharpCosine. A cube of 30 cm with round edges has no sharp edges.
+/// The seams of a box belong on its edges. So a model without necks is not divided into parts if its sharp edges are
+/// longer than kSharp √area in total. An edge is sharp if the cosine of the angle between the normals of its faces is
+/// below kSharpCosine. A cube of 30 cm with round edges has no sharp edges.
 constexpr double kSharpCosine = 0.7, kSharp = 0.5;
 
 /// Share of the allowed strain that parts may have while they are divided and joined. The final mesh has other
-/// triangles beside the lines, which changes most strains by up to 2%. If a piece then has too much strain, its parts
-/// are joined differently.
+/// triangles beside the lines, which changes most strains by up to 2%. If a piece has too much strain on the final
+/// mesh, its parts are joined differently.
 constexpr double kMargin = 0.97;
 
 /// Parts are mirror images of each other if their centroids differ by less than this share of √area of the model.
 constexpr double kMirrored = 1e-3;
 
-/// Returns a chart of a mesh. The sources of the chart are the vertices and faces of the mesh.
 Chart alone(const HalfEdgeMesh& mesh) {
   Chart chart;
   chart.mesh = mesh;
@@ -95,7 +95,6 @@ void add_lines(const FlattenInput& input, const Chart& chart, const Eigen::Vecto
   for (const MeshPath& line : level_lines(chart.mesh, values, level)) paths.push_back(on_input(input, chart, line));
 }
 
-/// Returns the total length of all sharp edges, in scene units.
 double sharp_length(const HalfEdgeMesh& mesh) {
   const auto normal = [&](HalfedgeHandle h) { return mesh.calc_face_normal(mesh.face_handle(h)); };
   double length = 0;
@@ -162,8 +161,8 @@ class PartSearch {
     const double target = cut_options_.strain.value_or(kTargetStrain);
     std::vector<double> limits = allowed_strains(target, target);
     std::reverse(limits.begin(), limits.end());
-    // Keeps the limits low, because parts that are first divided for a high strain lead to worse sets for low strains.
-    // With limits of 80% and 40% before 20%, a koala had no set within 20%.
+    // The limits are low, because dividing parts for a high strain first leads to worse sets for low strains. With
+    // limits of 80% and 40% before 20%, a koala had no set within 20%.
     for (double& limit : limits) limit = std::min(limit, std::max(target, kSoftStrain));
     limits.erase(std::unique(limits.begin(), limits.end()), limits.end());
     while (!limits.empty() && limits.back() < kLeastStrain) limits.pop_back();
@@ -194,14 +193,13 @@ class PartSearch {
  private:
   static constexpr double kNecksFound = 0.1;  // progress when the necks are found
 
-  /// A set, with its lines and the pieces between them.
   struct CutSet {
     DartProposal set;
     SurfaceLines lines;
     FlatPieces pieces;
-    std::vector<int> faces;     // input face that contains each face of the cut mesh
-    int num_narrow = 0;         // see count_narrow()
-    bool is_forbidden = false;  // whether the set has forbidden lines
+    std::vector<int> faces;  // input face that contains each face of the cut mesh
+    int num_narrow = 0;
+    bool is_forbidden = false;  // whether a line is forbidden
   };
 
   /// How a division ends: with all parts within the limit, with more strain in some parts, or with parts without a flat
@@ -231,7 +229,7 @@ class PartSearch {
   std::optional<Plane> mirror_;
 };
 
-/// Divides parts by planes until each has at most the strain `limit`, or until there are too many parts or rounds.
+/// Divides parts by planes until each part has at most the strain `limit`, or until the parts or rounds are too many.
 PartSearch::Division PartSearch::divide(CutMesh& mesh, double limit) const {
   for (int round = 0;; ++round) {
     const CutModel model(mesh, mesh.edges, exact_);
@@ -261,16 +259,16 @@ PartSearch::Division PartSearch::divide(CutMesh& mesh, double limit) const {
   }
 }
 
-/// Returns the index of a part's mirror image, which may be the part itself; the number of parts if there is no image.
+/// Returns the index of a part's mirror image, or the number of parts if there is none. Without a mirror plane, a part
+/// is its own image.
 std::size_t PartSearch::partner_of(const std::vector<Eigen::Vector3d>& centroids, std::size_t part) const {
   if (!mirror_) return part;
   const Eigen::Vector3d there = Plane{centroids[part], Eigen::Vector3d::Zero()}.mirrored(*mirror_).point;
   const auto is_there = [&](const Eigen::Vector3d& other) { return (other - there).norm() < kMirrored * size_; };
-  if (is_there(centroids[part])) return part;  // tested first, because rings around each other have the same centroid
+  if (is_there(centroids[part])) return part;  // tested first, because other parts may have the same centroid
   return static_cast<std::size_t>(std::find_if(centroids.begin(), centroids.end(), is_there) - centroids.begin());
 }
 
-/// Returns the plane that divides a part at the least price, see price_of(); nullopt if no plane divides it.
 std::optional<Plane> PartSearch::best_plane(const FlatPiece& part, bool is_symmetric, double limit) const {
   const std::vector<Plane> planes =
       planes_through(part.chart, strained_place(part, limit), is_symmetric ? mirror_ : std::nullopt);
@@ -280,8 +278,7 @@ std::optional<Plane> PartSearch::best_plane(const FlatPiece& part, bool is_symme
   return std::isinf(prices[best]) ? std::nullopt : std::optional(planes[best]);
 }
 
-/// Returns the price of dividing a part by a plane: the new parts' mean strain above the limit, and their sewing
-/// effort.
+/// Returns the price of dividing a part by a plane: the new parts' mean strain above the limit, and the sewing effort.
 double PartSearch::price_of(const FlatPiece& part, const Plane& plane, double limit) const {
   const Chart own = alone(part.chart.mesh);
   const FlattenInput input = input_of(own.mesh);
@@ -303,7 +300,8 @@ double PartSearch::price_of(const FlatPiece& part, const Plane& plane, double li
 }
 
 /// Joins the parts of a cut mesh, and adds the best set. Adds nothing if all sets have too many pieces, forbidden
-/// lines, too much length or more strain than the limit. The first set may have more strain.
+/// lines, too much length or more strain than the limit. If no set was added before, a set with more strain than the
+/// limit is added, too.
 void PartSearch::add_joined(const CutMesh& mesh, double limit, PartSets& found) const {
   const CutModel model(mesh, {}, exact_);
   const Chart chart = in_canonical_order(model.pieces().front()->chart, exact_.stop());
@@ -324,7 +322,7 @@ void PartSearch::add_joined(const CutMesh& mesh, double limit, PartSets& found) 
 }
 
 /// Joins the parts of a cut mesh in up to two orders, and finds the best set. Strains below the limit count as equal.
-/// Throws Stopped; the best set by then remains.
+/// Throws Stopped. Then `best` is the best set found so far.
 void PartSearch::join(const CutMesh& mesh, const Chart& chart, const std::vector<VertexHandle>& image, double limit,
                       SectionMerger& merger, std::optional<CutSet>& best) const {
   const auto rank = [&](const CutSet& each) {
@@ -346,7 +344,7 @@ void PartSearch::join(const CutMesh& mesh, const Chart& chart, const std::vector
       if (is_useful && (!best || rank(made) < rank(*best))) best = std::move(made);
       if (!merger.undo(failed)) break;
     }
-    if (!best) return;  // the other order leaves too many pieces, too: on a koala, it took 27 s in vain
+    if (!best) return;  // the second order would leave too many pieces, too: on a koala, it took 27 s in vain
   }
 }
 

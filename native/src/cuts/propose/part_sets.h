@@ -12,7 +12,6 @@ namespace wirewarp {
 /// Returns whether a piece may be divided into parts: it is closed, and no wires, eases or thickness restrict its cuts.
 bool can_be_divided(const FlatPiece& piece, const ExactEvaluation& exact);
 
-/// Cut sets that divide a piece into its parts.
 struct PartSets {
   std::vector<DartProposal> sets;  // the longest first
   bool are_sewable = false;        // whether a set is within the accepted strain, and has few pieces, all wide enough
@@ -20,9 +19,9 @@ struct PartSets {
 
 /// Returns cut sets along the necks of a piece and along planes through its parts. A sewist divides a toy in the same
 /// way into ears, limbs, a head and a body, each with a front and a back. can_be_divided() must be true for the piece.
-/// Returns no sets if the accepted strain is very low, or if the piece has long sharp edges but no necks. Also returns
-/// no sets if the piece cannot be divided into few flat parts without forbidden lines. Throws Stopped. If canceled
-/// after the first set, returns the sets found by then.
+/// The result is empty in three cases: the accepted strain is very low; the piece has long sharp edges but no necks; or
+/// it cannot be divided into few flat parts without forbidden lines. If canceled after the first set, returns the sets
+/// found by then. Throws Stopped.
 PartSets part_sets(const FlatPieces& pieces, std::size_t piece, const CutOptions& cut_options,
                    const ExactEvaluation& exact, CutProgress& progress);
 

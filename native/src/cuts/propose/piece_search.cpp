@@ -17,9 +17,8 @@
 namespace wirewarp {
 namespace {
 
-/// The coarse copy may rank almost equal cuts wrongly. Therefore, exact evaluations include cuts at kMorePlaces more
-/// places than requested. Then the next best cuts follow, up to the share kShareEvaluated of all cuts tried on the
-/// copy.
+/// The coarse copy may rank almost equal cuts wrongly. Therefore, cuts at kMorePlaces more places than requested are
+/// evaluated exactly. The next best cuts follow, up to the share kShareEvaluated of all cuts tried on the copy.
 constexpr int kMorePlaces = 3;
 constexpr double kShareEvaluated = 0.05;
 
@@ -33,17 +32,15 @@ constexpr double kMayStay = 0.005;
 /// of a rectangle whose diagonal is forbidden. Longer paths are detours around wires, and are dropped.
 constexpr double kDetour = 1.5;
 
-/// Numbers of points at which candidates start and end, and size of the coarse copy.
 struct Grid {
   CandidatePoints points;
   double faces;  // requested for the coarse copy
 };
 
-/// Returns the grid of a search. In thorough searches, points inside are about a fifth of the piece's width apart.
-/// Points on the outline of a square piece are about 0.3 of its width apart. With half the faces, the best
-/// cuts have other ranks on the copy than on the piece. On a hat, the best dart had only rank eleven. In a quick search
-/// for a set, each cut is one of many, and the next cut corrects it. So half of the points and faces lead to equally
-/// good sets in a quarter of the time.
+/// In thorough searches, points inside are about a fifth of the piece's width apart. Points on the outline of a square
+/// piece are about 0.3 of its width apart. With half the faces, the coarse copy ranks the best cuts differently than
+/// the piece. On a hat, the best dart had only rank eleven. In a quick search for a set, each cut is one of many, and
+/// the next cut corrects it. So half of the points and faces lead to equally good sets in a quarter of the time.
 Grid grid_of(Effort effort) { return effort == Effort::thorough ? Grid{{24, 14}, 800} : Grid{{12, 8}, 400}; }
 
 std::string name_of(CutKind kind) { return kind == CutKind::dart ? "dart" : "seam"; }
@@ -53,7 +50,6 @@ FlattenError no_room(const Chart& chart, CutKind kind, const CutOptions& cut_opt
       chart, {{"reason", "no_room"}, {"kind", name_of(kind)}, {"is_restricted", cut_options.no_seam.rows() > 0}});
 }
 
-/// Returns the vertices inside a chart that are on wires.
 std::vector<char> vertices_on_wires(const Chart& chart) {
   std::vector<char> is_on_wire(chart.mesh.n_vertices(), 0);
   for (const WirePart& part : chart.wire_parts) {
@@ -105,8 +101,8 @@ bool have_same_edges(const HalfEdgeMesh& mesh, const HalfEdgeChain& a, const Hal
   return of_a == of_b;
 }
 
-/// Returns the smooth chain along a cut. If there is no such chain, starts at another vertex of the outline. Of the
-/// vertices from which a chain leads to the cut's end, this is the vertex nearest to the cut's start.
+/// Returns the smooth chain along a cut. If there is none, returns the chain to the cut's end from another vertex of
+/// the outline: the vertex nearest to the cut's start that has such a chain.
 HalfEdgeChain nearest_chain(const HalfEdgeMesh& mesh, const SmoothPathFinder& paths, CutEnds cut) {
   HalfEdgeChain chain = chain_of(paths, cut);
   if (!chain.empty()) return chain;
@@ -176,7 +172,6 @@ HalfEdgeChain PieceSearch::image_of(const HalfEdgeChain& chain) const {
   return is_forbidden ? HalfEdgeChain{} : image;
 }
 
-/// Returns the best cuts of the coarse copy as chains of the chart.
 std::vector<HalfEdgeChain> PieceSearch::best_chains() const {
   const SmoothPathFinder paths(chart_, forbidden_);
   const Grid grid = grid_of(effort_);
@@ -237,7 +232,8 @@ bool PieceSearch::is_worth_sewing(const PieceFigures& after) const {
   return has_less_energy && after.strain <= (1 - kLeastGain) * before_.strain && after.strain < kMostStrain;
 }
 
-/// Returns the chains that help alone or with their mirror images, the best first. No chain is beside another.
+/// Returns the chains that help alone or with their mirror images, the best first. No chain is beside another chain of
+/// the result.
 std::vector<PieceSearch::Helpful> PieceSearch::find_helpful(const std::vector<HalfEdgeChain>& chains) const {
   const std::vector<std::optional<PieceFigures>> alone = evaluate(chains);
   std::vector<HalfEdgeChain> images(chains.size()), pairs(chains.size());

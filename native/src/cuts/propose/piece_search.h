@@ -17,7 +17,6 @@ enum class Effort {
   quick,     // only the best cuts, because each cut is one of many in a set
 };
 
-/// Returns the error no_proposal for a piece.
 FlattenError no_proposal(const Chart& chart, ErrorArguments arguments);
 
 /// Runs a search, and returns its error no_proposal; nullopt if the search has no error. Throws other errors.
@@ -35,8 +34,8 @@ std::optional<FlattenError> refusal_of(const Search& search) {
 /// Returns the error no_proposal for a piece that no cut helps. strain: strain of the piece without cuts.
 FlattenError none_helps(const Chart& chart, CutKind kind, double strain);
 
-/// Adds a cut to the proposals, and its mirror image if there is one. both: figures with both cuts, if they are better
-/// than the figures with one cut.
+/// Adds a cut to the proposals, and its mirror image if there is one. both: figures with both cuts; nullopt if one cut
+/// alone is better.
 void add_with_image(DartProposal cut, std::optional<DartProposal> image, const std::optional<PieceFigures>& both,
                     std::vector<DartProposal>& proposals);
 
@@ -61,7 +60,7 @@ class PieceSearch {
   /// there is no room for a cut.
   std::vector<HalfEdgeChain> candidates() const { return without_mirror_images(best_chains()); }
 
-  /// Returns the mirror image of a chain. Returns an empty chain if there is no image, or if the image has the same
+  /// Returns the mirror image of a chain; empty if there is none. Also returns an empty chain if the image has the same
   /// edges as the chain, cuts a wire, or follows a forbidden edge.
   HalfEdgeChain image_of(const HalfEdgeChain& chain) const;
 
@@ -69,7 +68,6 @@ class PieceSearch {
   /// must be along or beside a chain for which image_of() is not empty.
   MeshPath image_of(const MeshPath& path) const { return mirrored(chart_, image_, path); }
 
-  /// Returns whether the ends of a chain are near the ends of another chain.
   bool is_beside(const HalfEdgeChain& a, const HalfEdgeChain& b) const {
     return are_beside(chart_.mesh, size_, ends_of(a), ends_of(b));
   }
@@ -77,10 +75,8 @@ class PieceSearch {
   /// Returns a proposal with these figures, without edges and length.
   DartProposal proposal_with(const PieceFigures& after) const;
 
-  /// Returns whether a cut with these figures gains enough.
   bool is_worth_sewing(const PieceFigures& after) const;
 
-  /// Returns the chart of the piece in canonical order.
   const Chart& chart() const { return chart_; }
   const Forbidden& forbidden() const { return forbidden_; }
   const PieceFigures& before() const { return before_; }
@@ -88,7 +84,7 @@ class PieceSearch {
  private:
   struct Helpful {
     HalfEdgeChain chain;
-    HalfEdgeChain image;  // mirror image; empty: none
+    HalfEdgeChain image;  // mirror image of the chain; empty if there is none
     PieceFigures alone;
     std::optional<PieceFigures> with_image;  // set if the chain and its image together are better than `alone`
 

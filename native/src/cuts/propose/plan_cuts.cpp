@@ -18,7 +18,6 @@
 namespace wirewarp {
 namespace {
 
-/// Returns the options of a search for cuts up to the length `longest`.
 CutOptions options_within(const CutTarget& target, double longest) {
   CutOptions cut_options;
   cut_options.piece = target.piece;
@@ -56,10 +55,11 @@ class PlanOfCuts {
 
   bool may_be_cut(const FlatPiece& piece) const { return !requested_ || is_part_of(piece.chart, requested_->chart); }
 
-  /// Returns the pieces to try. For seams, pieces that lack seams come first, the largest first. Pieces with a flat
-  /// shape follow, the most strained first, because cuts of other pieces do not lower the largest strain.
+  /// Returns the pieces to try. For seams, pieces that lack seams come first, the largest of them first. Then come
+  /// pieces with a flat shape, the most strained first, because only a cut of the most strained piece lowers the
+  /// largest strain.
   std::vector<int> pieces_in_order() const {
-    std::vector<std::tuple<bool, double, int>> places;  // keys: does not lack seams, minus area or strain, index
+    std::vector<std::tuple<bool, double, int>> places;  // lacks no seams; negative area or strain; index
     for (int i = 0; i < static_cast<int>(pieces_.size()); ++i) {
       const FlatPiece& piece = *pieces_[i];
       if (!may_be_cut(piece)) continue;
@@ -108,7 +108,6 @@ class PlanOfCuts {
     return comes_with_mirror_image(cut, proposals) ? *cut.strain_with_twin : cut.strain;
   }
 
-  /// Returns whether the cut lowers the strain, together with its mirror image if both are allowed.
   bool helps(const DartProposal& cut, const std::vector<DartProposal>& proposals) const {
     return strain_if_taken(cut, proposals) < cut.strain_before;
   }
@@ -142,7 +141,6 @@ class PlanOfCuts {
     progress_.finish_rounds(static_cast<int>(cuts_.size()));
   }
 
-  /// Returns the largest strain of the pieces that may be cut and have a flat shape.
   double most_strain_left() const {
     double most = -1;
     for (const auto& piece : pieces_) {

@@ -14,8 +14,8 @@
 namespace wirewarp {
 namespace {
 
-/// If a move of an end lowers the energy by less than this share, no further move is tried, because exact evaluations
-/// compare finer differences. With 2%, the second and third best cuts become worse.
+/// If a move of an end lowers the energy by less than this share, no further move is tried. Finer differences are left
+/// to exact evaluations. With 2%, the second and third best cuts become worse.
 constexpr double kLeastStep = 0.01;
 
 class CutSearch {
@@ -37,7 +37,7 @@ class CutSearch {
   const double longest_;
   const StopToken& stop_;
   std::map<VertexHandle, SmoothPaths> paths_from_;  // keyed by the start of tried cuts
-  std::map<CutEnds, double> energies_;              // energies of all tried cuts
+  std::map<CutEnds, double> energies_;
 };
 
 void CutSearch::try_all(const std::vector<CutEnds>& cuts) {
@@ -57,7 +57,7 @@ void CutSearch::try_all(const std::vector<CutEnds>& cuts) {
   for (std::size_t i = 0; i < fresh.size(); ++i) energies_[fresh[i]] = energies[i];
 }
 
-/// Moves the ends of a cut step by step, each time to the best neighboring cut, as long as this cut is clearly better.
+/// Moves the ends of a cut step by step to the best neighboring cut, until no neighboring cut is clearly better.
 RankedCut CutSearch::improve(RankedCut cut) {
   while (true) {
     const std::vector<CutEnds> neighbors = neighbors_of(chart_, paths_, cut.ends);

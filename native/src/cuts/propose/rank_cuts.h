@@ -15,14 +15,14 @@ struct RankedCut {
 };
 
 struct CutLimits {
-  int places;      // number of best cuts, none beside another
-  double share;    // more cuts than `places` are returned, up to this share of all tried cuts
+  int places;      // number of best cuts, no two beside each other
+  double share;    // further cuts are returned, up to this share of all tried cuts
   double longest;  // largest length of a cut, scene units
 };
 
-/// Returns the best cuts of a chart, the best first. They are the best candidates after their ends were moved to better
-/// places. Tried cuts that are almost as good follow, because only the fine mesh can decide between almost equal cuts.
-/// Each returned cut lowers E. stop: polled in any thread. Throws Stopped.
+/// Returns the best cuts of a chart, the best first. Moves the ends of the best candidates to better places. Also
+/// returns tried cuts that are almost as good, because only the fine mesh can decide between almost equal cuts. Each
+/// returned cut lowers E. stop: polled in any thread. Throws Stopped.
 std::vector<RankedCut> rank_cuts(const Chart& chart, const SmoothPathFinder& paths,
                                  const std::vector<CutEnds>& candidates, const InternalOptions& options,
                                  const CutLimits& limits, const StopToken& stop);

@@ -12,19 +12,19 @@
 namespace wirewarp {
 namespace {
 
-/// kShares: positions of the moved points on each edge of a line along edges. kPointsPerEdge: number of moved points
-/// per edge length of a line across triangles.
+/// If a line follows edges, each edge has moved points at the shares kShares of its length. If a line crosses
+/// triangles, it has kPointsPerEdge moved points per edge length.
 constexpr double kShares[] = {0.25, 0.75};
 constexpr double kPointsPerEdge = 2;
 
-/// No moved point is nearer to the end of a section than this share of the section, because the end may be a vertex.
+/// A moved point starts at least this share of its section away from both ends, because an end may be a vertex.
 constexpr double kFromEnd = 0.1;
 
 /// A point moves by this share of the sum of the vectors to both neighbors. With 1/2, a zigzag would not fade.
 constexpr double kStep = 1.0 / 3;
 
-/// The walk from a point to the next point of a line ends after this many edge lengths. Points are farther apart only
-/// if something is in the way of the walk.
+/// The walk from a point to the next point of a line ends after this many edge lengths. Points are closer together, so
+/// a longer walk has met an obstacle.
 constexpr double kReach = 4;
 
 /// If a line crosses an edge nearer to a vertex than this share of the edge's length, the line leads through the
@@ -40,8 +40,6 @@ bool is_along_edges(const SurfaceLine& line) {
                      [](const LineSection& section) { return section.edge.is_valid(); });
 }
 
-/// Returns the mean length of the lines' edges if all lines run along edges, or else the typical edge length of the
-/// mesh.
 double edge_length_for(const HalfEdgeMesh& mesh, const std::vector<SurfaceLine>& lines) {
   if (!std::all_of(lines.begin(), lines.end(), is_along_edges)) return typical_edge_length(mesh);
   double length = 0;
@@ -61,7 +59,6 @@ double longest_edge_at(const HalfEdgeMesh& mesh, const SurfacePoint& point) {
   return longest;
 }
 
-/// Returns whether each point of a line shares a face with the next point.
 bool is_connected(const HalfEdgeMesh& mesh, const RelaxedLine& line) {
   std::vector<std::vector<FaceHandle>> faces;
   if (!line.is_closed) faces.push_back(faces_at(mesh, line.start));
@@ -73,7 +70,7 @@ bool is_connected(const HalfEdgeMesh& mesh, const RelaxedLine& line) {
   return true;
 }
 
-/// Returns the length of a line that is not closed.
+/// The line must not be closed.
 double length_of_line(const HalfEdgeMesh& mesh, const RelaxedLine& line) {
   HalfEdgeMesh::Point last = position(mesh, line.start);
   double length = 0;
@@ -164,7 +161,7 @@ bool LineNetwork::touches_barrier(VertexHandle v) const {
          std::any_of(mesh_.cve_begin(v), mesh_.cve_end(v), [&](EdgeHandle e) { return barriers_[e.idx()] != 0; });
 }
 
-/// Returns whether a relaxed line runs along an edge of a barrier or of the outline that the original line does not
+/// Returns whether a relaxed line newly runs along an edge of a barrier or outline, which the original line does not
 /// follow. path: points of the relaxed line.
 bool LineNetwork::runs_along_barrier(std::size_t line, const MeshPath& path) const {
   for (std::size_t i = 1; i < path.size(); ++i) {
@@ -217,8 +214,9 @@ void LineNetwork::add_line(const SurfaceLine& line, bool is_ring) {
   edges_.push_back(std::move(edges));
 }
 
-/// Adds the moved points of some sections of a line. Each edge of a line along edges gets the same number of points.
-/// Other lines get points at equal distances. A single edge of a barrier gets no points.
+/// Adds the moved points of some sections of a line, from `begin` to before `end`. If a line follows edges, each edge
+/// gets the same number of points. Other lines get points at equal distances. A single edge of a barrier gets no
+/// points.
 void LineNetwork::add_points(const SurfaceLine& line, std::size_t begin, std::size_t end,
                              std::vector<std::size_t>& points) {
   const EdgeHandle edge = line.sections[begin].edge;
@@ -250,7 +248,7 @@ void LineNetwork::add_points(const SurfaceLine& line, std::size_t begin, std::si
 }
 
 int LineNetwork::steps_for(double distance) const {
-  // each: variance of the smoothing in one step, in square scene units. n steps smooth over the distance √(n each).
+  // each: variance of the smoothing in one step, in scene units squared. n steps smooth over the distance √(n · each).
   const double apart = edge_length_ / 2, each = 2 * kStep * apart * apart;
   return static_cast<int>(std::ceil(distance * distance / each));
 }
@@ -270,7 +268,6 @@ std::optional<StraightLine> LineNetwork::between(const SurfacePoint& a, const Su
   return StraightLine{};  // both points are fixed ends of an edge
 }
 
-/// Returns the number of steps of each point. steps: number of steps of each line.
 std::vector<int> LineNetwork::steps_of_points(const std::vector<int>& steps) const {
   std::vector<int> of_points;
   for (const Point& point : points_) {
@@ -282,7 +279,7 @@ std::vector<int> LineNetwork::steps_of_points(const std::vector<int>& steps) con
 }
 
 /// Returns the vector by which each point moves, in the plane of its face. do_pull: one flag per line. Sets has_failed
-/// for each line that has something in its way.
+/// for each line with an obstacle between two of its points.
 std::vector<Planar> LineNetwork::pulls(const std::vector<SurfacePoint>& places, const std::vector<char>& do_pull,
                                        std::vector<char>& has_failed) const {
   std::vector<Planar> sums(points_.size(), Planar(0));
@@ -334,7 +331,7 @@ std::vector<std::optional<RelaxedLine>> LineNetwork::relax(const std::vector<int
   return relaxed;
 }
 
-/// Returns a point moved to a nearby vertex or edge. Returns the same point if no vertex or edge is near.
+/// Returns the point moved to a nearby vertex or edge. If there is none, returns the point unchanged.
 SurfacePoint LineNetwork::snapped(const SurfacePoint& point) const {
   if (point.vertex.is_valid()) return point;
   const std::array<double, 3> shares = weights_at(mesh_, point.face, point.place);

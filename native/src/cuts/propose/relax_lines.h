@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Smooths lines on a surface: they shorten like elastic threads, for a limited number of steps.
+// Smooths lines on a surface. The lines shorten like elastic threads, for a limited number of steps.
 #pragma once
 
 #include <map>
@@ -11,23 +11,22 @@
 
 namespace wirewarp {
 
-/// A line between two points, or a closed line.
 struct RelaxedLine {
   SurfacePoint start, end;  // not used if the line is closed
   MeshPath between;         // vertices of the line and its crossings with edges; a closed line repeats its first point
   bool is_closed = false;
 };
 
-/// Lines that meet at their ends and do not cross barriers. Points on a barrier are fixed. Ends of lines are fixed if
-/// no other line continues there. Junctions move.
+/// Lines that meet at their ends and do not cross barriers. Points on a barrier are fixed. An end of a line is fixed if
+/// no other line meets it. Junctions move.
 class LineNetwork {
  public:
   /// barriers: one flag per edge. The mesh and the barriers must outlive the network.
   LineNetwork(const HalfEdgeMesh& mesh, const std::vector<SurfaceLine>& lines, const std::vector<char>& barriers);
 
-  /// Moves the points of each line by its number of steps. A junction moves as often as the line with the fewest steps.
-  /// Returns nullopt for each line without steps, and for each line that comes too close to a barrier or becomes too
-  /// short. Throws Stopped.
+  /// Moves the points of each line by its number of steps. A junction moves by the fewest steps of its lines. Returns
+  /// nullopt for each line without steps, and for each line that comes too close to a barrier or becomes too short.
+  /// Throws Stopped.
   std::vector<std::optional<RelaxedLine>> relax(const std::vector<int>& steps, const StopToken& stop) const;
 
   /// Returns the mean length of the edges that lines follow, in scene units. If lines cross triangles, returns the
@@ -40,7 +39,7 @@ class LineNetwork {
  private:
   struct Point {
     SurfacePoint start;
-    std::vector<std::size_t> lines;  // lines through this point or ending there
+    std::vector<std::size_t> lines;  // lines that contain this point
     bool is_fixed = false;
   };
 
@@ -60,10 +59,10 @@ class LineNetwork {
   const StraightWalk walk_;
   double edge_length_;  // see mean_edge()
   std::vector<Point> points_;
-  std::map<int, std::size_t> junctions_;         // index into points_ for the number of each end
+  std::map<int, std::size_t> junctions_;         // index into points_ for each end: see SurfaceLine::first and last
   std::vector<std::vector<std::size_t>> lines_;  // points of each line; a closed line repeats its first point
-  std::vector<char> is_ring_;                    // whether each line is closed
-  std::vector<std::vector<EdgeHandle>> edges_;   // edges that each line follows, in increasing order
+  std::vector<char> is_ring_;                    // per line: whether it is closed
+  std::vector<std::vector<EdgeHandle>> edges_;   // per line: the edges that it follows, in increasing order
 };
 
 }  // namespace wirewarp

@@ -25,7 +25,7 @@ namespace {
 /// Progress (0 to 1) when the input is flattened with all its seams.
 constexpr double kFlattened = 0.1;
 
-/// A part of the model between the seams that must not be removed, in canonical order.
+/// A part of the model between the seams that must stay, in canonical order.
 struct Part {
   Part(const Chart& given, const VertexPairs& seams, const StopToken& stop)
       : chart(in_canonical_order(given, stop)),
@@ -77,7 +77,7 @@ class SeamSimplifier {
   }
 
  private:
-  /// Returns each edge that is a seam once. Adds the seams that must stay to kept_.
+  /// Returns all edges that are seams, without duplicates. Adds the seams that must stay to kept_.
   std::vector<VertexPair> list_seams() {
     std::set<VertexPair> eased, known;
     for (const Ease& ease : input_.eases) eased.merge(undirected(as_list(ease.half_edges)));
@@ -97,7 +97,7 @@ class SeamSimplifier {
     return length;
   }
 
-  /// Removes seams from all parts. Throws Stopped; seams removed by then stay removed.
+  /// Removes seams from all parts. Throws Stopped. Seams that were removed by then stay removed.
   void merge() {
     FlattenInput undivided = input_;
     undivided.seams = as_pairs(kept_);

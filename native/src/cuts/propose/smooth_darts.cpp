@@ -18,35 +18,36 @@
 namespace wirewarp {
 namespace {
 
-/// Largest turn of an elbow in a dart, radians. A geodesic has elbows only where it touches a wire or the outline. The
-/// limit is half of 30 degrees, because an elbow of 30 degrees is conspicuous on the flat piece.
+/// Largest turn of a dart at a point, in radians. A geodesic turns only where it touches a wire or the outline. The
+/// limit is half of 30 degrees, because a turn of 30 degrees is conspicuous on the flat piece.
 constexpr double kElbow = kPi / 12;
 
-/// kBend: a line that is longer than the straight line by less than this share has no visible bend. With 2%, the
-/// distance between the middles of both lines is a tenth of their length. kGainOfBends: a bent line is harder to sew,
-/// so it must lower the strain by this share more than the straight line.
+/// kBend: a bent line that is longer than the straight line by less than this share has no visible bend. With 2%, the
+/// distance between the middles of both lines is a tenth of their length. kGainOfBends: a bent line must leave less
+/// strain than the straight line by at least this share, because it is harder to sew.
 constexpr double kBend = 0.02, kGainOfBends = 0.05;
 
 /// First and last distance by which the ends of a line are moved, over √area of the piece. The first distance is half
-/// of the distance between points on the coarse copy. The last distance is the smallest visible change.
+/// of the distance between candidate points on the coarse copy. The last distance is the smallest visible change.
 constexpr double kFirstMove = 0.1, kLastMove = 0.05;
 
 /// Number of lines whose ends are moved: the best line, and two more that may become better. With two lines, the best
 /// pair of a gathered skirt leaves a strain of 5.4% instead of 4.2%.
 constexpr std::size_t kMoved = 3;
 
-/// After a move that lowers the strain by less than this share, no further move is tried.
+/// A move of an end must lower the strain by at least this share. A mirrored pair must lower the energy by at least
+/// this share compared with one dart.
 constexpr double kLeastMove = 0.01;
 
-/// The fabric around a tip may be strained as much as anywhere in the uncut piece, or by this strain, which every
-/// fabric allows.
+/// A tip puckers if the strain around it exceeds this strain, which every fabric allows, and the strain of the uncut
+/// piece.
 constexpr double kAnyFabric = 0.03;
 
 /// The course of a line: straight, or along the bends of the chain with the same ends.
 enum class Course { straight, bent };
 
 struct SmoothLine {
-  HalfEdgeChain chain;  // chain of edges with the same ends
+  HalfEdgeChain chain;  // edges between the ends of the line
   MeshPath line;
   SurfacePath path;
 };
@@ -56,7 +57,7 @@ struct SmoothDart {
   Course course;
   std::optional<SmoothLine> image;  // mirror image of the line, if both can be cut
   LineFigures found;                // figures of both lines, or of `line` alone if there is no image or a tip puckers
-  bool are_both = false;            // whether `found` has the figures of both lines
+  bool are_both = false;            // whether `found` is for both lines
 
   double strain() const { return found.figures.strain; }
 };
@@ -121,8 +122,8 @@ class SmoothDartSearch {
   std::map<WayKey, std::optional<SmoothDart>> evaluated_;
 };
 
-/// Returns a smooth line with the ends of a chain; nullopt if it has an elbow, touches a wire or the outline, is too
-/// long, or is a bent line that hardly differs from the straight line.
+/// Returns the smooth line between the ends of a chain. Returns nullopt if the line has an elbow, touches a wire or the
+/// outline, or is too long. Also returns nullopt if the line should be bent, but hardly differs from the straight line.
 std::optional<SmoothLine> SmoothDartSearch::line_along(const Way& way) const {
   const HalfEdgeMesh& mesh = chart_.mesh;
   const std::vector<VertexHandle> vertices = vertices_along(mesh, way.chain);
@@ -143,8 +144,8 @@ bool SmoothDartSearch::touches_lines(const MeshPath& path) const {
   });
 }
 
-/// Returns the mirror image of a line; nullopt if the image cannot be cut. Mirrors the line itself, because a geodesic
-/// along the mirrored chain may pass a hill on the wrong side.
+/// Returns the mirror image of a line; nullopt if the image cannot be cut. Mirrors the line, because a new geodesic
+/// along the mirrored chain may pass a hill on the other side.
 std::optional<SmoothLine> SmoothDartSearch::image_of(const SmoothLine& line) const {
   SmoothLine image{search_.image_of(line.chain), {}, {}};
   if (image.chain.empty()) return {};
@@ -154,8 +155,8 @@ std::optional<SmoothLine> SmoothDartSearch::image_of(const SmoothLine& line) con
   return image;
 }
 
-/// Returns a dart with its figures; nullopt if it cannot be cut. Evaluates the dart with its mirror image, unless both
-/// would meet and cut the piece differently than each dart alone.
+/// Returns a dart with its figures; nullopt if it cannot be cut. Evaluates the dart together with its mirror image if
+/// both can be cut without a puckering tip.
 std::optional<SmoothDart> SmoothDartSearch::dart_along(const Way& way) const {
   std::optional<SmoothLine> line = line_along(way);
   if (!line) return {};
@@ -198,7 +199,8 @@ std::vector<SmoothDart> SmoothDartSearch::evaluate(const std::vector<Way>& ways)
   return found;
 }
 
-/// Returns straight darts, and bent darts that gain clearly more than the straight darts.
+/// Returns at most one dart for each chain: the straight dart, or the bent dart if it is clearly better or the straight
+/// dart cannot be cut.
 std::vector<SmoothDart> SmoothDartSearch::best_courses(const std::vector<HalfEdgeChain>& chains) {
   std::vector<Way> ways;
   for (const HalfEdgeChain& chain : chains) {
@@ -217,8 +219,8 @@ std::vector<SmoothDart> SmoothDartSearch::best_courses(const std::vector<HalfEdg
   return best;
 }
 
-/// Returns ways whose start or tip is moved by about `step`, over √area: the start along the outline, the tip forwards,
-/// backwards and to both sides.
+/// Returns ways with a moved start or tip. The start moves along the outline, and the tip moves forwards, backwards and
+/// to both sides. step: approximate distance, over √area.
 std::vector<SmoothDartSearch::Way> SmoothDartSearch::moved(const SmoothDart& dart, double step) const {
   const HalfEdgeMesh& mesh = chart_.mesh;
   const VertexHandle start = dart.line.line.front().vertex, tip = dart.line.line.back().vertex;
@@ -253,7 +255,8 @@ std::vector<SmoothDartSearch::Way> SmoothDartSearch::moved(const SmoothDart& dar
   return ways;
 }
 
-/// Moves the ends of a dart as long as the best neighboring dart is clearly better, with shorter and shorter steps.
+/// Moves the ends of a dart to the ends of the best neighboring dart, as long as this is clearly better. Then tries
+/// shorter steps.
 SmoothDart SmoothDartSearch::move_ends(SmoothDart dart) {
   for (double step = kFirstMove; step >= kLastMove;) {
     std::vector<SmoothDart> neighbors = evaluate(moved(dart, step));
@@ -274,8 +277,7 @@ bool SmoothDartSearch::puckers(const LineFigures& found) const {
   return found.tip_strain > std::max(search_.before().strain, kAnyFabric);
 }
 
-/// Returns whether dart a is better than dart b. Darts with puckering tips rank last, so that they do not displace good
-/// darts.
+/// Darts with puckering tips rank last, so that they do not displace good darts.
 bool SmoothDartSearch::is_better(const SmoothDart& a, const SmoothDart& b) const {
   return std::pair(puckers(a.found), a.strain()) < std::pair(puckers(b.found), b.strain());
 }
@@ -292,8 +294,8 @@ DartProposal SmoothDartSearch::proposal_of(const SmoothLine& line, const LineFig
   return proposal;
 }
 
-/// Adds the darts that are worth sewing. A dart is added with its mirror image, or alone if both together are no
-/// better.
+/// Adds each dart that is worth sewing alone or together with its mirror image. Also adds the mirror image if it is
+/// worth sewing in one of these ways.
 void SmoothDartSearch::propose(const std::vector<SmoothDart>& darts, std::vector<DartProposal>& proposals) const {
   std::vector<std::array<std::optional<LineFigures>, 2>> each(darts.size());
   run_on_all_cores(2 * darts.size(), exact_.stop(), [&](std::size_t i) {

@@ -13,12 +13,13 @@
 namespace wirewarp {
 namespace {
 
-/// Cost of a landing at an angle δ (radians) from the outline's bisector, over δ² and √area. A path that lands along
-/// the bisector is preferred to a path at 45° even if it is longer by 3% of √area.
+/// A path that ends on the outline at an angle of δ radians from the outline's bisector costs kPriceOfLanding δ² √area
+/// more. So a path along the bisector is preferred to a path at 45° even if it is longer by 3% of √area.
 constexpr double kPriceOfLanding = 0.05;
 
-/// A path that turns at a vertex by more than this angle, in radians, has a corner and cannot be sewn as a dart. The
-/// value is less than the turn at a corner of a square, and more than the turn between edges of regular triangles.
+/// Largest turn of a path at a vertex, in radians. A path with a larger turn has a corner, and cannot be sewn as a
+/// dart. The value is between the turn along edges of regular triangles, 60°, and the turn at a corner of a square,
+/// 90°.
 constexpr double kSharpTurn = 80 * kPi / 180;
 
 }  // namespace
@@ -30,8 +31,8 @@ SmoothPathFinder::SmoothPathFinder(const Chart& chart, Forbidden forbidden)
       direction_(chart.mesh.n_halfedges(), 0),
       full_turn_(chart.mesh.n_vertices(), 0) {
   for (const VertexHandle v : mesh_.vertices()) {
-    // At a vertex of the outline, halfedge_handle() returns the half-edge without a face, the last one
-    // counterclockwise.
+    // At a vertex of the outline, halfedge_handle() returns the half-edge without a face. Counterclockwise, this
+    // half-edge is the last at the vertex.
     const HalfedgeHandle last = mesh_.halfedge_handle(v);
     const bool is_on_outline = mesh_.is_boundary(v);
     const HalfedgeHandle first =
@@ -105,8 +106,8 @@ HalfEdgeChain SmoothPathFinder::path_to(const SmoothPaths& paths, VertexHandle e
   HalfEdgeChain path;
   for (HalfedgeHandle h = paths.arrival[end.idx()]; h.is_valid(); h = paths.before[h.idx()]) path.push_back(h);
   std::reverse(path.begin(), path.end());
-  // Because sharp turns are forbidden, the cheapest path to a half-edge may contain a loop, which would cut out its
-  // inside.
+  // The cheapest path to a half-edge may contain a loop, because sharp turns are forbidden. A cut along the loop would
+  // cut out a separate part.
   std::vector<VertexHandle> passed;
   for (const HalfedgeHandle h : path) passed.push_back(mesh_.to_vertex_handle(h));
   std::sort(passed.begin(), passed.end());

@@ -3,8 +3,8 @@
 //
 // The cost of an edge is its length. A turn by τ radians makes the adjacent halves of both edges 1 + τ² times as
 // expensive. Therefore, a zigzag costs a multiple of its length on every mesh. A smooth curve costs less on finer
-// meshes, because its turns are smaller there. Turns are measured relative to the full angle around the vertex, so that
-// a straight path on a cone has the same angle on both sides.
+// meshes, because its turns are smaller there. Turns are measured relative to the full angle around the vertex. So a
+// straight path over the tip of a cone has the same angle on both sides.
 #pragma once
 
 #include <vector>
@@ -13,13 +13,11 @@
 
 namespace wirewarp {
 
-/// Vertices and edges that paths must avoid.
 struct Forbidden {
-  std::vector<char> vertices;  // per vertex of the chart: for example, vertices on wires
+  std::vector<char> vertices;  // per vertex of the chart; for example, vertices on wires are forbidden
   std::vector<char> edges;     // per edge of the chart
 };
 
-/// The cheapest paths from one vertex.
 struct SmoothPaths {
   std::vector<double> cost;             // per half-edge: cost of the path that ends with it; infinite: no path
   std::vector<HalfedgeHandle> before;   // per half-edge: the previous half-edge; invalid at the start

@@ -33,12 +33,12 @@ namespace {
 constexpr double kEdges = 4, kOfSize = 0.04;
 constexpr int kLevels = 4;
 
-/// SmoothLimits::far_too_much for sets along edges. The lines of such sets need many changes of level, so
+/// The value of SmoothLimits::far_too_much for sets along edges. The lines of such sets need many changes of level, so
 /// evaluations must be saved.
 constexpr double kFarTooMuch = 1.1;
 
-/// A smooth set may have at most this share of the bends of the set along edges, otherwise the additional strain is not
-/// worthwhile.
+/// A smooth set may have at most this share of the bends of the set along edges. With more bends, the additional strain
+/// is not worthwhile.
 constexpr double kMostBends = 0.5;
 
 /// A smooth set may have up to this many times the strain of the set along edges. Zigzags need less strain for two
@@ -49,8 +49,8 @@ constexpr double kMostGrowth = 2;
 /// Smaller strains are rounding errors.
 constexpr double kFlatFigure = 1e-6;
 
-/// Returns the number of vertices minus the number of edges, and the number of free ends. Both numbers show whether
-/// lines meet at other places than before.
+/// Returns the number of vertices minus the number of edges, and the number of free ends. If lines newly meet or
+/// separate, a number changes.
 std::array<int, 2> count_ends(const std::vector<VertexPair>& edges) {
   std::map<int, int> count;
   for (const VertexPair& edge : edges) {
@@ -127,11 +127,11 @@ class SmoothSet {
   const PathMirror mirror_;
   const LineNetwork network_;
   std::vector<SurfacePath> start_;  // lines before smoothing
-  std::vector<VertexPair> ends_;    // numbers of both ends of each line
+  std::vector<VertexPair> ends_;    // per line: numbers of both ends
   int num_bends_before_ = 0;
   std::array<int, 2> num_ends_before_{};
-  std::vector<int> levels_;   // level of smoothness of each line; 0: not smoothed
-  std::vector<int> highest_;  // highest level of each line that may be tried
+  std::vector<int> levels_;   // per line: level of smoothness; 0: not smoothed
+  std::vector<int> highest_;  // per line: highest level that may be tried
 };
 
 /// Returns the edges that lines must not cross: wires, and edges that cuts must avoid, with their mirror images.
@@ -152,8 +152,9 @@ int SmoothSet::num_bends(const CutMesh& cut) const {
   return std::accumulate(bends.begin(), bends.end(), 0);
 }
 
-/// Permanently lowers the levels of some lines and of their mirror images. If all these lines already have level 0,
-/// lowers the levels of lines that meet them, and so on, because lines move their neighbors.
+/// Permanently lowers the levels of the chosen lines and of their mirror images. If all these lines already have level
+/// 0, lowers the levels of the lines that meet them, because lines move their neighbors. If these lines have level 0,
+/// too, continues with their neighbors.
 void SmoothSet::lower(std::vector<char> chosen) {
   while (is_any(levels_)) {
     for (std::size_t i = 0; i < chosen.size(); ++i) {
@@ -215,8 +216,8 @@ std::vector<SurfacePath> SmoothSet::lines() {
   }
 }
 
-/// Returns the lines after raising the levels of lines that turn sharply. Lowers the levels of lines that meet other
-/// lines at other places than before.
+/// Raises the levels of lines that turn sharply, and returns the lines at their levels. Lowers the levels of lines that
+/// touch other lines where they did not touch before.
 std::vector<SurfacePath> SmoothSet::smooth_enough() {
   while (true) {
     exact_.stop().check();
@@ -237,7 +238,7 @@ std::vector<SurfacePath> SmoothSet::smooth_enough() {
   }
 }
 
-/// Returns the lines that meet another line at a point that is not an end of both, or that have no edges of their own.
+/// Returns the lines without edges, and the lines that meet another line at a point that is not an end of both lines.
 std::vector<char> SmoothSet::that_touch(const CutMesh& cut) const {
   const std::vector<int>& line_of = cut.sources.edge_paths;
   // Per vertex and line: above 0 if the line passes the vertex, and 0 if the line only begins or ends there.
@@ -260,8 +261,8 @@ std::vector<char> SmoothSet::that_touch(const CutMesh& cut) const {
   return touch;
 }
 
-/// Returns lines to lower, because they are around parts of a chart that have no flat shape, need too much strain, or
-/// have become too narrow.
+/// Returns the lines whose levels must be lowered. They are around parts of a chart that have no flat shape, need too
+/// much strain, or are too narrow.
 std::vector<char> SmoothSet::beside_failures(const CutMesh& cut, const FlatPieces& after, const Chart& chart) const {
   const FlatPieces parts = parts_of(after, chart);
   const bool are_narrow = count_narrow(parts, cut_options_.narrowest) > limits_.num_narrow;
@@ -278,7 +279,6 @@ std::vector<char> SmoothSet::beside_failures(const CutMesh& cut, const FlatPiece
   return failures;
 }
 
-/// Returns the lines on the outline of a part.
 std::vector<char> SmoothSet::beside(const FlatPiece& part, const CutMesh& cut) const {
   std::vector<char> lines(levels_.size(), 0);
   for (std::size_t i = 0; i < cut.edges.size(); ++i) {
@@ -288,11 +288,11 @@ std::vector<char> SmoothSet::beside(const FlatPiece& part, const CutMesh& cut) c
   return lines;
 }
 
-/// Of the given lines, returns the line that is nearest to most of the area with too much strain. Ignores lines with
-/// level 0. Returns all given lines if no line is left.
+/// Returns the given line that is nearest to most of the area with too much strain. Ignores lines with level 0. If this
+/// leaves no line, returns all given lines.
 std::vector<char> SmoothSet::most_strained(const FlatPiece& part, const CutMesh& cut,
                                            const std::vector<char>& lines) const {
-  std::vector<std::pair<std::size_t, Eigen::RowVector3d>> middles;  // of edges of lines above level 0
+  std::vector<std::pair<std::size_t, Eigen::RowVector3d>> middles;  // per edge of a line above level 0: line, midpoint
   for (std::size_t i = 0; i < cut.edges.size(); ++i) {
     const auto line = static_cast<std::size_t>(cut.sources.edge_paths[i]);
     const auto& [a, b] = cut.edges[i];
@@ -323,7 +323,7 @@ std::vector<char> SmoothSet::most_strained(const FlatPiece& part, const CutMesh&
   return chosen;
 }
 
-/// Returns the set along these lines. If the set is not good enough, lowers some levels and returns nullopt.
+/// Returns the set along the lines `paths`. If the set exceeds the limits, lowers some levels and returns nullopt.
 std::optional<DartProposal> SmoothSet::evaluate(const std::vector<SurfacePath>& paths, const CutMesh& cut) {
   const CutSurface surface(piece_.pieces, piece_.index, exact_, cut);
   const FlatPieces &before = surface.before(), &after = surface.after();

@@ -11,7 +11,6 @@
 
 namespace wirewarp {
 
-/// A piece of the input that a cut set divides.
 struct PieceToCut {
   const FlatPieces& pieces;  // all pieces of the input
   std::size_t index;
@@ -19,7 +18,6 @@ struct PieceToCut {
   const std::vector<VertexHandle>& image;  // mirror image of each vertex, or empty
 };
 
-/// The limits of a smooth set.
 struct SmoothLimits {
   double most_strain;
   double most_bends = std::numeric_limits<double>::infinity();  // largest share of the original bends that may remain
@@ -36,9 +34,8 @@ std::optional<DartProposal> smooth_lines(const DartProposal& set, const SurfaceL
                                          const ExactEvaluation& exact);
 
 /// Returns a cut set whose seams and darts are lines across triangles, as smooth as the strain and the width of its
-/// parts allow. Lines stay on their edges if no smoother lines are allowed. set: a set of this piece along edges.
-/// most_strain: largest strain of the smooth set. The smooth set also has at most twice the strain of `set`. Throws
-/// Stopped.
+/// parts allow. If no smoother lines are allowed, returns `set`, which is a set of this piece along edges. The smooth
+/// set has at most the strain `most_strain`, and at most twice the strain of `set`. Throws Stopped.
 DartProposal smooth_set(const DartProposal& set, double most_strain, const FlatPieces& pieces, std::size_t piece,
                         const CutOptions& cut_options, const ExactEvaluation& exact);
 

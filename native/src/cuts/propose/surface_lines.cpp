@@ -25,7 +25,7 @@ std::array<std::pair<VertexHandle, Planar>, 3> corners_of(const HalfEdgeMesh& me
            {mesh.to_vertex_handle(mesh.next_halfedge_handle(first)), apex_over(mesh, first)}}};
 }
 
-/// Returns the corner (0 to 2) of a face of the input that is this vertex.
+/// Returns the index (0 to 2) of a vertex in a face of the input.
 int corner_of(const Triangles& faces, int face, int vertex) {
   int corner = 0;
   while (faces(face, corner) != vertex) ++corner;
@@ -119,7 +119,7 @@ SurfaceLines lines_across(const FlattenInput& input, const Chart& chart, const C
 }
 
 SurfaceLines selected(const SurfaceLines& lines, const std::vector<char>& flags) {
-  std::map<int, int> renamed;  // ends that were merged into other ends, and these other ends
+  std::map<int, int> renamed;  // for each end that was merged into another end: this other end
   const auto name_of = [&](int end) {
     for (auto found = renamed.find(end); found != renamed.end(); found = renamed.find(end)) end = found->second;
     return end;

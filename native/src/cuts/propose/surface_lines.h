@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The lines of a cut set on the chart of a piece. They follow edges or cross triangles, and meet at their ends only.
+// Describes the lines of a cut set on the chart of a piece. Lines follow edges or cross triangles, and meet only at
+// their ends.
 #pragma once
 
 #include <array>
@@ -16,14 +17,13 @@ namespace wirewarp {
 /// A straight section of a line in one face.
 struct LineSection {
   FaceHandle face;
-  Planar from, to;                      // places in the face: see SurfacePoint
+  Planar from, to;                      // ends, as places in the face: see SurfacePoint
   VertexHandle vertex_from, vertex_to;  // valid if an end is a vertex
   EdgeHandle edge;                      // valid if the section is an edge
 };
 
-/// A line. first, last: numbers of its ends. Lines meet at ends with the same number.
 struct SurfaceLine {
-  int first = 0, last = 0;
+  int first = 0, last = 0;  // numbers of the ends; lines meet at ends with the same number
   std::vector<LineSection> sections;
 };
 
@@ -42,7 +42,7 @@ SurfaceLines lines_along(const Chart& chart, const std::vector<VertexHandle>& im
 SurfaceLines lines_across(const FlattenInput& input, const Chart& chart, const CutMesh& mesh, const Chart& cut_chart,
                           const std::vector<VertexHandle>& image, const CutMask& cut);
 
-/// Returns the lines whose flag is not 0. Both ends of each dropped line become one end.
+/// Returns the lines whose flag is not 0. The lines at both ends of a dropped line then meet.
 SurfaceLines selected(const SurfaceLines& lines, const std::vector<char>& flags);
 
 /// A point of the input: a face and the weights of its corners.
@@ -61,7 +61,6 @@ WeightedPoint on_input(const FlattenInput& input, const Chart& chart, const Path
 
 SurfacePath path_through(const std::vector<WeightedPoint>& points);
 
-/// Returns a line as a path on the input.
 SurfacePath path_of(const FlattenInput& input, const Chart& chart, const SurfaceLine& line);
 
 }  // namespace wirewarp

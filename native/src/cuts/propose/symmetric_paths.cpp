@@ -75,11 +75,11 @@ SurfacePath PathMirror::mirrored(const SurfacePath& path) const {
   return result;
 }
 
-/// Returns a point near the mirror plane moved onto the plane.
+/// Returns a point of the mirror plane near the given point.
 PathMirror::Point PathMirror::on_plane(const Point& point) const {
   const Point image = mirrored(point);
   Point result{point.face, Eigen::RowVector3d::Zero()};
-  for (int k = 0; k < 3; ++k) {  // corners that only one of the two faces has get no weight
+  for (int k = 0; k < 3; ++k) {  // only corners that belong to both faces get a weight
     for (int j = 0; j < 3; ++j) {
       if (input_.faces(point.face, k) == input_.faces(image.face, j))
         result.weights[k] = (point.weights[k] + image.weights[j]) / 2;
@@ -98,7 +98,8 @@ void PathMirror::settle_ends(SurfacePath& path) const {
   }
 }
 
-/// Moves a path that is its own image onto the plane, or makes its halves mirror images if it crosses the plane.
+/// Changes a path that is nearly its own mirror image. If the path is in the plane, moves it exactly onto the plane. If
+/// it crosses the plane, makes its halves exact mirror images.
 void PathMirror::settle(SurfacePath& path) const {
   const std::size_t count = path.faces.size();
   const SurfacePath image = mirrored(path);
@@ -115,8 +116,8 @@ void PathMirror::settle(SurfacePath& path) const {
   }
 }
 
-/// Returns a positive number if most of the path is on the side to which normal_ points, and otherwise a negative
-/// number.
+/// Returns a positive number if most of the path is on the side to which normal_ points. Returns a negative number if
+/// most of it is on the other side.
 double PathMirror::side(const SurfacePath& path) const {
   double sum = 0;
   for (std::size_t i = 0; i < path.faces.size(); ++i) {

@@ -9,8 +9,8 @@
 
 namespace wirewarp {
 
-/// Makes mirrored lines exact mirror images. Without this step, mirrored lines differ, because rounding errors of their
-/// relaxation grow where lines pass vertices.
+/// Makes mirrored lines exact mirror images. Without this step, they differ, because relaxing lines increases rounding
+/// errors near vertices.
 class PathMirror {
  public:
   /// image: mirror image of each vertex, or empty. Keeps a reference to input.
@@ -26,7 +26,7 @@ class PathMirror {
 
   struct FaceImage {
     int face = -1;
-    int corners[3] = {0, 0, 0};  // corner of the image for each corner
+    int corners[3] = {0, 0, 0};  // per corner of the face: the corner of the image
   };
 
   static Point point_of(const SurfacePath& path, std::size_t i);
