@@ -29,13 +29,15 @@ Cloth fabric(std::array<double, 3> stiffness, std::array<double, 2> stretch, dou
 
 }  // namespace
 
-// The first three numbers are stiffnesses against stretch across the grain, along the grain and against shear. Only
-// their ratios matter. The next two are the maximum stretch across and along the grain. The number for a family of
-// fabrics is a middle value. Measured stiffnesses across the grain, along the grain and against shear, in N/m: stiff
-// plain weaves 2,100, 2,100 and 25 to 100; 11 oz denim 225, 1,055 and 70; knits such as swimwear 40, 138 and 10 to 36;
-// double knit 67, 182 and 30. A plain weave locks at about 45° (trellis tests on dry fabrics). An isotropic material
-// has shear ½. Foam and leather buckle instead of compressing; no measurements are published, so their squeeze factors
-// are chosen. The maximum stretch is the stretch that a hand can pull and from which the fabric recovers.
+// The first three numbers are the stiffnesses across the grain, along the grain and against shear. Only their ratios
+// matter. The next two are the maximum stretch across and along the grain: a hand can pull this far, and the fabric
+// recovers. The last two numbers, if present, are the squeeze factor and the locking angle.
+//
+// A preset is for a family of fabrics, so its stiffnesses are middle values. Measured stiffnesses in N/m, in the same
+// order: stiff plain weaves 2,100, 2,100 and 25 to 100; 11 oz denim 225, 1,055 and 70; knits such as swimwear 40, 138
+// and 10 to 36; double knit 67, 182 and 30. A plain weave locks at about 45° (trellis tests on dry fabrics). An
+// isotropic material has half of its tensile stiffness against shear. Foam and leather buckle instead of compressing.
+// No measurements are published, so their squeeze factors are chosen.
 const std::vector<ClothPreset>& cloth_presets() {
   static const std::string wang = "Stiffness: Wang, O'Brien, Ramamoorthi: Data-driven elastic models for cloth (2011)";
   static const std::vector<ClothPreset> all = {

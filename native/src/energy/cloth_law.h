@@ -15,9 +15,9 @@
 // and J. McCartney et al. (2000). W is not a barrier by itself: φ stays finite as a and b approach 0 together, and a
 // mirror image has the same W. Therefore φ is defined as infinite for D <= 0.
 //
-// A fabric may be stretched by S = diag(1 + c_weft, 1 + c_warp) when worn. J is then the map to the stretched fabric: S
-// times the map to the flat piece. The energy measures the deviation from this stretch, and the flat area is 1 / det S
-// times the area that W refers to here.
+// A fabric may be stretched by the shares c_weft and c_warp when worn. J is then the map to the stretched fabric: S
+// times the map to the flat piece, with S = diag(1 + c_weft, 1 + c_warp). The energy measures the deviation from this
+// stretch. W is then per area of the stretched fabric, which is det S times the flat area.
 #pragma once
 
 #include <Eigen/Core>
@@ -32,7 +32,6 @@ class ClothLaw {
   /// Divides all stiffnesses by the larger of weft and warp, so that only the ratios of the stiffnesses matter.
   explicit ClothLaw(const Cloth& cloth);
 
-  /// The invariants p, q, g and D of a map.
   struct Invariants {
     explicit Invariants(const Eigen::Matrix2d& map)
         : p(map.row(1).norm()),
@@ -58,13 +57,12 @@ class ClothLaw {
   double stiffness_at_rest() const;
 
  private:
-  /// Derivatives of φ by p, q, g and D.
+  /// Derivatives of φ with respect to p, q, g and D.
   struct Expansion {
     Eigen::Vector4d slope;
     Eigen::Matrix4d curvature;
   };
 
-  /// Returns φ.
   double value(const Invariants& of) const;
 
   Expansion expand(const Invariants& of) const;

@@ -14,10 +14,12 @@ namespace {
 using HatGradients = Eigen::Matrix<double, 2, 3>;
 using PerCorner = Eigen::Matrix<double, 2, 3>;
 
-constexpr double kSmallestDeterminant = 0.1;  // below this, the barrier acts; good pieces have larger determinants
-// ω: at zero area, the barrier is about as large as the E of a triangle that is shrunk by a third in one direction.
+// The barrier acts below this determinant. Triangles of good pieces have larger determinants.
+constexpr double kSmallestDeterminant = 0.1;
+// ω: at zero area, the barrier is about as large as E of a triangle that is a third too short in one direction.
 constexpr double kFiniteWeight = 10;
-constexpr double kInfiniteWeight = 0.1;  // κ = ω ⅒²: both barriers have the same curvature at a determinant of 0.075
+// κ = ω · 0.1², so that both barriers have the same curvature at a determinant of 0.075.
+constexpr double kInfiniteWeight = 0.1;
 
 double kappa(double norm_z, Curvature curvature) {
   const double exact = norm_z > 0 ? 2 / norm_z : 1;  // norm_z is 2 |z|
@@ -62,7 +64,7 @@ FairShapeError::FairShapeError(const Chart& chart, const HeldNetwork& network, d
   if (injectivity == Injectivity::global) outline_barrier_.emplace(chart, layout);
 }
 
-/// Returns the barrier for a determinant below kSmallestDeterminant.
+/// The determinant must be below kSmallestDeterminant, because the finite barrier would grow again above it.
 FairShapeError::FlipBarrier FairShapeError::flip_barrier(double determinant) const {
   if (injectivity_ == Injectivity::none) {
     const double lack = kSmallestDeterminant - determinant;
@@ -82,7 +84,7 @@ double FairShapeError::energy(const Positions2& uv) const {
   return sum;
 }
 
-/// Returns the energy without fairness and barriers. Overwrites the gradient.
+/// Returns f without fairness and barriers. Overwrites the gradient.
 double FairShapeError::energy_and_gradient(const Positions2& uv, Positions2& gradient) const {
   if (!cloth_) return shape_error_.energy_and_gradient(uv, gradient);
   gradient.setZero(uv.rows(), 2);
@@ -199,8 +201,8 @@ void FairShapeError::add_constant_hessian(VertexMatrix& hessian) const {
   bending_.add_hessian(hessian);
 }
 
-/// With a cloth, adds the Hessian of φ, or the Laplacian in its place for Curvature::none. Without a cloth, adds the
-/// Hessian of E without its Laplacian.
+/// With a cloth, adds the Hessian of φ, or the Laplacian for Curvature::none. Without a cloth, adds the Hessian of E
+/// minus the Laplacian, which add_constant_hessian() has added.
 void FairShapeError::add_energy_curvature(std::size_t i, const ShapeError::LinearMap& map, Curvature curvature,
                                           VertexMatrix& hessian) const {
   const ShapeError::Triangle& t = shape_error_.triangles()[i];

@@ -19,10 +19,14 @@
 //
 //   H_ij = 2A g_i·g_j I − A κ s_i s_jᵀ,   κ = 1/|z|
 //
-// If a triangle is compressed, κ > 1, and its H may be indefinite. The first term is the constant Laplacian; a fabric
-// has no such term. With det J = |z|² − |w|², the gradient of the determinant is ∇_i det = g_i z − ḡ_i w. The Hessian
-// of the barrier, without the possibly indefinite term, is A β″ ∇det ∇detᵀ − ½ A β′ M(ḡ_i g_j). M(a + ib) is the matrix
-// of multiplication by a + ib.
+// If a triangle is compressed, κ > 1, and its H may be indefinite. The first term is the constant Laplacian. A fabric
+// has no such term.
+//
+// With det J = |z|² − |w|², the gradient of the determinant is ∇_i det = g_i z − ḡ_i w. The Hessian of the barrier is
+//
+//   H_ij = A β″ ∇_i det ∇_j detᵀ − ½ A β′ M(ḡ_i g_j),   M(a + ib): matrix of the multiplication by a + ib
+//
+// without a term that may be indefinite. Only Curvature::exact includes this term.
 #pragma once
 
 #include <optional>
@@ -56,7 +60,8 @@ class FairShapeError {
   FairShapeError(const Chart& chart, const HeldNetwork& network, double fairness, const Cloth* cloth = nullptr,
                  Injectivity injectivity = Injectivity::none, const Positions2& layout = {});
 
-  /// Returns f, scene units squared; infinite if the layout is not injective as required. uv: one row per chart vertex.
+  /// Returns f in square scene units; infinite if the layout is not injective as required. uv: one row per chart
+  /// vertex.
   double value(const Positions2& uv) const;
   double value_and_gradient(const Positions2& uv, Positions2& gradient) const;
 
@@ -92,14 +97,13 @@ class FairShapeError {
  private:
   struct TriangleBlocks {
     int order[3];                         // corners by decreasing vertex index
-    VertexMatrix::Block off_diagonal[3];  // (0, 1), (0, 2), (1, 2) in this order
+    VertexMatrix::Block off_diagonal[3];  // the pairs (0, 1), (0, 2), (1, 2) of entries of `order`
   };
 
   struct FlipBarrier {
     double value, slope, curvature;  // β, β′, β″
   };
 
-  /// The energy of a fabric and the penalty on zigzagging shear.
   struct ClothTerms {
     ClothLaw law;
     ShearSmoothing smoothing;

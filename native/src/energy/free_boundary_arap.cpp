@@ -20,16 +20,18 @@
 namespace wirewarp {
 namespace {
 
-constexpr double kSmallestDrop = 1e-6;  // relative decrease of E in a step; a start needs no more digits
-constexpr double kLongestStep = 8;      // over the direction's length; for longer steps, E is far from a parabola
-/// Share by which each diagonal entry is increased: far above rounding errors, so that the factorization does not fail
+// The steps end once E falls by a smaller share than this. A start needs no more digits.
+constexpr double kSmallestDrop = 1e-6;
+// The longest step over the length of its direction. Farther away, E differs too much from a parabola.
+constexpr double kLongestStep = 8;
+/// Relative increase of each diagonal entry. It is far above rounding errors, so that the factorization does not fail
 /// on slivers.
 constexpr double kRegularization = 1e-12;
 
 class GlobalStep {
  public:
   /// Doubles one diagonal entry of K. This fixes the vertex of the entry at 0, because the entries of a gradient sum to
-  /// 0. positions: positions that determine the elimination order.
+  /// 0. positions: any layout; determines the elimination order.
   GlobalStep(Eigen::SparseMatrix<double> hessian, const Positions2& positions, const StopToken& stop)
       : cholesky_(hessian, nested_dissection(graph_of(hessian, 1), positions), 1, has_second_core()) {
     hessian.coeffRef(0, 0) *= 2;
@@ -40,7 +42,6 @@ class GlobalStep {
     if (!is_positive) throw FactorizationFailed("GlobalStep: the Laplacian is not positive definite");
   }
 
-  /// Returns K⁻¹ b.
   Positions2 solve(const Positions2& b) const {
     Eigen::MatrixXd x = b;
     cholesky_.solve_in_place(x);
@@ -53,8 +54,8 @@ class GlobalStep {
 
 double dot(const Positions2& a, const Positions2& b) { return (a.array() * b.array()).sum(); }
 
-/// Returns the step length along the direction: the place where a parabola has its minimum. The parabola has the value
-/// and slope of E at the start, and the value of E at the end of the direction.
+/// Returns the multiple of the direction at which a parabola has its minimum. The parabola has the value and slope of E
+/// at the start of the direction, and the value of E at its end.
 double step_length(const ShapeError& shape_error, const FreeBoundaryArap& flat, const Positions2& direction,
                    double slope) {
   const double curvature = 2 * (shape_error.energy(flat.uv + direction) - flat.energy - slope);
@@ -77,7 +78,7 @@ FreeBoundaryArap free_boundary_arap(const Chart& chart, int max_iterations, cons
   Positions2 gradient, other_gradient = Positions2::Zero(flat.uv.rows(), 2);  // the gradients before and after a step
   flat.energy = shape_error.energy_and_gradient(flat.uv, gradient);
   Positions2 direction = Positions2::Zero(flat.uv.rows(), 2);
-  double decrease = 1;  // g·s
+  double decrease = 1;  // g·s of the previous step
   while (flat.iterations < max_iterations && !flat.converged) {
     stop.check();
     ++flat.iterations;
@@ -93,7 +94,7 @@ FreeBoundaryArap free_boundary_arap(const Chart& chart, int max_iterations, cons
       energy = shape_error.energy_and_gradient(uv, other_gradient);
     }
     flat.converged = !(flat.energy - energy > kSmallestDrop * flat.energy);
-    if (!(energy < flat.energy)) break;  // rounding
+    if (!(energy < flat.energy)) break;  // only rounding errors are left
     flat.uv = std::move(uv);
     flat.energy = energy;
     std::swap(gradient, other_gradient);

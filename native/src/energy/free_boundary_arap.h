@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The free-boundary ARAP map of a chart: the local minimum of the shape error E of Eq. (4), without wires or boundary
-// lengths. It is found by local/global steps (L. Liu, L. Zhang, Y. Xu, C. Gotsman, S. J. Gortler, A local/global
-// approach to mesh parameterization, Computer Graphics Forum 27 (2008), 1495-1504) as the preconditioner of conjugate
-// gradients. This reduces the number of steps on long and bent charts to a tenth.
+// lengths. It is found by conjugate gradients. Their preconditioner is a local/global step (L. Liu, L. Zhang, Y. Xu, C.
+// Gotsman, S. J. Gortler, A local/global approach to mesh parameterization, Computer Graphics Forum 27 (2008),
+// 1495-1504). On long and bent charts, this takes a tenth of the steps of the plain local/global method.
 #pragma once
 
 #include <optional>
@@ -16,12 +16,12 @@ namespace wirewarp {
 struct FreeBoundaryArap {
   Positions2 uv;           // one row per chart vertex, scene units
   double energy = 0;       // E of Eq. (4), scene units squared
-  int iterations = 0;      // steps; each solves the factored system once
-  int factorizations = 0;  // 1; 2 if the start is an embedding in a circle
-  bool converged = false;  // the last step lowered E by less than 1e-6 of E
+  int iterations = 0;      // number of steps, with one solve each
+  int factorizations = 0;  // 1, or 2 if the start is the Tutte embedding
+  bool converged = false;  // whether the last step lowered E by less than 1e-6 of E
 };
 
-/// Number of steps that is enough for starts and for the choice of wire lengths; further steps lower E by little.
+/// This number of steps is enough for starts and for the choice of wire lengths. Further steps hardly lower E.
 inline constexpr int kFreeSteps = 30;
 
 /// Takes at most max_iterations steps from the given layout or, without a layout, from the Tutte embedding in a circle.

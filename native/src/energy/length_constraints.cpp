@@ -15,7 +15,7 @@ LengthConstraints::LengthConstraints(const Chart& chart, const HeldNetwork& netw
                                      const Positions2& layout)
     : rounding_length_(1e-5 * std::sqrt(surface_area(chart.mesh))) {
   std::vector<double> tolerance;
-  std::map<std::pair<int, int>, int> elastic_of_run;  // index of each run along the boundary, keyed by wire and part
+  std::map<std::pair<int, int>, int> elastic_of_run;  // index into h, by wire and part
   for (const WirePart& part : chart.wire_parts) {
     elastic_of_part_.push_back(-1);
     if (part.kind != WireKind::elastic && !is_elastic_boundary(part)) continue;

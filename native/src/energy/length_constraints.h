@@ -10,7 +10,7 @@
 //   T = −∂c/∂h  column w: l at the edges of the elastic parts with h_w
 //   ∂²c_e/∂d² = n nᵀ / |d|,   n ⊥ d̂
 //
-//   c_g(u) = m·d        with a fixed m instead of d̂; ∂²c_g/∂d² = 0
+//   c(u) = m·d          fixes the rotation, with a constant m instead of d̂; ∂²c/∂d² = 0
 //
 // For a fabric that is stretched when worn, u is the layout of the stretched fabric (energy/target_lengths.h), and the
 // flat edge is w = S⁻¹ d:
@@ -33,22 +33,20 @@ class LengthConstraints {
  public:
   struct Edge {
     int a, b;       // chart vertices
-    double length;  // l; for a rotation row the initial length of d, which scales the error
+    double length;  // l; for a constraint on the rotation, the initial length of d, which scales the error
     int elastic;    // index into h; -1 if h is 0
   };
 
-  /// targets: null for nominal lengths in a layout that is free to rotate. layout: a layout that determines the scale
-  /// of rotation rows.
+  /// targets: null for nominal lengths in a layout that is free to rotate. layout: determines the scale of the
+  /// constraints on the rotation.
   LengthConstraints(const Chart& chart, const HeldNetwork& network, const TargetLengths* targets = nullptr,
                     const Positions2& layout = {});
 
   const std::vector<Edge>& edges() const { return edges_; }
   int size() const { return static_cast<int>(edges_.size()); }
 
-  /// Returns whether the layout is free to rotate.
   bool are_free_to_turn() const { return grain_normals_.empty(); }
 
-  /// Returns whether the constraint is linear in the positions.
   bool is_linear(int edge) const { return edge >= size() - static_cast<int>(grain_normals_.size()); }
 
   /// Returns the index into h of each wire part of the chart; -1 for a part without h. All sides of an elastic seam
@@ -66,7 +64,7 @@ class LengthConstraints {
     return variation.cwiseMax(-tolerance_).cwiseMin(tolerance_);
   }
 
-  /// Returns the h of a layout, even beyond the tolerances.
+  /// Returns the h of a layout, which may be beyond the tolerances.
   Eigen::VectorXd variation(const Positions2& uv) const;
 
   /// Returns T, one row per edge and one column per entry of h. An elastic edge has one nonzero entry.
@@ -75,11 +73,11 @@ class LengthConstraints {
   /// Returns c, one per edge, in scene units.
   Eigen::VectorXd residual(const Positions2& uv, const Eigen::VectorXd& variation) const;
 
-  /// Returns the largest |c| / (l + 10⁻⁵ √area); infinite if a residual is not finite. The second term matters for
-  /// edges that are so short that rounding of coordinates changes their length noticeably.
+  /// Returns the largest |c| / (l + 10⁻⁵ √area); infinite if a residual is not finite. The second term allows for
+  /// rounding: rounded coordinates change the length of very short edges noticeably.
   double largest_error(const Eigen::VectorXd& residual) const;
 
-  static constexpr double exact = 1e-13;  // target of the retraction
+  static constexpr double exact = 1e-13;  // target error of the retraction
   static constexpr double kept = 1e-10;   // error up to which a length counts as exact; the guarantee is 1e-9
 
   /// Returns d̂, one row per edge; zero for an edge of zero length.
@@ -88,7 +86,7 @@ class LengthConstraints {
   /// Returns λ ∂²c/∂d² of an edge; zero for an edge of zero length.
   Eigen::Matrix2d curvature(int edge, const Positions2& uv, double multiplier) const;
 
-  /// Returns J d, one per edge. directions: as returned by directions().
+  /// Returns J d, one per edge. directions: result of directions().
   Eigen::VectorXd apply(const Positions2& directions, const Eigen::Ref<const Positions2>& d) const;
 
   /// Adds Jᵀ λ to the result, which has one row per chart vertex. multipliers: λ.
@@ -100,7 +98,6 @@ class LengthConstraints {
     return grain_normals_[edge - (size() - static_cast<int>(grain_normals_.size()))];
   }
 
-  /// Returns the flat edge w.
   Eigen::RowVector2d flat_edge(const Edge& edge, const Positions2& uv) const {
     return (uv.row(edge.b) - uv.row(edge.a)).cwiseProduct(flat_share_);
   }

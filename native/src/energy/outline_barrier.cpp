@@ -14,9 +14,12 @@
 namespace wirewarp {
 namespace {
 
-constexpr double kWeight = 1;  // κ: at about d = d̂/2, the force is as large as that of a strain of 1
-constexpr double kReach = 0.1;  // d̂ over the edge's length; the two sides of a corner of more than 6° are not a contact
-constexpr double kCovered = 8;  // the Hessian has contacts nearer than this times d̂, so it lasts for several steps
+// κ: at a distance of about d̂/2, the force of the barrier is as large as the force of a strain of 1.
+constexpr double kWeight = 1;
+// d̂ over the length of the edge. With this value, the two sides of a corner of more than 6° are not a contact.
+constexpr double kReach = 0.1;
+// The Hessian contains the contacts up to this multiple of d̂, so that it lasts for several steps.
+constexpr double kCovered = 8;
 // Distance over an edge's length. A vertex that passes the edge's end at a smaller distance touches the edge.
 constexpr double kAside = 1e-9;
 
@@ -29,7 +32,7 @@ std::vector<double> roots(double a, double b, double c) {
   if (c == 0 && b == 0) return a == 0 ? std::vector<double>{0} : std::vector<double>{};
   const double discriminant = b * b - 4 * a * c;
   if (discriminant < 0) return {};
-  const double q = -(b + std::copysign(std::sqrt(discriminant), b)) / 2;  // no cancellation
+  const double q = -(b + std::copysign(std::sqrt(discriminant), b)) / 2;  // the sign of the root avoids cancellation
   std::vector<double> times;
   if (q != 0) times.push_back(a / q);
   if (c != 0) times.push_back(q / c);
@@ -142,8 +145,8 @@ bool OutlineBarrier::covers_contacts(const Positions2& uv) const {
   return std::includes(covered_.begin(), covered_.end(), contacts.begin(), contacts.end(), comes_before);
 }
 
-/// p reaches the line through a and b when p − a and b − a span zero area. This happens at the roots of a quadratic in
-/// the share of the step.
+/// p reaches the line through a and b when p − a and b − a span zero area. The shares of the step at which this happens
+/// are the roots of a quadratic polynomial.
 double OutlineBarrier::longest_step(const Positions2& uv, const Positions2& d) const {
   const Positions2 end = uv + d;
   const auto swept = [&](int v) { return box_around(uv.row(v), end.row(v), 0); };

@@ -22,7 +22,7 @@ namespace wirewarp {
 
 class OutlineBarrier {
  public:
-  /// The Hessian will contain the contacts that are near in this layout.
+  /// layout: the Hessian contains the contacts that are near in this layout.
   OutlineBarrier(const Chart& chart, const Positions2& layout);
 
   /// Returns B; add_gradient() also adds ∂B/∂u to the gradient. uv, gradient: one row per chart vertex.
@@ -62,8 +62,8 @@ class OutlineBarrier {
   std::vector<Contact> find_contacts(const Positions2& uv, double reaches) const;
 
   std::vector<Edge> edges_;
-  std::vector<int> vertices_;                   // vertices of the outline
-  std::vector<double> reach_, outline_length_;  // largest d̂ of contacts of a vertex, and w; one per chart vertex
+  std::vector<int> vertices_;
+  std::vector<double> reach_, outline_length_;  // per chart vertex: largest d̂ of its contacts, and w
   std::vector<Contact> covered_;                // contacts in the Hessian, sorted
 };
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A quadratic function of the positions of a chart's vertices that does not change if the chart moves:
+// A quadratic function of the positions of a chart's vertices that does not change if the chart is translated:
 //
 //   Q(u) = ½ Σ w |r|²,  r = Σ_k T_k u_k over the vertices of a term,  Σ_k T_k = 0
 //
-// Q is computed from r, not from its Hessian, because short edges make entries of the Hessian 1e8 times as large as Q.
+// Q is computed from r, not from its Hessian. Short edges make entries of the Hessian 1e8 times as large as Q, so their
+// rounding errors would be too large.
 #pragma once
 
 #include <array>
@@ -18,8 +19,8 @@ namespace wirewarp {
 template <class Factor, std::size_t kSize>
 class QuadraticForm {
  public:
-  /// Any two vertices of a term have a common face, except perhaps the last two. list_pairs() lists only the last two,
-  /// because the edges of faces are listed already. The last two may be equal.
+  /// Any two vertices of a term have a common face, except perhaps the last two, which may be equal. list_pairs() lists
+  /// only the last two, because the caller lists the edges of all faces.
   struct Term {
     std::array<int, kSize> vertices;
     std::array<Factor, kSize> factors;

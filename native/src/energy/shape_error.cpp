@@ -7,8 +7,8 @@
 namespace wirewarp {
 namespace {
 
-/// Adds the derivatives with respect to the corners of a triangle. r, s: the derivatives with respect to z and w,
-/// halved because z and w are doubled.
+/// Adds the derivatives with respect to the corners of a triangle. r, s: derivatives with respect to 2z and 2w, which
+/// LinearMap stores.
 inline void add_to_corners(const ShapeError::Triangle& t, double r1, double r2, double s1, double s2,
                            Positions2& gradient) {
   const double p11 = r1 + s1, p21 = r2 + s2, p12 = s2 - r2, p22 = r1 - s1;  // derivatives with respect to J
@@ -77,7 +77,7 @@ int ShapeError::count_flips(const Positions2& uv) const {
                                         [&](const Triangle& t) { return map_of(t, uv).determinant() <= 0; }));
 }
 
-/// E of a triangle is A/2 [(|z| - 2)² + |w|²] with the doubled z and w.
+/// With Z = 2z and W = 2w, which LinearMap stores, E of a triangle is A/2 [(|Z| - 2)² + |W|²].
 Positions2 ShapeError::times_gauss_newton(const Positions2& uv, const Positions2& d) const {
   Positions2 product = Positions2::Zero(num_vertices_, 2);
   for (const Triangle& t : triangles_) {

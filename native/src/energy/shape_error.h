@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The shape error of Eq. (4), which measures how far a flat shape is from an isometry of its chart, and its gradient.
 //
-//   E(u) = Σ_t A [2(|z| - 1)² + 2|w|²],   J = [z₁+w₁, w₂-z₂; z₂+w₂, z₁-w₁]   the map of triangle t, linear in u
+//   E(u) = Σ_t A [2(|z| - 1)² + 2|w|²],   J = [z₁+w₁, w₂-z₂; z₂+w₂, z₁-w₁]
+//
+//   A   3D area of triangle t
+//   J   map of triangle t, linear in u; z = z₁ + i z₂ is its similarity part, w = w₁ + i w₂ its reflection part
 //
 // Eq. (6) sums ½ Σ cot θ |(u_i − u_i+1) − L (v_i − v_i+1)|² with the best-fitting rotation L. By the cotangent identity
 // Σ cot θ |M e|² = 2A |M|², this equals A |J − L|². The singular values of J are |z| ± |w|, and L is ẑ = z/|z|. L is
-// never a reflection, also for flipped triangles.
+// never a reflection, even for flipped triangles.
 #pragma once
 
 #include <Eigen/SparseCore>
@@ -37,9 +40,9 @@ class ShapeError {
   /// semidefinite. Unlike fixed_rotation_hessian(), G has no cost for rotating triangles.
   Positions2 times_gauss_newton(const Positions2& uv, const Positions2& d) const;
 
-  /// Returns the lower triangle of K = Σ_t 2A GᵀG, with G the gradients of the hat functions. K is twice the cotangent
-  /// Laplacian, and positive semidefinite on every mesh. It is the Hessian of E in each coordinate for fixed rotations.
-  /// With g = ∂E/∂uv, K bounds E everywhere:
+  /// Returns the lower triangle of K = Σ_t 2A NᵀN. The columns of N are the gradients of the hat functions. K is twice
+  /// the cotangent Laplacian, and positive semidefinite on every mesh. It is the Hessian of E in each coordinate for
+  /// fixed rotations. With g = ∂E/∂uv, K bounds E everywhere:
   ///
   ///   E(u + d) ≤ E(u) + g·d + ½ d·Kd
   Eigen::SparseMatrix<double> fixed_rotation_hessian() const;
@@ -57,14 +60,13 @@ class ShapeError {
     }
   };
 
-  /// The map of a triangle, stored as 2 z and 2 w, which saves multiplications.
+  /// The map J of a triangle. Stores 2z, 2w and |2z|, because the factor 2 saves multiplications.
   struct LinearMap {
     double z1, z2, w1, w2;
     double norm_z;
 
     /// Returns |J - L|² = 2(|z| - 1)² + 2|w|².
     double squared_distance_from_rotation() const { return 0.5 * ((norm_z - 2) * (norm_z - 2) + w1 * w1 + w2 * w2); }
-    /// Returns J.
     Eigen::Matrix2d matrix() const {
       return 0.5 * (Eigen::Matrix2d() << z1 + w1, w2 - z2, z2 + w2, z1 - w1).finished();
     }
@@ -74,7 +76,6 @@ class ShapeError {
       const double norm_w = std::hypot(w1, w2);
       return std::max((norm_z + norm_w) / 2, 2 / std::abs(norm_z - norm_w));
     }
-    /// Returns det J = |z|² - |w|².
     double determinant() const { return 0.25 * (norm_z * norm_z - w1 * w1 - w2 * w2); }
   };
 

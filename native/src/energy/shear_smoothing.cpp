@@ -11,12 +11,13 @@
 namespace wirewarp {
 namespace {
 
-// δ: zigzags wider than this share of the piece's size are hardly penalized. When the mesh of a quarter sphere is
-// refined, its shear grows from 44° to 68° without the penalty, and falls from 43° to 41.5° with 0.005. With 0.01
-// and 0.02, the shear falls by 2° more, but the energy grows by 1% and 8%.
+// δ: zigzags wider than this share of the piece's size are hardly penalized. On a quarter sphere, the shear grows from
+// 44° to 68° as the mesh is refined without the penalty. With 0.005, the shear falls from 43° to 41.5°. With 0.01 and
+// 0.02, the shear falls by 2° more, but the energy grows by 1% and 8%.
 constexpr double kWidth = 0.005;
 
-/// The unfolded triangle on the left of an edge: the edge from (0, 0) to (l, 0), the third vertex at (x, height).
+/// The unfolded triangle on the left of an edge. The edge is from (0, 0) to (l, 0), and the third vertex is at (x,
+/// height).
 struct Side {
   Side(const HalfEdgeMesh& mesh, HalfedgeHandle h) : vertex(mesh.to_vertex_handle(mesh.next_halfedge_handle(h)).idx()) {
     const OpenMesh::Vec3d origin = mesh.point(mesh.from_vertex_handle(h));

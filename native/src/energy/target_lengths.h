@@ -15,8 +15,9 @@ struct GrainRow {
 };
 
 /// The flat lengths of a chart in a layout that is not free to rotate: x is the weft of a fabric, y its warp. For a
-/// fabric that is stretched when worn, the layout of a flat piece u is S u, the shape of the stretched fabric. S is
-/// diag(1 + c_weft, 1 + c_warp). Energies do not change, and flat lengths are |S⁻¹ d|.
+/// fabric that is stretched when worn, the layout is the shape of the stretched fabric. A flat piece u is S u in this
+/// layout, with S = diag(1 + c_weft, 1 + c_warp) and the stretch c. Energies are computed from the layout as usual. An
+/// edge d of the layout has the flat length |S⁻¹ d|.
 struct TargetLengths {
   std::vector<GrainRow> grains;         // one for each connected part
   std::vector<double> ratio;            // per edge of the chart: flat length over nominal length; empty: all 1

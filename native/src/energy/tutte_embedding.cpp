@@ -25,7 +25,8 @@ void put_on_circle(const HalfEdgeMesh& mesh, const HalfEdgeChain& loop, double r
   }
 }
 
-/// Springs between points: the chart's vertices, then the apexes. Points on the outer loop are fixed at their uv.
+/// Springs between points. The points are the chart's vertices, then the apexes of the cones. Points on the outer loop
+/// are fixed at their uv.
 class Springs {
  public:
   Springs(const HalfEdgeMesh& mesh, const HalfEdgeChain& fixed_loop, std::size_t num_apexes, Positions2& uv)
@@ -79,10 +80,10 @@ class Springs {
   Positions2& uv_;
   std::vector<int> row_of_point_;  // -1: fixed
   std::vector<Eigen::Triplet<double>> entries_;
-  Eigen::MatrixX2d x_;  // first the right-hand side, then the free points
+  Eigen::MatrixX2d x_;  // first the right-hand side, then the positions of the free points
 };
 
-/// Adds tan(α/2)/l of every corner to both its edges.
+/// Each corner with the angle α adds tan(α/2)/l to the stiffness of both its edges. l is the length of the edge.
 void add_faces(const HalfEdgeMesh& mesh, Springs& springs) {
   for (const HalfedgeHandle h : mesh.halfedges()) {
     if (mesh.is_boundary(h)) continue;
@@ -94,9 +95,10 @@ void add_faces(const HalfEdgeMesh& mesh, Springs& springs) {
   }
 }
 
-/// Adds a cone over a hole, so steep that all its corners at the loop are right angles. Each of these corners adds
-/// tan(π/4) = 1 over the edge length to the weights of its edges. A corner at the apex adds l / 2r², with l the length
-/// of the opposite edge and 2π r the length of the loop.
+/// Adds a cone over a hole. If the loop has the length 2π r, all edges to the apex count as r long, and all corners at
+/// the loop count as right angles. Each of these corners adds tan(π/4) over the edge length to the stiffness of both
+/// its edges. Each corner at the apex adds l / 2r² to both its edges, where l is the length of the edge opposite to the
+/// apex.
 void add_cone(const HalfEdgeMesh& mesh, const HalfEdgeChain& hole, int apex, Springs& springs) {
   const double radius = length_of(mesh, hole) / (2 * kPi);
   for (const HalfedgeHandle h : hole) {

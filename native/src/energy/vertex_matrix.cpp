@@ -9,7 +9,7 @@ namespace wirewarp {
 namespace {
 
 struct Columns {
-  std::vector<int> begin;  // start of each column in row, and the end
+  std::vector<int> begin;  // index into `row` at which each column begins, then the size of `row`
   std::vector<int> row;    // increasing in each column
 };
 

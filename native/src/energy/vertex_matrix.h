@@ -45,10 +45,8 @@ class VertexMatrix {
     value[diagonal_[static_cast<std::size_t>(vertex)].right] += m(1, 1);
   }
 
-  /// Returns the larger of the two diagonal entries of a vertex.
   double largest_diagonal(int vertex) const;
 
-  /// Returns the graph of coupled vertices.
   Graph graph() const { return graph_of(lower_, 2); }
 
   /// Returns the lower triangle, including the diagonal.

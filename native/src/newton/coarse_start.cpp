@@ -11,11 +11,13 @@
 namespace wirewarp {
 namespace {
 
-constexpr double kCoarsening = 4;       // coarse edge length over fine edge length; leaves a sixteenth of the faces
-constexpr double kLeastCoarsening = 2;  // leaves a quarter of the faces; more faces would save no time
+constexpr double kCoarsening = 4;  // coarse edge length over fine edge length; 4 leaves a sixteenth of the faces
+// Least ratio for which a coarse copy is made. 2 leaves a quarter of the faces. With more faces, the copy saves no
+// time.
+constexpr double kLeastCoarsening = 2;
 // Largest ratio of coarse edge length to the shortest wavelength of the wires. Longer edges cannot follow the wires.
 constexpr double kPerWiggle = 0.9;
-constexpr int kMaxCoarseFactorizations = 30;  // but at most half of the budget: the chart itself needs the rest
+constexpr int kMaxCoarseFactorizations = 30;  // but at most half of the budget, because the chart itself needs the rest
 
 }  // namespace
 

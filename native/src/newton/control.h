@@ -31,7 +31,6 @@ class Budget {
     return left_ >= factorizations;
   }
 
-  /// Returns whether allows() ever returned false because a solver needed more factorizations.
   bool ran_out() const { return ran_out_; }
 
   void spend(int factorizations) {
@@ -52,7 +51,7 @@ struct Control {
   Budget& budget;
   StopToken stop = {};  // polled before each factorization
 
-  /// Returns a control with the same two limits that names another stage of progress.
+  /// Returns this control for another stage of progress.
   Control in(const char* stage) const { return {budget, stop.in(stage)}; }
 
   bool may_go_on() const { return budget.allows() && stop.may_go_on(); }

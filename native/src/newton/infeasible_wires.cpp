@@ -19,16 +19,17 @@ namespace {
 // Strains up to which a length counts as kept; smoothing leaves strains of 1e-4. Wires with a strain above the first
 // bound are freed; if that does not help, also wires with a strain above the second bound.
 constexpr double kKept = 5e-4, kPerhapsKept = 3e-5;
-constexpr double kUneven = 5e-3;  // strain_rms above which a wire is freed; less may vanish if other wires change more
-// Proposed tolerances are multiples of 0.1%, and above 0.5% multiples of 0.5%, rounded up, because people type them.
+// A wire is freed if its strain_rms is larger. A smaller value may vanish if other wires change more.
+constexpr double kUneven = 5e-3;
+// Proposed tolerances are rounded up, because people type them: to multiples of 0.1%, above 0.5% to multiples of 0.5%.
 constexpr double kFineStep = 1e-3, kStep = 5e-3;
 constexpr double kLargest = 0.5;  // a wire that needs a larger tolerance is freed
 constexpr double kFreeTolerance = std::numeric_limits<double>::infinity();
 constexpr int kMaxFreeFactorizations = 40;  // as in lies_flat(); factorizations of coarse and sewn charts count, too
-constexpr double kMostTrials = 30;          // limit for trials with fewer wires, and for trials with lower tolerances
-constexpr std::size_t kFewWires = 8;  // up to 8 wires get individual tolerances; more wires share a tolerance, which
-                                      // is faster to find and to type
-/// No tolerance is tried on more wires than this, because a trial on n wires solves dense problems of size n in n³
+constexpr double kMostTrials = 30;  // largest cost (cost_of()) of dropping wires, and again of lowering tolerances
+// Up to 8 wires get individual tolerances. More wires share a tolerance, which is faster to find and to type.
+constexpr std::size_t kFewWires = 8;
+/// Tolerances are not tried on more wires than this, because a trial on n wires solves dense problems of size n in n³
 /// operations. A trial on 569 wires costs as much as 23 trials on 200 wires. The limit is high enough for nets of 168
 /// wires, which get one tolerance of 5%.
 constexpr std::size_t kMostElasticWires = 200;
@@ -37,7 +38,7 @@ constexpr std::size_t kMostElasticWires = 200;
 constexpr double kLadder[] = {0.001, 0.002, 0.003, 0.005, 0.01, 0.015, 0.02, 0.03,
                               0.05,  0.075, 0.1,   0.15,  0.2,  0.3,   0.5};
 
-using Tolerances = std::map<int, double>;  // tolerance of each wire
+using Tolerances = std::map<int, double>;  // by wire index; infinite: the wire is free
 
 bool is_held(const WirePart& part) { return part.kind == WireKind::rigid || part.kind == WireKind::elastic; }
 
@@ -52,7 +53,8 @@ Tolerances free_wires(const Chart& chart, const Chooses& chooses) {
   return wires;
 }
 
-/// Returns free tolerances for the wires whose lengths the relaxed shape changes.
+/// Returns free tolerances for the wires whose lengths the relaxed shape changes. kept: largest violation of a
+/// tolerance that does not count as a change.
 Tolerances wires_to_free(const Chart& chart, const RelaxedShape& relaxed, double kept) {
   return free_wires(
       chart, [&](Eigen::Index i) { return relaxed.strain_rms[i] > kUneven || relaxed.tolerance_violation[i] > kept; });
@@ -116,8 +118,9 @@ class ToleranceSearch {
     return tolerances;
   }
 
-  /// Returns the wires with the lowest common tolerance that are_good accepts: a value of kLadder below `below`, found
-  /// by bisection. Returns no wires if even the highest of these values does not work, or if there are too many wires.
+  /// Returns the wires with the lowest common tolerance that are_good accepts, found by bisection among the values of
+  /// kLadder below `below`. Returns no wires if even the highest of these values does not work, or if there are too
+  /// many wires.
   Tolerances lowest_shared(const Tolerances& wires, double below,
                            const std::function<bool(const Tolerances&)>& are_good) const {
     Tolerances lowest;
@@ -163,7 +166,6 @@ class ToleranceSearch {
     return std::max(1.0, std::pow(static_cast<double>(num_elastic) / kMostElasticWires, 3));
   }
 
-  /// Tries to remove half of the wires at once, then a quarter, and so on down to single wires.
   void drop_wires(Tolerances& tolerances) {
     std::vector<int> wires = wires_of(tolerances);
     for (std::size_t size = wires.size() / 2; size > 0; size /= 2) {
@@ -204,8 +206,7 @@ class ToleranceSearch {
   double trials_ = 0;
 };
 
-/// Returns whether the relaxed shape changes lengths, so that a longer search would hardly find a shape that keeps all
-/// lengths.
+/// Returns whether the relaxed shape changes lengths. A longer search would then hardly find a shape with all lengths.
 bool shows_conflict(const RelaxedShape& relaxed) {
   const bool are_wires_violated =
       (relaxed.strain_rms.array() > kKept || relaxed.tolerance_violation.array() > kKept).any();

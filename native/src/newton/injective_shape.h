@@ -13,8 +13,9 @@ inline constexpr const char* kInjectiveStart = "injective";  // value of Solutio
 /// Returns how injective a layout of the chart is. uv: one row per vertex.
 Injectivity injectivity_of(const Chart& chart, const Positions2& uv);
 
-/// Improves an exact solution that is not injective: replaces it with the least distorted shape without flips, then
-/// with the least distorted shape without overlaps. Keeps the last exact shape if the search fails or the caller stops.
+/// Improves an exact solution that is not injective: replaces it with the least distorted shape without flips. If the
+/// chart has no holes, the least distorted shape without overlaps then replaces this shape. Keeps the last exact shape
+/// if the search fails or the caller stops.
 void make_injective(Problem& problem, Stage stage, const Control& control, Solution& solution);
 
 }  // namespace wirewarp

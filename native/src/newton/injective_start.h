@@ -5,6 +5,9 @@
 //
 //   Φ(u, h) = f(u) + λᵀc + ½ cᵀρc,   |h| <= ε
 //
+//   c   length errors (energy/length_constraints.h)
+//   ρ   stiffness of springs along the edges
+//
 // f is infinite for shapes that are not injective (energy/fair_shape_error.h). Newton steps with a convex Hessian
 // minimize Φ, each so short that f stays finite; then λ += ρc. Lengths become exact as λ approaches the forces in the
 // wires, so that no single step has to reach exact lengths.

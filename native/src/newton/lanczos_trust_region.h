@@ -37,7 +37,7 @@ class LanczosTrustRegion {
                      const std::function<Eigen::VectorXd(Eigen::VectorXd& r)>& precondition,
                      const Eigen::VectorXd& gradient, int max_size);
 
-  /// Returns |d|_G of the minimum of q if H were G.
+  /// Returns the |d|_G that the minimum of q would have if H were G.
   double convex_length() const { return first_; }
 
   int size() const { return static_cast<int>(basis_.size()); }
@@ -56,7 +56,7 @@ class LanczosTrustRegion {
 
   double first_ = 0;                    // β₀: g = -β₀ G v₁
   std::vector<Eigen::VectorXd> basis_;  // v
-  Eigen::VectorXd eigenvalues_;         // eigenvalues of T
+  Eigen::VectorXd eigenvalues_;         // of T
   Eigen::MatrixXd eigenvectors_;
 };
 

@@ -11,7 +11,6 @@
 namespace wirewarp {
 namespace {
 
-/// Returns whether triangles are still flipped after so many factorizations that they are not expected to open.
 bool stays_flipped(const NewtonState& state) {
   return state.num_factorizations() >= NewtonConstants::patience && state.objective.count_flips(state.now.uv) > 0;
 }
@@ -26,13 +25,11 @@ SolutionStatus descend(NewtonState& state, StepOutcome outcome) {
   bool try_newton = true;
   while (outcome == StepOutcome::accepted && !state.is_isometric() && !stays_flipped(state) &&
          state.control.may_go_on()) {
-    // 2. Compute f and its gradient at the current shape.
     state.update_gradient();
     ++state.iterations;
-    // 3. Take a Newton step, if the exact Hessian may be positive on the tangent space of the lengths.
     outcome = try_newton ? take_newton_step(state) : StepOutcome::rejected;
     if (outcome == StepOutcome::accepted && is_enough()) outcome = StepOutcome::converged;
-    // 4. If the Hessian is not positive, or f does not fall as predicted, take a step in a trust region.
+    // A Newton step is rejected if the exact Hessian is not positive, or if f does not fall as predicted.
     if (outcome == StepOutcome::rejected && state.control.may_go_on()) {
       outcome = trust_region.take_step(state);
       try_newton = trust_region.was_inside();
@@ -47,7 +44,6 @@ SolutionStatus descend(NewtonState& state, StepOutcome outcome) {
 
 Solution minimize(const Problem& problem, const Stage& stage, const Shape& start, const Control& control) {
   NewtonState state(problem, stage, start, control);
-  // 1. Reach exact lengths.
   const bool is_near_minimum = start.multipliers.size() > 0;
   const auto outcome = attempt([&] { return std::optional(reach_exact_lengths(state, is_near_minimum)); });
   if (!outcome) return state.solution(control.stop.is_stopped() ? SolutionStatus::cancelled : SolutionStatus::singular);

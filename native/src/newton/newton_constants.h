@@ -6,8 +6,6 @@ namespace wirewarp {
 /// Constants of minimize(), each with the reason for its value. f is the objective; the slope of a step is the first
 /// derivative of f along it.
 struct NewtonConstants {
-  // When to stop.
-
   /// Smallest predicted decrease of a step, relative to f. Lengths are exact at every step, so more digits improve only
   /// the shape, and f has rounding errors of 1e-13 on a million triangles.
   static constexpr double worthwhile = 1e-9;
@@ -18,11 +16,9 @@ struct NewtonConstants {
   /// A shape counts as isometric if f over the area is below this value. This means strains of 1e-11, a hundredth of
   /// the guaranteed precision of lengths.
   static constexpr double isometric = 1e-22;
-  /// After this number of factorizations, flipped triangles are not expected to open. A start without flipped triangles
-  /// is then tried (newton/injective_shape.h). With twice as many, no verdict on 300 random cases changes.
+  /// After this number of factorizations, flipped triangles are not expected to unfold. A start without flipped
+  /// triangles is then tried (newton/injective_shape.h). With twice as many, no verdict on 300 random cases changes.
   static constexpr int patience = 30;
-
-  // Newton steps.
 
   /// Slope over f below which the Hessian hardly changes along a step, so that the next step can reuse the factor.
   /// With a tenth of this value, 1% more factorizations are needed.
@@ -30,8 +26,6 @@ struct NewtonConstants {
   /// Largest slope of a step with an old factor, relative to the slope of the previous step. If the slope falls less, a
   /// new factor is cheaper, because it costs as much as about four steps with the old factor.
   static constexpr double falls_fast = 0.1;
-
-  // Steps in the trust region.
 
   /// A step is accepted if f falls by at least this share of the predicted decrease. Values below 1/4 are usual
   /// (Nocedal, Wright, algorithm 4.1).

@@ -16,7 +16,6 @@ enum class StepOutcome {
   converged,  // the predicted gain of another step is not worthwhile
 };
 
-/// A layout between two steps.
 struct Iterate {
   Positions2 uv;              // one row per chart vertex
   Eigen::VectorXd variation;  // h, one per elastic part of the constraints
@@ -29,7 +28,7 @@ struct Step {
   Eigen::VectorXd variation;  // Δh
   double slope = 0;           // slope of the function along the step
 
-  /// Returns the layout after a share of the step. Does not compute its value, which is 0.
+  /// Returns the layout after a share of the step. The value of this layout is 0, because it is not computed.
   Iterate from(const Iterate& begin, double share = 1) const {
     return {begin.uv + share * d, begin.variation + share * variation, 0};
   }
@@ -50,7 +49,6 @@ struct NewtonState {
   /// Returns the smallest predicted decrease of f that a step must have.
   double worthwhile_decrease() const;
 
-  /// Computes f and its gradient at the current shape.
   void update_gradient() { now.value = objective.value_and_gradient(now.uv, gradient); }
 
   int num_factorizations() const { return system ? system->num_factorizations() : 0; }
@@ -62,7 +60,6 @@ struct NewtonState {
   /// forbidden flip or overlap occurs on the way, or if the caller stopped.
   bool evaluate(Iterate& trial) const;
 
-  /// Returns the current shape with its objective, length error and counts.
   Solution solution(SolutionStatus status) const;
 
   const Problem& problem;
@@ -73,7 +70,7 @@ struct NewtonState {
   const double isometric_value;        // f below which a layout is isometric except for rounding
   std::optional<NewtonSystem> system;  // set by the first factorization; shapes without strain need none
   Iterate now;
-  Positions2 gradient;          // gradient of f
+  Positions2 gradient;
   Eigen::VectorXd multipliers;  // λ
   int iterations = 0;
 };

@@ -16,8 +16,8 @@ struct NewtonStep : Step {
 };
 
 /// Returns the solution of min g·d + ½ d·H d with J d - T Δh = -c and h + Δh in its bounds. With d eliminated, a dense
-/// quadratic program in Δh remains, with the Hessian S and the gradient -Tᵀλ. The unknown is the change of λ, with g +
-/// Jᵀλ in place of g, so that a factor from an earlier shape causes only small errors.
+/// quadratic program in Δh remains, with the Hessian S and the gradient -Tᵀλ. The unknown is the change of λ, and g +
+/// Jᵀλ replaces g. So a factor from an earlier shape causes only small errors.
 NewtonStep newton_step(const NewtonState& state) {
   const LengthConstraints& constraints = state.constraints;
   const Eigen::VectorXd residual = constraints.residual(state.now.uv, state.now.variation);
@@ -57,7 +57,7 @@ bool take_steps_with_factor(NewtonState& state, double slope) {
     const double fall = std::abs(step.slope / slope);
     if (!(fall < NewtonConstants::falls_fast)) break;
     slope = step.slope;
-    // Upper bound of the decrease after this step.
+    // The decrease of f after this step is at most `left`.
     const double left = is_first ? std::abs(slope) : fall * std::abs(slope);
     const bool is_last = left < state.worthwhile_decrease();
     move_along(step, state);

@@ -8,8 +8,8 @@ namespace wirewarp {
 
 /// Moves the start to exact lengths by a Newton step and a retraction. Far from the minimum, the step uses the
 /// Laplacian as Hessian. Near the minimum, it uses the exact Hessian, or the convex part if the exact Hessian is not
-/// positive. Near the minimum, more steps with its factor follow as long as they help, and if the retraction fails, a
-/// second Newton step is taken. Returns rejected if lengths are not exact at the end. Throws Stopped.
+/// positive. More steps with the same factor follow as long as they help. If the retraction fails near the minimum, a
+/// second Newton step is tried. Returns rejected if lengths are not exact at the end. Throws Stopped.
 StepOutcome reach_exact_lengths(NewtonState& state, bool is_near_minimum);
 
 /// Takes a step with the exact Hessian that decreases f. Lengths are exact before and after the step. Near the minimum,

@@ -37,8 +37,8 @@ constexpr int kManyVariations = 200;  // with more rows, eigenvalues cost more t
 
 constexpr int kPerVertex = 2;  // unknowns of a vertex of the matrix: two positions, or two h
 
-/// Returns the index of the matrix vertex that stores an elastic edge's h: after the positions, two h share a vertex,
-/// like x and y.
+/// Returns the index of the matrix vertex that stores the h of an elastic edge. The h come after the positions, and two
+/// h share a vertex, as x and y do.
 int vertex_of_variation(const LengthConstraints::Edge& edge, int num_vertices) {
   return num_vertices + edge.elastic / kPerVertex;
 }
@@ -51,7 +51,8 @@ std::vector<VertexPair> coupled_vertices(const FairShapeError& objective, const 
                                          int num_vertices) {
   std::vector<VertexPair> pairs;
   objective.list_pairs(pairs);
-  for (int e = 0; e < constraints.size(); ++e) {  // others couple the ends of edges, which are listed already
+  // The other constraints couple the ends of mesh edges, which the objective has listed.
+  for (int e = 0; e < constraints.size(); ++e) {
     const LengthConstraints::Edge& edge = constraints.edges()[e];
     if (constraints.is_linear(e)) pairs.push_back({edge.a, edge.b});
     if (edge.elastic < 0) continue;
@@ -185,7 +186,8 @@ void NewtonSystem::assemble(const Positions2& uv, const Eigen::VectorXd& multipl
   }
 }
 
-/// Adds the terms that couple h with positions, −ρ l d̂ at the end b of an edge, and the diagonal of h, ρ l².
+/// Adds the terms that couple h with the positions: ρ l d̂ at the end a of an edge, and −ρ l d̂ at its end b. Adds ρ l²
+/// to the diagonal of h.
 void NewtonSystem::add_elastic_springs(double stiffness_share) {
   auto blocks = elastic_blocks_.begin();
   for (int e = 0; e < constraints_.size(); ++e) {
@@ -239,12 +241,10 @@ Eigen::VectorXd NewtonSystem::response(const Eigen::VectorXd& tensions) const {
   return x;
 }
 
-/// Returns J d.
 Eigen::VectorXd NewtonSystem::changes_of_length(const Eigen::VectorXd& d) const {
   return constraints_.apply(directions_, Eigen::Map<const Positions2>(d.data(), num_positions_ / 2, 2));
 }
 
-/// Returns the root of the sum of squares of |d_b − d_a| over the edges (a, b).
 double NewtonSystem::relative_motion(const Eigen::VectorXd& d) const {
   double sum = 0;
   for (const LengthConstraints::Edge& edge : constraints_.edges()) {
@@ -260,7 +260,7 @@ NewtonSystem::Reduced NewtonSystem::reduce(const Positions2& r1, const Eigen::Ve
   reduced.d.head(num_positions_) = Eigen::Map<const Eigen::VectorXd>(r1.data(), r1.size());
   constraints_.add_transposed(directions_, tensions, Eigen::Map<Positions2>(reduced.d.data(), r1.rows(), 2));
   cholesky_->substitute_forward(reduced.d, cholesky_->all());
-  // Forward substitution leaves ρ J A⁻¹ b, from which ρ r₂ must be subtracted.
+  // Forward substitution leaves Tᵀ ρ J A⁻¹ b in the rows of h. Subtracting Tᵀ ρ r₂ gives Tᵀλ.
   reduced.pull = reduced.d.segment(num_positions_, constraints_.num_elastic()) -
                  constraints_.elastic_lengths().transpose() * tensions;
   return reduced;

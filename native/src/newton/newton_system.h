@@ -70,20 +70,20 @@ class NewtonSystem {
 
   /// A right-hand side after forward substitution, before h is chosen.
   struct Reduced {
-    Eigen::VectorXd d;     // after forward substitution; x and y of each vertex in turn
+    Eigen::VectorXd d;     // x and y of each vertex in turn, then the rows of h
     Eigen::VectorXd pull;  // Tᵀλ for h = 0, one per elastic part
     Eigen::VectorXd r2;
   };
 
   /// A solution of A d = r₁ + Jᵀ τ on the wires. d has x and y of each vertex in turn. Off the wires, d has
-  /// intermediate values, from which finish() computes the solution; sums of several d work, too.
+  /// intermediate values, from which finish() computes the solution. finish() also accepts sums of several d.
   struct Solution {
     Eigen::VectorXd d;
     Eigen::VectorXd tensions;     // τ
     Eigen::VectorXd multipliers;  // λ
   };
 
-  /// Returns a right-hand side after forward substitution. r1: one row per chart vertex. r2: one per edge.
+  /// Substitutes the right-hand side r₁, r₂ forward. r1: one row per chart vertex. r2: one per edge.
   Reduced reduce(const Positions2& r1, const Eigen::VectorXd& r2) const;
 
   /// Returns d on the wires and λ, with J d = r₂ + T h to nine digits. variation: h.
@@ -135,10 +135,11 @@ class NewtonSystem {
   std::vector<VertexMatrix::Block> edge_blocks_;
   std::vector<std::array<VertexMatrix::Block, 2>> elastic_blocks_;  // for h and the ends of each elastic edge
   Eigen::Index num_positions_;                                      // number of unknowns before h
-  Eigen::ArrayXd constant_;      // the matrix values that do not depend on uv, with 10⁻⁴ M and some of the pins
-  Eigen::VectorXd stiffness_;    // ρ
-  Eigen::MatrixXd stiffness_h_;  // S
-  Positions2 directions_;        // d̂
+  /// The matrix values that do not depend on uv. They include 10⁻⁴ M and the pin of the first vertex of each pair.
+  Eigen::ArrayXd constant_;
+  Eigen::VectorXd stiffness_;                     // ρ
+  Eigen::MatrixXd stiffness_h_;                   // S
+  Positions2 directions_;                         // d̂
   std::optional<MultifrontalCholesky> cholesky_;  // of A
   FrontSet on_wires_, off_wires_;
   int num_factorizations_ = 0;

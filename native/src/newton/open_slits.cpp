@@ -19,8 +19,8 @@ namespace {
 constexpr double kOpening = 0.1;  // slope of an opened rim against the shut slit, far less than the angles of triangles
 // Largest share of a face's height by which a rim moves into the face, so that no face flips.
 constexpr double kOfHeight = 1.0 / 3;
-// Depth that counts as overlap, over the diagonal of the piece. Later checks use ten times this depth. So a shape
-// without overlaps here passes them even if it is rotated and therefore has a shorter diagonal.
+// Depth that counts as overlap, over the diagonal of the piece. Later checks allow ten times this depth, because the
+// diagonal may be shorter after the piece is rotated.
 constexpr double kOverlapDepth = 1e-10;
 
 /// Returns the distance along the rims to the nearest tip, for the vertex where each half-edge begins.
@@ -52,7 +52,6 @@ double height_beside(const Chart& chart, HalfedgeHandle rim, const Positions2& u
   return least;
 }
 
-/// Opens a slit: moves each rim into the chart, but not far enough to flip a face.
 void open_a_little(const Chart& chart, const Slit& slit, Positions2& uv) {
   const std::vector<double> distance = distances_from_tips(chart, slit);
   const std::size_t count = slit.rims.size();

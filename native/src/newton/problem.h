@@ -15,9 +15,9 @@
 
 namespace wirewarp {
 
-/// The goal of a refinement: the energy, the target lengths, the required injectivity, and where to stop.
+/// The goal of a refinement.
 struct Stage {
-  const Cloth* cloth = nullptr;                 // cloth whose energy f contains; null: f has the shape error
+  const Cloth* cloth = nullptr;                 // f has the energy of this cloth; null: f has the shape error
   const TargetLengths* lengths = nullptr;       // null: nominal lengths and free rotation of the layout
   Injectivity injectivity = Injectivity::none;  // of all iterates, including the start
   Target target = Target::minimum;
@@ -56,7 +56,7 @@ class Problem {
   HeldNetwork network_;
   double fairness_;
   double area_;
-  std::optional<std::vector<Slit>> slits_;  // computed on demand
+  std::optional<std::vector<Slit>> slits_;
   std::optional<Positions2> free_map_;
 };
 

@@ -21,8 +21,8 @@ struct Projected {
 };
 
 /// Reduces the strain of springs ρ along the edges by Gauss-Newton steps. If several steps minimize the linearized
-/// strain, takes the shortest one in the metric H. With d eliminated, a quadratic program in Δh remains. It keeps h +
-/// Δh within the tolerances.
+/// strain, takes the step that is shortest in the metric H. With d eliminated, a quadratic program in Δh remains. It
+/// keeps h + Δh within the tolerances.
 class Projection {
  public:
   Projection(const Problem& problem, const Positions2& uv, const StopToken& stop)
@@ -35,8 +35,8 @@ class Projection {
   const Positions2& uv() const { return now_.uv; }
   bool has(double largest_error) const { return constraints_.largest_error(now_.residual) <= largest_error; }
 
-  /// Takes one step, shortened until the strain falls, and then whole steps with the same factor as long as these halve
-  /// the strain. Returns false if no step reduces the strain.
+  /// Takes one step, shortened until the strain falls. Then takes whole steps with the same factor as long as each step
+  /// halves the strain. Returns false if no step reduces the strain.
   bool get_nearer(const StopToken& stop) {
     const Eigen::VectorXd no_forces = Eigen::VectorXd::Zero(constraints_.size());
     const bool is_positive = system_.factorize(now_.uv, no_forces, kLaplacian, stop);

@@ -76,14 +76,15 @@ Solution ClothRefinement::minimize_in_direction(const Shape& start) {
   return held;
 }
 
-/// Returns the derivative of f over the area with respect to the fixed angle. If n turns by dθ, then n·d changes by |d|
-/// dθ, and the multiplier is the derivative of f with respect to n·d.
+/// Returns the derivative of f over the area with respect to the fixed angle. The constraint is n·d = 0, and d connects
+/// the two vertices of the pair. If n turns by dθ, then n·d changes by |d| dθ. The multiplier is the derivative of f
+/// with respect to n·d.
 double ClothRefinement::slope_of(const Shape& shape) const {
   const double length = (shape.uv.row(pair_[1]) - shape.uv.row(pair_[0])).norm();
   return shape.multipliers[shape.multipliers.size() - 1] * length / problem_.area();
 }
 
-/// Returns the rotated layouts of the few directions with the least energies.
+/// Returns the rotated layouts at the lowest minima of the energy over the angle, the lowest first.
 std::vector<ClothRefinement::Turn> ClothRefinement::best_turns(const Positions2& uv) const {
   const FairShapeError objective = problem_.objective({&*options_.cloth});
   const auto count = static_cast<int>(std::lround(period(*options_.cloth) / kSpacing));

@@ -12,7 +12,6 @@
 namespace wirewarp {
 namespace {
 
-/// Returns the lengths of all charts as lengths of the combined chart; nullopt if the charts have nominal lengths.
 std::optional<TargetLengths> combine_lengths(const CombinedCharts& combined, const std::vector<CoupledChart>& charts) {
   if (!charts.front().lengths) return std::nullopt;
   TargetLengths all{{}, {}, charts.front().lengths->flat_share};
@@ -29,7 +28,7 @@ std::optional<TargetLengths> combine_lengths(const CombinedCharts& combined, con
   return all;
 }
 
-/// Combines the starts of all charts. The charts may overlap, because they share no entry of the matrix.
+/// The starts of the charts may overlap, because the charts share no entry of the matrix.
 Shape combine_starts(const CombinedCharts& combined, const std::vector<CoupledChart>& charts, const Problem& whole,
                      const std::vector<Problem>& problems, std::size_t num_grains) {
   std::size_t next_row = whole.network().edges.size();
@@ -56,7 +55,7 @@ Shape combine_starts(const CombinedCharts& combined, const std::vector<CoupledCh
 }
 
 /// Returns the largest residual of the first-order conditions, dimensionless. Forces at vertices are divided by the
-/// root of the area. Pulls on elastic lengths are divided by the area, and count unless the length is at a bound.
+/// root of the area. Pulls on elastic lengths are divided by the area. A pull against a bound does not count.
 double projected_gradient(const Problem& problem, const Stage& stage, const Shape& shape) {
   const LengthConstraints constraints = problem.constraints(stage, shape.uv);
   Positions2 gradient;

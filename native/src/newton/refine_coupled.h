@@ -16,7 +16,6 @@
 
 namespace wirewarp {
 
-/// A chart of a coupled group.
 struct CoupledChart {
   const Chart& chart;
   const TargetLengths* lengths;  // null: nominal lengths and free rotation of the layout; null for all charts or none

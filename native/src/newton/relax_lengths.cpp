@@ -16,7 +16,7 @@ constexpr double kWeightOfUnevenness = 100;  // W of wire parts over the square 
 constexpr double kWeightOfBoundary = 1000;   // W of boundary edges; much larger, so that outlines change last
 // Share of the tolerance that may be used, so that h stays within the tolerance in spite of smoothing.
 constexpr double kWithinTolerance = 0.99;
-constexpr double kSmoothing[] = {1e-2, 1e-3, 1e-4};  // σ; even the last one does not separate strains below 1e-4 from 0
+constexpr double kSmoothing[] = {1e-2, 1e-3, 1e-4};  // σ; the last value does not separate strains below 1e-4 from 0
 constexpr int kMaxRelaxSteps = kMaxRelaxFactorizations / 3;  // number of steps for each σ
 constexpr double kWorthwhile = 1e-5;                         // least predicted decrease over Φ
 constexpr double kShortestRelaxStep = 1e-3;                  // after ten halvings
@@ -176,7 +176,6 @@ Step RelaxedLengths::step(double smoothing, const StopToken& stop) {
   return step;
 }
 
-/// Takes steps to the minimum of Φ for one σ: at most kMaxRelaxSteps, and no more than the budget allows.
 void RelaxedLengths::minimize(double smoothing, const Control& control) {
   double now = value(now_, smoothing);
   for (int i = 0; i < kMaxRelaxSteps; ++i) {

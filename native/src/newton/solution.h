@@ -12,7 +12,7 @@ namespace wirewarp {
 /// A flat shape of a chart, or the start of a solver.
 struct Shape {
   Positions2 uv;                     // one row per chart vertex, scene units
-  Eigen::VectorXd variation = {};    // h, one per wire part of the chart (for free parts, a result); empty: unknown
+  Eigen::VectorXd variation = {};    // h, one per wire part of the chart, also of free parts; empty: unknown
   Eigen::VectorXd multipliers = {};  // λ, one per row of the length constraints; empty: unknown or inaccurate
 };
 
@@ -25,7 +25,6 @@ enum class SolutionStatus {
   converged,   // exact lengths; the predicted decrease of f is below 1e-9 of f, or below rounding errors
 };
 
-/// The result of a solver.
 struct Solution {
   Shape shape;
   SolutionStatus status = SolutionStatus::infeasible;

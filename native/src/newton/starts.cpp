@@ -34,15 +34,15 @@ std::optional<Shape> flatten_wires_first(Problem& problem, const Control& contro
 }
 
 const std::array<Start, 5> kStarts{{
-    // The unfolded chart, if it is developable; usually the final shape.
+    // If the chart is developable, the unfolded chart is usually the final shape.
     {"unfolded", [](Problem& problem, const Control& /*control*/) { return unfold(problem.chart()); }},
-    // The shape of a coarser chart, 1 to 3 factorizations from the minimum.
+    // The shape of a coarser chart is 1 to 3 factorizations from the minimum.
     {"coarse", [](Problem& problem, const Control& control) { return start_from_coarse(problem, control); }, true},
-    // A free ARAP flattening. On most pieces, one step from this map reaches exact lengths.
+    // On most pieces, one step from the free ARAP flattening reaches exact lengths.
     {"free", [](Problem& problem,
                 const Control& control) { return std::optional(Shape{problem.free_map(control.stop.in("start"))}); }},
     {"wires", flatten_wires_first},
-    // A shape without flips, reached without flipping any triangle.
+    // This start reaches a shape without flips, and flips no triangle on the way.
     {kInjectiveStart,
      [](Problem& problem, const Control& control) {
        return injective_start(problem, {nullptr, nullptr, Injectivity::local}, control);

@@ -15,7 +15,7 @@ struct Start {
   const char* name;  // name in PieceReport::start
   /// Returns a layout, or nullopt if the start does not work. Throws Stopped and FactorizationFailed.
   std::optional<Shape> (*make)(Problem& problem, const Control& control);
-  bool is_for_large_charts = false;             // true: the start saves no time on small charts
+  bool is_for_large_charts = false;             // whether small charts skip the start, which saves no time on them
   Injectivity injectivity = Injectivity::none;  // of the layout and of all later iterates
 };
 

@@ -23,7 +23,7 @@ struct OpenSide {
     return std::make_pair(magnitude, -rank) < std::make_pair(other.magnitude, -other.rank);
   }
 
-  int magnitude;  // exponent of two of the length
+  int magnitude;  // exponent of 2 in the length
   int rank;
   HalfedgeHandle half_edge;
 };
@@ -55,14 +55,14 @@ std::optional<Shape> unfold(const Chart& chart) {
   const HalfEdgeMesh& mesh = chart.mesh;
   const ShapeError shape_error(chart);
   const double most_energy = kMostStrain * kMostStrain * surface_area(mesh);
-  double energy = 0;  // energy of the placed triangles
+  double energy = 0;
   Positions2 uv = Positions2::Zero(static_cast<Eigen::Index>(mesh.n_vertices()), 2);
   std::vector<char> has_place(mesh.n_vertices(), 0), is_laid(mesh.n_faces(), 0);
 
   const HalfedgeHandle first = longest_side(mesh, FaceHandle(0));
   uv(mesh.to_vertex_handle(first).idx(), 0) = edge_length(mesh, first);
   has_place[mesh.from_vertex_handle(first).idx()] = has_place[mesh.to_vertex_handle(first).idx()] = 1;
-  std::priority_queue<OpenSide> sides;  // sides of faces to place
+  std::priority_queue<OpenSide> sides;
   int num_sides = 0;
   const auto add_side = [&](HalfedgeHandle h) { sides.emplace(edge_length(mesh, h), num_sides++, h); };
   add_side(first);

@@ -13,7 +13,7 @@
 
 namespace wirewarp {
 
-/// The solutions of a coupled group, usually of one chart, and the names that their errors use.
+/// The solutions of a coupled group, which usually has one chart. Errors are valid only for an equal name_key.
 struct CachedGroup {
   std::vector<SolvedChart> solved;
   std::string name_key;
@@ -23,8 +23,8 @@ struct CachedCharts {
   std::map<std::string, std::shared_ptr<const CachedGroup>> by_key;  // keyed by solution_key()
 };
 
-/// Looks up the charts of one run of flatten() in a cache, and collects them for the next run. Any thread may call
-/// its functions.
+/// Looks up the charts of one run of flatten() in a cache, and collects their solutions for the next run. Any thread
+/// may call known() and keep().
 class CacheSession {
  public:
   /// cache: null if the run has no cache.

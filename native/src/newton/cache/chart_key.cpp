@@ -10,7 +10,6 @@
 namespace wirewarp {
 namespace {
 
-/// Appends the bytes of values to a key.
 class KeyWriter {
  public:
   template <class Value>
@@ -19,7 +18,8 @@ class KeyWriter {
     key_.append(reinterpret_cast<const char*>(&value), sizeof value);
   }
 
-  /// Writes the number of items first, so that different lists in a row have different bytes.
+  /// The number of items comes first. Otherwise, the lists [a, b], [c] and the lists [a], [b, c] would have the same
+  /// bytes.
   template <class List, class Write>
   void write_list(const List& list, const Write& write_item) {
     write(list.size());

@@ -32,10 +32,9 @@ class Coarsening {
   const HeldNetwork& fine_network_;
   DecimatedMesh decimated_;
   CoarseChart coarse_;
-  std::vector<int> fine_nodes_;  // node at which each half-edge of the fine network arrives
+  std::vector<int> fine_nodes_;  // per half-edge of the fine network: node at which it arrives
 };
 
-/// Returns the coarse half-edges between the kept vertices of a fine chain.
 HalfEdgeChain Coarsening::coarse_chain(const HalfEdgeChain& chain, bool is_closed) const {
   std::vector<VertexHandle> left;
   const auto add = [&](VertexHandle v) {
@@ -67,7 +66,6 @@ void Coarsening::build_chart() {
   coarse_.network = build_held_network(coarse_.chart);
 }
 
-/// Sets the lengths of the coarse wire edges to the chords of their runs.
 void Coarsening::take_runs() {
   std::vector<char> stays;
   for (const int v : decimated_.coarse_vertex) stays.push_back(v == -1 ? 0 : 1);

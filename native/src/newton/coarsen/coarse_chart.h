@@ -13,8 +13,7 @@ namespace wirewarp {
 /// The position of a fine wire edge on a coarse wire edge.
 struct CoarseWirePlace {
   int edge = -1;
-  /// Fractions of the coarse edge's length where the fine edge begins and ends, along the fine edge's
-  /// halfedge_handle(edge, 0).
+  /// Fractions of the coarse edge's length at which the fine edge's halfedge_handle(edge, 0) begins and ends.
   double from = 0, to = 0;
 };
 
@@ -33,7 +32,7 @@ double typical_edge_length(const HalfEdgeMesh& mesh);
 /// vertices, but coarsening identifies an edge by its ends.
 bool can_coarsen(const Chart& chart);
 
-/// Coarsens a chart to about the given edge length in scene units. Throws Stopped.
+/// Coarsens a chart to edges of about the given length in scene units. Throws Stopped.
 CoarseChart coarsen(const Chart& chart, const HeldNetwork& network, double edge_length, const StopToken& stop = {});
 
 }  // namespace wirewarp

@@ -14,8 +14,8 @@ namespace {
 
 constexpr double kLongestEdge = 2;      // longest new edge over the target length
 constexpr double kWorstQuality = 0.25;  // least quality of a new face: an equilateral face has 1, a face without area 0
-// A choice counts as better only if it is better by this factor. So rotating or scaling the mesh does not change the
-// choice.
+// A choice counts as better only if it is better by this factor. So the rounding errors of a rotated or scaled mesh do
+// not change the choice.
 constexpr double kClearly = 1 + 1e-9;
 constexpr double kSharpestTurn = kPi / 4;  // corners of wires that turn more are not removed
 constexpr double kWorthwhile = 0.02;       // a round that removes a smaller share of the vertices is the last one
@@ -25,8 +25,8 @@ constexpr double kWorthwhile = 0.02;       // a round that removes a smaller sha
 struct Fan {
   std::vector<VertexHandle> rim;  // counter-clockwise; if the rim is closed, its first vertex is also its last
   std::vector<FaceHandle> faces;
-  std::vector<Eigen::Vector2d> positions;  // positions of the rim in the plane
-  double angle = 0;                        // sum of the angles at the vertex, on the surface
+  std::vector<Eigen::Vector2d> positions;
+  double angle = 0;  // sum of the angles at the vertex, on the surface
 };
 
 class Decimation {
@@ -61,7 +61,7 @@ class Decimation {
   std::vector<int> first_point_;             // first removed vertex in each face
   std::vector<Place> places_;
   std::vector<int> face_of_point_;
-  std::vector<Fan> fans_;  // around the current vertex
+  std::vector<Fan> fans_;
   std::size_t num_fans_ = 0;
   std::vector<int> moved_;
   std::vector<Eigen::Vector2d> moved_to_;
@@ -138,7 +138,7 @@ void Decimation::lay_out(HalfedgeHandle first, VertexHandle last, double turn, F
   }
 }
 
-/// Lays out the faces around a vertex. Returns false if the wire turns too sharply there to remove the vertex.
+/// Lays out the faces around a vertex. Returns false if the wire turns too sharply at the vertex to remove it.
 bool Decimation::lay_out_fans(VertexHandle v) {
   num_fans_ = 0;
   if (is_free(v.idx())) {

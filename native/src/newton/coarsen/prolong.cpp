@@ -17,7 +17,7 @@ using Derivative = Eigen::Matrix<double, 2, 3>;
 
 Eigen::Vector3d point(const HalfEdgeMesh& mesh, int v) { return vector_of(mesh.point(VertexHandle(v))); }
 
-/// Returns J at each vertex: the mean over its faces, weighted by area.
+/// Returns the derivative J of the flat map at each vertex: the mean over the faces around it, weighted by area.
 std::vector<Derivative> vertex_derivatives(const HalfEdgeMesh& mesh, const Positions2& uv) {
   std::vector<Derivative> sum(mesh.n_vertices(), Derivative::Zero());
   std::vector<double> area(mesh.n_vertices(), 0);
@@ -27,7 +27,8 @@ std::vector<Derivative> vertex_derivatives(const HalfEdgeMesh& mesh, const Posit
     const Eigen::Vector3d ab = point(mesh, b) - point(mesh, a), ac = point(mesh, c) - point(mesh, a);
     const Eigen::Vector3d normal = ab.cross(ac);
     const double twice_area = normal.norm();
-    // The rows of J are ∇u, from the gradients of the hat functions of b and c.
+    // The rows of J are the gradients of the flat coordinates, computed from the gradients of the hat functions of b
+    // and c.
     const Eigen::Vector3d grad_b = ac.cross(normal) / (twice_area * twice_area);
     const Eigen::Vector3d grad_c = normal.cross(ab) / (twice_area * twice_area);
     const Derivative j = (uv.row(b) - uv.row(a)).transpose() * grad_b.transpose() +

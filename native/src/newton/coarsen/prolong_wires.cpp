@@ -16,8 +16,8 @@ class WireTurns {
  public:
   WireTurns(const CoarseChart& coarse, const Positions2& uv);
 
-  /// Returns the angles by which the first and last ends of a run turn against its chord, so that all runs around a
-  /// vertex turn equally.
+  /// Returns the angles by which the two ends of a run must turn against its chord. All runs around a vertex then turn
+  /// equally.
   const std::array<double, 2>& at_ends(int run) const { return turns_[run]; }
 
  private:
@@ -26,8 +26,8 @@ class WireTurns {
 
   const HeldNetwork& network_;
   std::vector<double> chords_;  // headings of the chords, one per run
-  std::vector<int> nodes_;      // nodes at which half-edges arrive
-  std::vector<char> is_seen_;   // one per half-edge
+  std::vector<int> nodes_;      // per half-edge: node at which it arrives
+  std::vector<char> is_seen_;
   std::vector<std::array<double, 2>> turns_;
 };
 
@@ -98,7 +98,8 @@ void prolong_wires(const Chart& chart, const HeldNetwork& network, const CoarseC
     for (std::size_t i = 0; i < run.half_edges.size(); ++i) {
       const int fine = run.half_edges[i].edge;
       const double s = (coarse.wire_places[fine].from + coarse.wire_places[fine].to) / 2;
-      // quadratic polynomial with the turns of the ends at s = 0 and 1, and mean 0 so that the chord keeps its heading
+      // This quadratic polynomial has the turns of the ends at s = 0 and s = 1. Its mean is 0, so the chord keeps its
+      // heading.
       const double turn = (1 - s) * (1 - 3 * s) * turns.at_ends(e)[0] + s * (3 * s - 2) * turns.at_ends(e)[1];
       laid.push_back(laid.back() + std::polar(network.edges[fine].length, run.headings[i] + turn));
     }

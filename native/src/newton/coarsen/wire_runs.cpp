@@ -14,7 +14,8 @@ std::vector<WireRun> find_wire_runs(const Chart& chart, const WireNetwork& netwo
     return chart.mesh.from_vertex_handle(half_edge(chart, network, h)).idx();
   };
   const int num_edges = static_cast<int>(network.edges.size());
-  std::vector<std::array<WireHalfEdge, 2>> leaving(chart.mesh.n_vertices());  // from each removed vertex
+  // Two half-edges leave each removed vertex.
+  std::vector<std::array<WireHalfEdge, 2>> leaving(chart.mesh.n_vertices());
   for (int e = 0; e < num_edges; ++e) {
     for (const WireHalfEdge h : {WireHalfEdge{e, false}, WireHalfEdge{e, true}}) {
       auto& two = leaving[start_of(h)];

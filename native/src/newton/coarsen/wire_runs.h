@@ -16,9 +16,10 @@ namespace wirewarp {
 struct WireRun {
   std::vector<WireHalfEdge> half_edges;
   std::vector<double> headings;  // direction of each unrolled edge relative to the chord
-  double walked_length = 0;      // sum of the edges
+  double walked_length = 0;
   double chord_length = 0;
-  double one_sided[2] = {0, 0};  // how far a side turns more than the mean of both, at the first and the last vertex
+  /// By how much one side turns more than the mean of both sides, at the first and at the last vertex.
+  double one_sided[2] = {0, 0};
 };
 
 /// Returns the runs into which the kept vertices divide all wires. Wires must not meet or end at other vertices. The

@@ -33,8 +33,7 @@ FlattenError infeasible_outline(const Chart& chart, const Options& options, std:
 FlattenError infeasible_stretch(const Chart& chart, const Options& options, std::vector<VertexPair> proposed_seams,
                                 bool is_good_unstretched, bool ran_out);
 
-/// Returns the error of a chart whose wires only the refined method can flatten with all lengths, not the paper's
-/// methods.
+/// Returns the error of a chart that the paper's methods cannot flatten with all lengths, but the refined method can.
 FlattenError needs_refinement(const Chart& chart);
 
 /// Returns invalid_option if a wire along the outline has a tolerance, which WireWarping++ cannot use.

@@ -67,7 +67,7 @@ bool ChartsProgress::report() {
   return report_.go_on(stage, begin_ + (end_ - begin_) * done);
 }
 
-/// Sets the finished share of a chart. The caller must have locked mutex_.
+/// The caller must have locked mutex_.
 void ChartsProgress::advance(std::size_t chart, double share) {
   done_ += part_of_all_[chart] * (share - share_done_[chart]);
   share_done_[chart] = share;

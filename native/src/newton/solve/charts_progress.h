@@ -40,7 +40,6 @@ class ChartsProgress {
   /// nothing.
   bool is_one_of_many(std::size_t chart) const { return part_of_all_[chart] * static_cast<double>(num_cores()) <= 1; }
 
-  /// Returns the token for the work on a chart.
   StopToken stop_token(std::size_t chart) {
     return StopToken([this, chart](const char* stage) { return go_on(chart, stage); });
   }

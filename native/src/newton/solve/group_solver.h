@@ -18,7 +18,6 @@
 
 namespace wirewarp {
 
-/// A chart of a coupled group in a stage.
 struct GroupMember {
   Chart& chart;
   SolvedChart& solved;    // its layout from the previous stage, upright if there is a fabric

@@ -21,7 +21,6 @@ void report_solution(const OuterSolution& solution, PieceReport& report) {
 
 namespace {
 
-/// Reports a shape with exact lengths, with a warning if it has not converged.
 void report_shape(const Solution& solution, bool was_stopped, PieceReport& report) {
   report.constraint_residual = solution.length_error;
   report.objective = solution.objective;

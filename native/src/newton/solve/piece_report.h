@@ -12,7 +12,7 @@ void report_solution(const OuterSolution& solution, PieceReport& report);
 /// Reports a refinement. factorizations: total for all starts of the piece.
 void report_refinement(const Solution& solution, int factorizations, bool was_stopped, PieceReport& report);
 
-/// Reports an exact solution that started from the shape in the report. Adds the iterations of the solution to those of
+/// Reports an exact solution that started from the shape in the report. Adds the new iterations to the iterations in
 /// the report.
 void report_next_refinement(const Solution& solution, bool was_stopped, PieceReport& report);
 

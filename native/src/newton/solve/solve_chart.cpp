@@ -22,8 +22,6 @@
 namespace wirewarp {
 namespace {
 
-/// Returns the error of a chart for which no shape with all lengths was found. status, budget: status and budget of the
-/// search.
 FlattenError explain_infeasible(Problem& problem, const Run& run, SolutionStatus status, const Budget& budget,
                                 const StopToken& stop) {
   const Chart& chart = problem.chart();

@@ -16,7 +16,6 @@ namespace wirewarp {
 /// return other seams.
 using ProposeSeams = std::function<std::vector<VertexPair>(const Chart& chart, const StopToken& stop)>;
 
-/// The input and options of a run, which all charts have in common.
 struct Run {
   const FlattenInput& input;
   const InternalOptions& options;

@@ -19,7 +19,7 @@
 namespace wirewarp {
 namespace {
 
-/// Returns the order in which charts are solved: the largest first, so that no core waits long for the last chart.
+/// The largest charts come first, so that no core waits long for the last chart.
 std::vector<std::size_t> largest_first(const std::vector<Chart>& charts) {
   std::vector<std::size_t> order(charts.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -37,8 +37,8 @@ InternalOptions on_the_way(InternalOptions options) {
 }
 
 /// Frees the elastic seams of a group. If no common lengths are found, solves each chart completely at h = ease, and
-/// reports that the seams are fixed. If the chart cannot be solved completely, it keeps its earlier shape. If it has no
-/// shape at h = ease, it gets an error that says why.
+/// reports that the seams are fixed. A chart that cannot be solved completely keeps its earlier shape. A chart without
+/// a shape at h = ease gets an error that says why.
 void free_elastic_seams(const std::vector<GroupMember>& group, const Run& run, const StopToken& stop) {
   const StopToken in_shape = stop.in("shape");
   GroupSolver solver(group, run, in_shape, false, [&](std::size_t k, Budget& budget) {
@@ -199,7 +199,7 @@ class ChartsSolver {
   ProgressReport& report_;
   CacheSession& session_;
   ChartsProgress progress_;
-  std::vector<Group> groups_;  // groups of several charts
+  std::vector<Group> groups_;
   std::vector<SolvedChart> solved_;
   std::vector<const Group*> group_of_chart_;  // null: the chart is its own group
   std::vector<char> is_nominal_;              // whether solved with its elastic seams at h = ease

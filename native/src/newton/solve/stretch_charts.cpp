@@ -67,7 +67,6 @@ class StretchedGroup {
 
   Stage stage_of_cloth(Injectivity injectivity) const { return {&*run_.options.cloth, nullptr, injectivity}; }
 
-  /// Minimizes from the shape before the stage, without overlaps on the way.
   Solution refine_without_overlap(std::size_t k, Budget& budget) const {
     if (!solver_.was_good(k)) return {};
     const SolvedChart& before = solver_.before(k);
@@ -137,7 +136,6 @@ class StretchedGroup {
     return true;
   }
 
-  /// Sets the stretched lengths of the chart, and the flat layout and proposed seams of its new shape.
   void finish(std::size_t k, bool is_folded) {
     const GroupMember& member = group_[k];
     set_stretched_lengths(member, member.chart);
@@ -167,12 +165,11 @@ class StretchedGroup {
     for (std::size_t e = 0; e < ratio.size(); ++e) chart.length_ratio[e] *= ratio[e];
   }
 
-  /// Scales the layout from the plane of the stretched fabric to the flat piece.
   static void make_flat(const GroupMember& member) {
     const Chart& chart = member.chart;
     const Eigen::RowVector2d& share = member.lengths.flat_share;
     SolvedChart& one = member.solved;
-    one.report.objective *= share.prod();  // sums over the flat area instead of the stretched area
+    one.report.objective *= share.prod();  // sum over the flat area instead of the stretched area
     one.uv = one.uv * share.asDiagonal();
     one.network = build_wire_network(chart);
     const std::vector<double> flat = variations_of(chart, length_variation(chart, one.uv));
@@ -205,8 +202,8 @@ std::vector<double> variation_of_mates(const GroupMember& member, const std::vec
   return variation;
 }
 
-/// Solves a coupled group. flipped: its charts that are flipped without the stretch; they use the common lengths of
-/// the other charts.
+/// Solves a coupled group. The charts in `flipped` are flipped without the stretch. They use the common lengths of the
+/// others.
 void stretch_group(const std::vector<GroupMember>& others, const std::vector<GroupMember>& flipped, const Run& run,
                    const StopToken& stop) {
   if (!others.empty()) StretchedGroup(others, run, stop).solve();

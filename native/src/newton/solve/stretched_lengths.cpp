@@ -67,7 +67,6 @@ void share_among_sides(const std::vector<Chart>& charts, std::vector<PerEdge>& r
   for_each_side([](const Mean& mean, double& ratio) { ratio = mean.sum / mean.count; });
 }
 
-/// Returns the length of a side of a seam with these ratios.
 double length_of_side(const Chart& chart, const HalfEdgeChain& chain, const PerEdge& ratios) {
   double length = 0;
   for (const HalfedgeHandle h : chain) length += ratios[chart.mesh.edge_handle(h).idx()] * edge_length(chart.mesh, h);

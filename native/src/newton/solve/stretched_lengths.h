@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The lengths of flat pieces for a fabric that is stretched when worn (Cloth::stretch). An edge at the angle ψ from the
-// weft, in the layout without the stretch, gets the flat length
+// The lengths of flat pieces for a fabric that is stretched when worn (Cloth::stretch). Across and along the grain, the
+// stretch is c_weft and c_warp. An edge has the length l on the surface, and the angle ψ from the weft in the layout
+// without the stretch. It gets the flat length
 //
-//   L = l √(cos²ψ / (1 + c_weft)² + sin²ψ / (1 + c_warp)²)
+//   L = l √(cos²ψ / (1 + c_weft)² + sin²ψ / (1 + c_warp)²).
 //
-// l is the length of the edge on the surface, and c_weft and c_warp are the stretch in both directions of the fabric.
 // The sides of a seam use the mean of their ratios L / l, so that the sides stay equally long. An edge with an ease
 // keeps its eased length.
 #pragma once
@@ -20,7 +20,6 @@ namespace wirewarp {
 
 bool is_stretched(const Options& options);
 
-/// One number per edge of a chart.
 using PerEdge = std::vector<double>;
 
 struct StretchedLengths {
