@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Measures the sparse Cholesky factorization (dissection, analysis, factorization, substitution) and Eigen's
-// SimplicialLLT on the same matrix: a sheet with two unknowns per vertex, in which each edge is a spring.
+// SimplicialLLT on the same matrix. The matrix is that of a sheet with a spring on each edge and two unknowns per
+// vertex.
 #include <benchmark/benchmark.h>
 
 #include <Eigen/SparseCholesky>
@@ -138,7 +139,7 @@ BENCHMARK(cholesky_factor_two_threads)->Apply(sizes)->UseRealTime();
 BENCHMARK(cholesky_factor_plain)->Apply(sizes);
 BENCHMARK(cholesky_solve)->Apply(columns);
 
-// Eigen would need more than a minute for a million triangles.
+// Eigen's factorization would need more than a minute for a million triangles.
 void smaller_sizes(benchmark::internal::Benchmark* cholesky) {
   cholesky->ArgName(kTriangles)->Arg(10'000)->Arg(100'000)->Unit(benchmark::kMillisecond);
 }

@@ -6,7 +6,7 @@ namespace wirewarp {
 /// Starts a new measurement of the peak of this process's resident memory. Works on Linux only.
 void reset_peak_memory();
 
-/// Returns the peak since the last call of reset_peak_memory(), megabytes.
+/// Returns the peak of this process's resident memory since the last reset_peak_memory(), in megabytes.
 double peak_memory_mb();
 
 }  // namespace wirewarp

@@ -12,13 +12,10 @@ namespace wirewarp::bindings {
 
 FlattenInput read_input(py::handle vertices, py::handle faces, py::handle seams, py::handle wires, py::handle eases);
 
-/// Reads paths, a list of SurfacePath.
 std::vector<SurfacePath> read_paths(py::handle value);
 
-/// Reads options; None means the defaults.
 Options read_options(py::handle value);
 
-/// Reads a cache; None means no cache.
 Cache* read_cache(py::handle value);
 
 }  // namespace wirewarp::bindings

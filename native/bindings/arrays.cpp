@@ -52,7 +52,7 @@ void check_kind(const py::array& array, py::handle value, const std::string& nam
   throw wrong_type(name, wanted, found);
 }
 
-/// Throws invalid_shape unless all rows have the given shape. An empty list has no rows.
+/// Throws invalid_shape unless all rows have the given shape. Accepts an empty list, whose shape is (0,).
 void check_rows(const py::array& array, const std::string& name, const std::vector<py::ssize_t>& row) {
   if (array.ndim() == 1 && array.size() == 0) return;
   if (array.ndim() == static_cast<py::ssize_t>(row.size()) + 1 &&
@@ -102,7 +102,6 @@ std::optional<TooLarge> narrow(const py::array& array, int* out) {
                      std::move(elements));
 }
 
-/// Returns the numbers in a row of an array as text, such as "3-7-9".
 std::string row_text(const py::array& array, int row) {
   std::string joined;
   for (const py::handle item : array[py::int_(row)]) joined += (joined.empty() ? "" : "-") + text(item);
@@ -126,8 +125,8 @@ Matrix read_indices(py::handle value, const std::string& name, const std::string
   return result;
 }
 
-/// Reads a sequence that is not an array. numpy would convert True among whole numbers to 1, and very large numbers to
-/// objects.
+/// Reads a sequence that is not an array. Does not use numpy, which would convert True among whole numbers to 1, and
+/// very large numbers to objects.
 std::vector<int> read_sequence(py::handle value, const std::string& owner) {
   std::vector<int> result;
   for (const py::handle item : value) {

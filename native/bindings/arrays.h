@@ -28,7 +28,6 @@ VertexPairs read_seams(py::handle value);
 /// Reads an array (k, 2) of whole numbers; None or an empty list for no edges.
 VertexPairs read_edges(py::handle value, const std::string& name);
 
-/// Reads the half-edges of an Ease.
 VertexPairs read_half_edges(py::handle value);
 
 /// Reads corner_uv (m, 3, 2), real numbers.
@@ -53,7 +52,6 @@ std::array<double, 3> read_triple(py::handle value, const std::string& name);
 /// Reads two real numbers. Throws the errors of read_triple().
 std::array<double, 2> read_pair(py::handle value, const std::string& name);
 
-/// Returns the name of a value's type, for messages.
 std::string type_name(py::handle value);
 
 /// Returns the error for an argument of the wrong type, for example wrong_type("progress", "a function",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The parts of the Python module, one file each.
+// Each of these functions adds one part of the Python module, and is in a file of its own.
 #pragma once
 
 #include <pybind11/pybind11.h>

@@ -61,7 +61,6 @@ Seams and wires that a path crosses then run along the vertices in sources.divid
 Raises the errors of flatten() for vertices and faces. Raises FlattenError "invalid_option" for a path that is not on
 the mesh, that has two consecutive points without a common triangle, or whose points all snap together.)";
 
-/// Returns lists of vertices as arrays.
 py::object as_arrays(const std::vector<std::vector<int>>& lists, py::handle owner) {
   py::list arrays;
   for (const std::vector<int>& values : lists) arrays.append(to_python(values, owner));

@@ -46,7 +46,6 @@ inline constexpr Named<Termination> kTerminations[] = {{Termination::converged, 
                                                        {Termination::cancelled, "cancelled"},
                                                        {Termination::measured, "measured"}};
 
-/// Returns the string of an enum value.
 template <class Enum, std::size_t N>
 const char* name_of(Enum value, const Named<Enum> (&names)[N]) {
   for (const Named<Enum>& entry : names) {
@@ -55,7 +54,6 @@ const char* name_of(Enum value, const Named<Enum> (&names)[N]) {
   throw std::logic_error("an option has no name");
 }
 
-/// Returns the enum value of a string.
 template <class Enum, std::size_t N>
 Enum value_of(const std::string& name, const Named<Enum> (&names)[N]) {
   for (const Named<Enum>& entry : names) {

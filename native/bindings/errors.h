@@ -14,10 +14,8 @@ namespace py = pybind11;
 /// Returns the name of the package from which this module was imported: "wirewarp", or longer if an add-on bundles it.
 std::string package_name();
 
-/// Returns a Python FlattenError with the contents of a C++ FlattenError.
 py::object to_python_error(const FlattenError& error);
 
-/// Returns a C++ FlattenError with the contents of a Python FlattenError.
 FlattenError from_python_error(py::handle error);
 
 /// Binds the table from which the package makes its ErrorCode, and the translator that raises FlattenError.

@@ -48,11 +48,11 @@ vertices: (n, 3) real numbers, scene units.
 faces: (m, 3) whole numbers, triangles.
 seams: (k, 2) vertex pairs along which the surface is cut.
 wires: Wire objects. A wire along a seam or outline sets the length of that section, on all its sides.
-eases: Ease objects: sides that are longer than the sides they are sewn to.
+eases: Ease objects. Each changes the length of one side of a seam, or of a section of the outline.
 options: Options; None for the defaults.
 progress: called as progress(stage, fraction), always in the calling thread. Returning False cancels the pieces that are
-    not flat yet. It cancels all pieces in the first stage, "charts", in the last stage, "measure", and if flat pieces
-    take long to measure. An exception cancels the run and is raised again.
+    not flat yet. In the first stage, "charts", and in the last stage, "measure", it cancels all pieces. It also cancels
+    all pieces if flat pieces take long to measure. An exception cancels the run and is raised again.
 cache: a Cache. Pieces that did not change since the last run with this cache are not solved again.
 
 Raises FlattenError if the input is not a mesh with seams and wires. If a region cannot be flattened, its Piece.error is

@@ -17,7 +17,6 @@ namespace wirewarp::bindings {
 
 class Job;
 
-/// True if T is a class of the Python module.
 template <class T>
 inline constexpr bool is_bound =
     std::disjunction_v<std::is_same<T, Wire>, std::is_same<T, Cloth>, std::is_same<T, Ease>, std::is_same<T, Options>,

@@ -68,7 +68,6 @@ void bind_enum(Record<Options>& record, const char* name, Enum Options::*member,
   record.listed(name);
 }
 
-/// Reads None, a Cloth or the name of a fabric.
 std::optional<Cloth> read_cloth(py::handle value) {
   if (value.is_none()) return std::nullopt;
   if (py::isinstance<py::str>(value)) return cloth_preset(value.cast<std::string>()).cloth;
@@ -76,7 +75,6 @@ std::optional<Cloth> read_cloth(py::handle value) {
   refuse("cloth", value, "None, a Cloth or the name of a fabric");
 }
 
-/// Returns all options by name, as they are set.
 py::dict values_of(const py::object& options) {
   py::dict values;
   for (const py::handle name : options.attr("_fields")) values[name] = options.attr(py::str(name));

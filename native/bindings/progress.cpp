@@ -23,7 +23,7 @@ bool PythonProgress::report(const std::string& stage, double fraction) {
     if (PyErr_CheckSignals() != 0) throw py::error_already_set();
     if (callback_.is_none()) return true;
     const py::object answer = callback_(stage, fraction);
-    if (answer.is_none()) return true;  // a callback that only shows progress
+    if (answer.is_none()) return true;  // The callback only shows progress.
     return static_cast<bool>(py::bool_(answer));
   } catch (const py::error_already_set&) {
     raised_ = std::current_exception();

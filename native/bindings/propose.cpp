@@ -69,16 +69,15 @@ narrowest: least width of the flat pieces of a cut set, scene units; 0 for any w
     joined piece would be narrower than this, unless one of the two is equally narrow. Use a little more than twice the
     allowance: see pattern.piece_width() and pattern.has_room().
 smooth: True for sets of smooth lines, which turn by less than 30 degrees at each vertex between their ends. Lines keep
-    some bends, or stay on edges, if smoother lines would meet, make more pieces narrower than narrowest, or more than
-    double the strain. The strain also stays within the accepted strain, or within the smallest of 2, 4, 8, ... times
-    the accepted strain that is not below the strain of the set along edges. A set keeps all its edges if more than half
-    of its bends would remain. Smooth sets have paths and no edges, as in propose_darts(). The sets keep the order that
-    they have along edges, so a smooth set may leave less strain than an earlier set. Seams across one piece always
-    follow edges.
+    some bends, or stay on edges, if smoother lines would meet, would make more pieces narrower than narrowest, or would
+    more than double the strain. The strain also stays within a limit: the accepted strain, doubled until the limit is
+    at least the strain of the set along edges. A set keeps all its edges if more than half of its bends would remain.
+    Smooth sets have paths and no edges, as in propose_darts(). The sets keep the order that they have along edges, so a
+    smooth set may leave less strain than an earlier set. Seams across one piece always follow edges.
 no_crossing: (k, 2) vertex pairs, edges that no smooth line may cross. Smooth lines do not cross wires and edges of
     no_seam either.
 
-If progress returns False, the cut sets found by then are returned, with their figures. Some may not be smooth yet.
+If progress returns False, the cut sets found by then are returned, with their figures. Some sets may not be smooth yet.
 FlattenError "cancelled" is raised only before the first set is found.
 
 Raises FlattenError "no_proposal" if no_seam or longest allow no set.)";
@@ -92,7 +91,7 @@ constexpr const char* kStartSeamsDoc =
 After cancel(), result() returns the cut sets found by then.)";
 
 constexpr const char* kPlanDoc =
-    R"(Returns cuts to make in this order until the strain is low enough. Each cut is in the worst piece that it helps.
+    R"(Returns cuts to make in this order until the strain is low enough, each in the worst piece that a cut helps.
 
 kind: "dart" or "seam", as in propose_darts() and propose_seams().
 strain: the target, 0.05 for 5%. Pieces with at most this strain (DartProposal.strain) are ignored.
@@ -100,8 +99,8 @@ most: maximum number of cuts, 1 or more; a cut set (see propose_seams()) counts 
 longest: maximum length of a cut on the surface, scene units; None for any length.
 total_length: maximum length of all cuts together on the surface, scene units; None for any length.
 piece: index of the only piece to cut, in the result of flatten(); None for any piece.
-twins: adds the mirror image of a cut if both leave less strain than one and are allowed. They count as two consecutive
-    cuts.
+twins: adds the mirror image of a cut if both cuts are allowed, and if both together leave less strain than one. They
+    count as two consecutive cuts.
 no_seam: (k, 2) vertex pairs, edges along which no cut may run.
 The other arguments are those of flatten(); progress is called as in propose_darts().
 
@@ -117,8 +116,8 @@ constexpr const char* kSimplifyDoc =
 
 Sections of seams, or parts of them, are removed one by one, the longest first. Removing a section joins the pieces
 beside it. A section is removed only if flatten() finds a flat shape of the joined piece with at most the given strain,
-or with at most the strain that the worst of its pieces has with the given seams. If a part of the model between the
-remaining seams is symmetric, mirrored sections in this part are removed together.
+or with at most the strain that the worst of the pieces beside the section has with the given seams. If a part of the
+model between the remaining seams is symmetric, mirrored sections in this part are removed together.
 
 seams: the seams of a user or of any unwrapping tool, in the form that flatten() accepts.
 strain: accepted strain (DartProposal.strain); 0.05 for 5%.
@@ -163,7 +162,6 @@ Plan plan_of(const std::string& kind) {
                      ErrorArguments{{"name", "kind"}, {"value", kind}, {"allowed", "be dart or seam"}});
 }
 
-/// Runs a search with a Python progress callback. find: called with a Progress.
 template <class Find>
 auto find_now(const Find& find, const py::object& progress) {
   PythonProgress python_progress(progress);
@@ -180,7 +178,6 @@ auto find_now(const Find& find, const py::object& progress) {
   return proposals;
 }
 
-/// Returns a function of a Progress that runs this search with these arguments.
 template <class Search, class Wanted>
 auto search_of(Search search, const py::object& vertices, const py::object& faces, const py::object& seams,
                const py::object& wires, const py::object& options, const py::object& eases, Wanted wanted) {
@@ -262,7 +259,6 @@ std::unique_ptr<Job> start_simplify(const py::object& vertices, const py::object
       work_that(search_of(simplify_seams, vertices, faces, seams, wires, options, eases, strain)));
 }
 
-/// Defines a search in the module. own: further arguments, after the arguments that all searches have.
 template <class Function, class... Own>
 void define(py::module_& module, const char* name, Function function, const char* doc, const Own&... own) {
   module.def(name, function, py::call_guard<RunningCall>(), py::arg("vertices"), py::arg("faces"), py::kw_only(),
@@ -270,7 +266,6 @@ void define(py::module_& module, const char* name, Function function, const char
              py::arg("eases") = py::tuple(), own..., doc);
 }
 
-/// Defines a search for proposals in the module. more: further arguments, after the arguments of all such searches.
 template <class Function, class... More>
 void define_proposals(py::module_& module, const char* name, Function function, const char* doc, const More&... more) {
   define(module, name, function, doc, py::arg("piece") = py::none(), py::arg("count") = CutOptions().count,

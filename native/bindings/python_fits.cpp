@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Python's pyconfig.h describes the system that Python was built on, but modules for other systems are also compiled
-// with it. This file does not compile if the description is wrong.
+// Python's pyconfig.h describes the system on which Python was built, but modules for other systems are also compiled
+// with it. This file does not compile if pyconfig.h does not fit the system of the module.
 #include <Python.h>
 
 #ifndef _WIN32  // Windows has its own pyconfig.h

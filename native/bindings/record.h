@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Binds a struct of the public API as a Python class of named fields: each field is registered once and appears as an
-// attribute, in to_dict(), in repr() and in pickles. Arrays are views that keep the object that holds their memory
-// alive.
+// attribute, in to_dict(), in repr() and in pickles. Arrays are views, and keep the owner of their memory alive.
 #pragma once
 
 #include <pybind11/numpy.h>
@@ -81,7 +80,6 @@ inline void from_python(py::handle from, std::vector<VertexPair>& pairs) {
 /// Returns what pickle needs to recreate a record, for any protocol: copyreg.__newobj__, the class and the state.
 py::tuple record_reduce(const py::object& record, int protocol);
 
-/// Returns all fields in their order.
 py::tuple record_state(const py::object& record);
 
 /// Returns a record's fields as plain values for json: arrays and tuples become lists; NaN and infinity, which JSON
@@ -91,7 +89,6 @@ py::dict record_to_dict(py::handle record);
 /// Returns one line with the class and its fields; arrays appear as their shape.
 std::string record_repr(py::handle record);
 
-/// A Python class for the struct T, with T's documentation.
 template <class T>
 class Record : public py::class_<T> {
  public:
@@ -106,7 +103,6 @@ class Record : public py::class_<T> {
     this->def("__reduce_ex__", &record_reduce);
   }
 
-  /// Adds a member of the struct.
   template <class Member>
   Record& field(const char* name, Member T::*member) {
     return field(
@@ -123,8 +119,9 @@ class Record : public py::class_<T> {
         doc_of(own(name), enumeration, names));
   }
 
-  /// Adds a value that get(record, owner) returns, where owner is the Python object of the record. set(record, value)
-  /// restores the value from a pickle. doc: the documentation, needed if the header has no such member.
+  /// Adds a field. get(record, owner) returns its value, and owner is the Python object of the record. set(record,
+  /// value) restores the value from a pickle. doc: the documentation, needed if the header has no member with this
+  /// name.
   template <class Get, class Set>
   Record& field(const char* name, Get get, Set set, const std::string& doc = "") {
     const std::string text = doc.empty() ? doc_of(own(name)) : doc;
@@ -145,7 +142,6 @@ class Record : public py::class_<T> {
     return *this;
   }
 
-  /// Returns "Struct.field".
   std::string own(const std::string& field) const { return name_ + "." + field; }
 
   /// Adds a property that is bound elsewhere to the list of fields.
@@ -156,7 +152,7 @@ class Record : public py::class_<T> {
 
  private:
   std::string name_;
-  std::vector<std::function<void(T&, py::handle)>> setters_;  // one per field
+  std::vector<std::function<void(T&, py::handle)>> setters_;
 };
 
 }  // namespace wirewarp::bindings

@@ -16,7 +16,7 @@ struct RunningCalls {
   int count = 0;
   int num_forks = 0;
   std::atomic<bool> python_is_ending{false};
-  std::thread::id ending_thread;  // set with the GIL, before python_is_ending
+  std::thread::id ending_thread;  // set while the GIL is held, before python_is_ending
 };
 
 /// Returns an object that is never destroyed, because threads may outlive static objects.

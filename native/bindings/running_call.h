@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Handles calls that run in the core, without the GIL, while Python ends in another thread. When such a thread asks for
-// the GIL again, Python would unwind the thread, which C++ does not survive. Therefore, the end of Python cancels these
-// calls and waits for them. Their threads, which are daemon threads by then, do not return to Python, because Python
-// 3.11 aborts if they print.
+// Handles calls that run in the core, without the GIL, while Python ends in another thread. When the thread of such a
+// call asks for the GIL again, Python would unwind the thread, which C++ does not survive. Therefore, the end of Python
+// cancels these calls and waits for them. Their threads are daemon threads by then. They do not return to Python,
+// because Python 3.11 aborts if they print.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -11,7 +11,7 @@ namespace wirewarp::bindings {
 
 namespace py = pybind11;
 
-/// Work in a thread that does not need the GIL. The end of Python cancels it and waits for it.
+/// Work in a thread that does not need the GIL. The end of Python cancels this work and waits for its end.
 class RunningWork {
  public:
   RunningWork();
@@ -20,9 +20,9 @@ class RunningWork {
   RunningWork& operator=(const RunningWork&) = delete;
 };
 
-/// A call that releases the GIL itself, or whose arguments may release it while they are read, as numpy and __array__()
-/// may. Functions and constructors of the module use this class as their py::call_guard. Its constructor and destructor
-/// need the GIL.
+/// A call during which the GIL may be released: by the call itself, or by numpy or __array__() while arguments are
+/// read. Functions and constructors of the module use this class as their py::call_guard. Its constructor and
+/// destructor need the GIL.
 class RunningCall {
  public:
   /// Does not return in a daemon thread once Python is ending.
@@ -33,8 +33,8 @@ class RunningCall {
   RunningCall& operator=(const RunningCall&) = delete;
 };
 
-/// Returns whether another thread is ending Python and waits for the calls of this thread. If so, these calls should
-/// end, if possible without the GIL.
+/// Returns true if another thread is ending Python, and therefore waits for the calls of this thread. These calls
+/// should then end, if possible without the GIL.
 bool python_is_ending();
 
 /// Returns the number of forks between the process that loaded the module and this process. After a fork, the new

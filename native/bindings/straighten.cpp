@@ -39,8 +39,8 @@ seams, wires: as in flatten(). The line meets them at the same vertices as the p
 
 Returns (edges, t), one row for each point of the line, including its ends: edges (k, 2) vertices, t (k,) numbers. The
 point is vertices[edges[i, 0]] + t[i] (vertices[edges[i, 1]] - vertices[edges[i, 0]]), with t in [0.05, 0.95]. If the
-line would cross an edge closer to an end, it passes through this end. For a vertex, both numbers in its row are equal,
-and t is 0.
+line would cross an edge closer to an end, it passes through this end. If a point is a vertex, its row of edges has
+this vertex twice, and t is 0.
 
 Raises the errors of flatten() for the mesh, and FlattenError "invalid_option", which names the pair of vertices, if
 path does not follow edges.)";

@@ -35,7 +35,7 @@ Ease make_ease(const py::object& half_edges, const py::object& ratio) {
   return ease;
 }
 
-/// Returns the values of a field as a read-only array, because they have been checked.
+/// Returns the values of a field as a read-only array, because changed values would not be checked.
 template <class Values>
 py::object read_only(const Values& values, const py::object& owner) {
   py::object array = to_python(values, owner);

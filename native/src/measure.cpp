@@ -15,7 +15,7 @@
 namespace wirewarp {
 namespace {
 
-/// Distance divided by the piece's size above which flat corners of one vertex count as separate.
+/// Flat corners of one vertex count as separate if their distance, divided by the piece's size, is above this.
 constexpr double kSamePoint = 1e-6;
 
 /// The flat corners of a chart's faces: one position per half-edge with a face, at its start.
@@ -94,7 +94,7 @@ SolvedChart read_chart(const Chart& chart, const CornerUv& corner_uv) {
   return solved;
 }
 
-/// Sets the same h for all sides of an elastic seam: the mean of the values that fit each side.
+/// Sets the same h for all sides of an elastic seam: the mean of the values that fit the sides, within the tolerance.
 void share_variations(const std::vector<Chart>& charts, std::vector<SolvedChart>& solved) {
   struct Mean {
     double sum = 0;

@@ -74,7 +74,7 @@ FlattenInput nine_pieces(double tolerance) {
   return input;
 }
 
-/// Returns a small sheet with elastic wires on all edges, whose eases contradict one another.
+/// Returns a small sheet with an elastic wire on every edge. The eases of the wires contradict one another.
 FlattenInput every_edge_a_wire() {
   FlattenInput input = bumpy_sheet(kSmallNet, 0, 0);
   std::set<VertexPair> edges;
@@ -88,7 +88,7 @@ FlattenInput every_edge_a_wire() {
     Wire wire;
     wire.vertices = {a, b};
     wire.tolerance = kTolerance;
-    wire.ease = 0.1 * std::sin(static_cast<double>(input.wires.size()));  // irregular: eases contradict
+    wire.ease = 0.1 * std::sin(static_cast<double>(input.wires.size()));
     input.wires.push_back(wire);
   }
   return input;

@@ -21,8 +21,8 @@ struct CutSources {
 };
 
 struct CutMesh {
-  Positions3 vertices;            // (n, 3) vertices of the input, then the new vertices
-  Triangles faces;                // (m, 3) each input face or one part of it, in the same order, then the other parts
+  Positions3 vertices;  // (n, 3) vertices of the input, then the new vertices
+  Triangles faces;      // (m, 3) each input face or one part of it, in the input's order; then all other parts
   std::vector<VertexPair> edges;  // (k, 2) edges of the paths in order, one path after the other, each edge once
   CutSources sources;
 };
@@ -38,7 +38,7 @@ struct CutMesh {
 ///
 /// snap is from 0.0001 to 0.25. With snap 0.05 and edges of 10 mm, a line moves by 1 mm at most. If a straight line
 /// crosses a triangle, the heights of the parts are at least snap (1 - snap) times the height of the triangle. Lines
-/// that meet at small angles leave smaller parts. A line that is cut again does not move.
+/// that meet at small angles leave smaller parts. If a snapped line is cut into the mesh again, it does not move.
 ///
 /// Throws empty_mesh, vertex_out_of_range, non_finite_coordinates or repeated_vertex_in_face for a faulty mesh. Throws
 /// invalid_option if snap is out of its range, or if a path is not on the mesh. Also throws invalid_option if two

@@ -15,7 +15,8 @@ namespace wirewarp {
 
 /// The kind of an error. describe(code) returns its meaning and remedy.
 enum class ErrorCode {
-  // Raised if the input is not a mesh with seams and wires, or if an option is out of range. There is no result.
+  // These errors are raised if the input is not a mesh with seams and wires, or if an option is out of range. There is
+  // no result.
   invalid_shape,
   invalid_type,
   invalid_option,
@@ -31,7 +32,7 @@ enum class ErrorCode {
   invalid_ease,
   ease_without_side,
   side_in_two_eases,
-  // Stored in the error of a piece. Other pieces are not affected.
+  // These errors are stored in Piece::error. Other pieces are not affected.
   repeated_vertex_in_face,
   repeated_face,
   zero_area_face,
@@ -49,7 +50,7 @@ enum class ErrorCode {
   lengths_not_kept,
   flipped_faces,
   overlapping_faces,
-  // Raised by the functions that propose cuts.
+  // The functions that propose cuts raise this error.
   no_proposal,
 };
 
@@ -82,7 +83,7 @@ using ErrorArguments = std::map<std::string, ErrorArgument>;
 /// The elements that an error is about, and a proposed fix. All indices refer to the input mesh.
 struct ErrorElements {
   std::vector<int> vertices;
-  std::vector<VertexPair> edges;  // vertex pairs
+  std::vector<VertexPair> edges;
   std::vector<int> faces;
   std::vector<VertexPair> proposed_seams{};              // edges to add to the input's seams; empty without a proposal
   std::vector<ProposedTolerance> proposed_tolerances{};  // one per contradicting wire; empty without a proposal

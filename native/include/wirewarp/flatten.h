@@ -67,8 +67,8 @@ FlattenResult flatten(const FlattenInput& input, const Options& options = {}, co
 
 /// Measures and checks a flattening that was made elsewhere, by the same rules as flatten(). corner_uv, in scene units,
 /// is neither packed nor scaled, and is returned unchanged. A chart with a corner that is not finite, or not below 1e60
-/// in magnitude, has the error no_layout. A chart that is torn, because a vertex has several flat positions in it, has
-/// the error uv_discontinuous. Nothing is solved: a million triangles take about a second.
+/// in magnitude, has the error no_layout. A chart in which a vertex has several flat positions is torn, and has the
+/// error uv_discontinuous. Nothing is solved: a million triangles take about a second.
 FlattenResult measure(const FlattenInput& input, const CornerUv& corner_uv);
 
 }  // namespace wirewarp

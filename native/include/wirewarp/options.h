@@ -57,7 +57,7 @@ struct Options {
   NodeWeight node_weight = NodeWeight::length;  // weight of a wire-node in Eq. (1)
   Inner inner = Inner::minimum;                 // planar angles that the inner problem returns
 
-  /// For the refined method: shortest wavelength of an outline or wire that is not smoothed, divided by the square root
+  /// For the refined method: shortest wavelength that is not smoothed in outlines and wires, divided by the square root
   /// of the piece's area. Larger values give smoother lines and more distortion inside. In [0.001, 10].
   double fairness = 0.05;
   static constexpr double least_fairness = 0.001;
@@ -77,7 +77,7 @@ struct Options {
 
   /// For the refined method: fabric that the pieces are cut from, with x along its weft and y along its warp. None: an
   /// isotropic material, Eq. (4). Each piece is first turned as Options::orientation says. While it is solved, the line
-  /// between two of its vertices keeps this direction, except for Orientation::best.
+  /// between two of its vertices keeps its direction, except for Orientation::best.
   std::optional<Cloth> cloth;
 
   /// Thickness of the material in scene units, finite and at least 0. Bent material keeps its length in the middle of

@@ -106,9 +106,9 @@ std::vector<DartProposal> propose_darts(const FlattenInput& input, const Options
 /// stay on edges, if smoother lines would need too much strain or would meet.
 ///
 /// Sets with few cuts and no joined pieces are smoothed at the end. A smooth set has at most twice the strain of the
-/// set along edges. It also stays within the smallest of 1, 2, 4, 8, … times the accepted strain that is not below the
-/// strain of the set along edges. It has no more pieces narrower than `narrowest` than the set along edges. A set keeps
-/// all its edges if more than half of its bends would remain. The sets keep their order, so a smooth set may leave less
+/// set along edges. It also stays within a limit: the accepted strain, doubled until the limit is at least the strain
+/// of the set along edges. It has no more pieces narrower than `narrowest` than the set along edges. A set keeps all
+/// its edges if more than half of its bends would remain. The sets keep their order, so a smooth set may leave less
 /// strain than an earlier set. Seams across one piece always follow edges.
 ///
 /// If progress returns false during a search for cut sets, the sets found by then are returned, in order and with their
@@ -123,15 +123,15 @@ struct CutTarget {
   double longest = std::numeric_limits<double>::infinity();       // maximum length of a cut or set, scene units; > 0
   double total_length = std::numeric_limits<double>::infinity();  // maximum total length, scene units; > 0
   std::optional<int> piece;  // index of the only piece to cut, in the result of flatten(); none: any piece
-  /// Whether to make a cut together with its mirror image if the two leave less strain than one and are allowed. They
-  /// count as two cuts.
+  /// Whether to make a cut together with its mirror image if both cuts are allowed, and if both together leave less
+  /// strain than one. They count as two cuts.
   bool twins = false;
   VertexPairs no_seam = VertexPairs(0, 2);  // (k, 2) edges along which no cut may run
 };
 
 /// Returns darts to make in this order until the strain is low enough. Each dart cuts the piece with the most strain
-/// among the pieces that a dart helps. Of the darts from propose_darts() for this piece, it is the dart that leaves the
-/// least strain. Its figures and the number of its piece refer to the model with all earlier cuts. Each dart of a
+/// among the pieces that a dart helps. Of the darts from propose_darts() for this piece, the dart that leaves the least
+/// strain is made. Its figures and the number of its piece refer to the model with all earlier cuts. Each dart of a
 /// mirrored pair has its own figures and names the index of its mirror image. If there are fewer darts than allowed,
 /// the target is met or no further dart helps. Throws the errors of propose_darts() for the first dart, and no_proposal
 /// if the target is already met.
@@ -164,9 +164,9 @@ struct SeamProposal {
 /// Removes sections of seams one by one, the longest first, and returns the seams that remain. If no whole section can
 /// be removed, tries parts of sections, divided in the middle and at the sharpest corner. Removing a section joins the
 /// pieces beside it. A section is removed only if flatten() finds a flat shape of the joined piece with at most the
-/// given strain, or with at most the strain that the worst of its pieces has with the input's seams. Strains below 1e-6
-/// are rounding errors and always accepted. If a part of the model between the remaining seams is symmetric, mirrored
-/// sections in this part are removed together.
+/// given strain, or with at most the strain that the worst of the pieces beside the section has with the input's seams.
+/// Strains below 1e-6 are rounding errors and always accepted. If a part of the model between the remaining seams is
+/// symmetric, mirrored sections in this part are removed together.
 ///
 /// Seams with an ease on one side and seams with three sides or more remain. So do all seams of a part of the model
 /// that has no flat shape for other reasons than missing seams, such as a Moebius strip. The result does not depend on

@@ -27,7 +27,7 @@ enum class WireKind {
 struct WireReport {
   std::string name;                 // the wire's name
   int wire_index = -1;              // index into the input's wires
-  int part = -1;                    // counted along the wire; -1: the whole wire
+  int part = -1;                    // index of the part along the wire; -1: the whole wire
   WireKind kind = WireKind::rigid;  // kind of the wire; boundary if it is on a seam or outline
   double tolerance = 0;             // dimensionless, as in the input
   double length_3d = 0;             // on the surface, scene units
@@ -96,7 +96,7 @@ enum class Termination {
   converged,  // the method's own criterion is met
   stalled,    // lengths are exact, but the method's criterion is not met: see warnings
   failed,     // no layout: see error
-  cancelled,  // the caller stopped before the piece was flat
+  cancelled,  // the caller canceled before the piece was flat
   measured,   // the piece was measured by measure(), and nothing was solved
 };
 
@@ -117,14 +117,15 @@ struct PieceReport {
   /// counts them.
   int factorizations = 0;
 
-  /// Largest gap of a wire loop over the loop's length. Refined: largest relative error of an edge's length, where 1e-5
-  /// times the square root of the piece's area is added to each length. NaN: no shape was found, or nothing was solved.
+  /// Largest gap of a wire loop, divided by the loop's length. Refined: largest relative error of an edge's length,
+  /// where 1e-5 times the square root of the piece's area is added to each length. NaN: no shape was found, or nothing
+  /// was solved.
   double constraint_residual = std::numeric_limits<double>::quiet_NaN();
 
-  /// Largest entry of the projected gradient at the end. For Eq. (1), nodes of mean length have weight 1; NaN for
-  /// Inner::least_norm. Refined: gradient of f + λᵀc for all pieces coupled by elastic seams. Entries for vertices are
-  /// divided by the square root of the 3D area, and entries for h by the 3D area. At bounds, only the part that points
-  /// inside counts. NaN if no gradient was computed.
+  /// Largest entry of the projected gradient at the end. For Eq. (1), weights are scaled so that nodes of mean length
+  /// have weight 1. NaN for Inner::least_norm. Refined: gradient of f + λᵀc for all pieces coupled by elastic seams.
+  /// Entries for vertices are divided by the square root of the 3D area, and entries for h by the 3D area. At bounds,
+  /// only the part that points inside counts. NaN if no gradient was computed.
   double projected_gradient = std::numeric_limits<double>::quiet_NaN();
 
   /// Refined: arap_energy, or cloth_energy with a cloth, plus the angle term and the barriers against flipped triangles

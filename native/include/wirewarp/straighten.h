@@ -16,10 +16,10 @@ struct LinePoint {
 
 /// Returns the shortest line through the triangles that touch a path of edges, with the same ends. Zigzags become
 /// straight, and intended bends move by at most one triangle. The line meets seams, outlines and wires at the same
-/// vertices as the path. It stays a quarter of an edge away from their other vertices. If the line would cross an edge
-/// within a twentieth of the edge's length from an end, it passes through this end. Therefore, cutting the line into
-/// the mesh leaves no slivers. Between two vertices on wires, seams or outlines, the line crosses each triangle at most
-/// once.
+/// vertices as the path. It stays a quarter of an edge away from the other vertices of seams, outlines and wires. If
+/// the line would cross an edge within a twentieth of the edge's length from an end, it passes through this end.
+/// Therefore, cutting the line into the mesh leaves no slivers. Between two vertices on wires, seams or outlines, the
+/// line crosses each triangle at most once.
 ///
 /// path: vertices, each joined to the next by an edge that is not on a seam or outline. Edges of a future seam must not
 /// be marked as seams yet. Throws the errors of flatten() for the input, and invalid_option if `path` does not follow

@@ -8,7 +8,7 @@
 
 namespace wirewarp {
 
-/// A line on a triangle mesh, straight between consecutive points, which are in the same triangle.
+/// A line on a triangle mesh. Consecutive points are in the same triangle, and the line between them is straight.
 struct SurfacePath {
   std::vector<int> faces;  // (k,) triangle that contains each point, inside or on its border
   Positions3 coordinates;  // (k, 3) barycentric coordinates in that triangle: weights of its corners

@@ -10,7 +10,6 @@
 
 namespace wirewarp {
 
-/// Returns the arguments "wires" and "wire_names" of an error about these wires of an input.
 inline ErrorArguments arguments_of_wires(const std::vector<Wire>& wires, std::vector<int> indices) {
   std::vector<std::string> names;
   for (const int w : indices) names.push_back(wires[static_cast<std::size_t>(w)].name);

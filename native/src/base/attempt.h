@@ -21,7 +21,6 @@ std::invoke_result_t<Solve> attempt(const Solve& solve) {
   }
 }
 
-/// Does the work and returns whether the caller stopped it.
 template <typename Work>
 bool was_stopped(const Work& work) {
   try {

@@ -15,7 +15,8 @@ using Folder = std::filesystem::path;
 using Cores = std::optional<std::size_t>;
 
 std::string text_of(const Folder& file) {
-  std::string text;  // read with C functions, because libstdc++'s file streams need a newer glibc than the wheels do
+  // C functions read the file, because libstdc++'s file streams need a newer glibc than the wheels need.
+  std::string text;
   if (std::FILE* const stream = std::fopen(file.string().c_str(), "r")) {
     std::array<char, 4096> part{};  // one page of memory; most of these files are shorter
     while (const std::size_t count = std::fread(part.data(), 1, part.size(), stream)) text.append(part.data(), count);

@@ -16,15 +16,15 @@ class DisjointSets {
     while (parent(i) != i) i = parent(i) = parent(parent(i));
     return i;
   }
-  /// Unites two sets. Returns false if they were already one set.
+  /// Unites the sets of i and j. Returns false if they were already one set.
   bool unite(int i, int j) {
     i = find(i);
     j = find(j);
     parent(std::max(i, j)) = std::min(i, j);
     return i != j;
   }
-  /// Returns the number of each member's set. Sets are numbered in the order of their smallest member. Stores the
-  /// number of sets in count.
+  /// Returns, for each member, the index of its set. Sets are numbered in the order of their smallest member. Stores
+  /// the number of sets in count.
   std::vector<int> number(int& count) {
     std::vector<int> label(parent_.size());
     count = 0;

@@ -12,14 +12,13 @@ struct Entry {
   ErrorDescription description;
 };
 
-// Arguments that several codes share.
+// Several codes share these arguments.
 #define WIREWARP_NAMED_WIRES \
   "wires: indices of the wires; wire_names: their names, an empty string for a wire without a name"
 #define WIREWARP_WRONG_ARRAY                                                                                        \
   "name: name of the array or value; wanted: what it must be, missing if numpy cannot read it; found: what it is, " \
   "or numpy's message if numpy cannot read it"
 
-// In declaration order of ErrorCode.
 constexpr Entry kEntries[] = {
     {ErrorCode::invalid_shape,
      {"invalid_shape", "An array has the wrong number of rows or columns.",

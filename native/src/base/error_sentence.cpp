@@ -12,7 +12,6 @@
 namespace wirewarp {
 namespace {
 
-/// The arguments and elements of one error, and the words for them.
 class Parts {
  public:
   Parts(const ErrorArguments& arguments, const ErrorElements& named) : elements(named), arguments_(arguments) {}
@@ -46,8 +45,6 @@ class Parts {
 };
 
 std::string chosen(std::size_t count, const char* one, const char* many) { return count == 1 ? one : many; }
-
-// Errors of the whole input.
 
 std::string wrong_shape(const Parts& parts) {
   if (!parts.has("wanted")) return parts.text("name") + " cannot be read as an array: " + parts.text("found");
@@ -127,8 +124,6 @@ std::string side_in_two_eases(const Parts& parts) {
   return "The sides along " + parts.edges() + " are in two eases: a side has one length, so leave it in one ease only.";
 }
 
-// Errors of surfaces that cannot be flattened.
-
 std::string inconsistent_orientation(const Parts& parts) {
   const bool is_one_sided = parts.is("is_one_sided");
   return "The faces on the two sides of " + parts.edges() + " point to opposite sides of the surface" +
@@ -143,7 +138,6 @@ std::string handles(const Parts& parts) {
          ".";
 }
 
-/// Returns the fault and the remedy, such as "is a tube: mark a seam from one opening to the other".
 std::string fault_of_outlines(std::size_t num_loops) {
   if (num_loops == 1) return "cannot be flattened: mark another seam";
   if (num_loops == 2) return "is a tube: mark a seam from one opening to the other";
@@ -185,7 +179,6 @@ std::string with_tolerances(const Parts& parts) {
   return text + (text.empty() ? "" : " and ") + "with " + name_wires(free, free_names) + " free";
 }
 
-/// Returns the sentence for lengths that no flat shape was found to have. The remedy depends on the reason.
 std::string infeasible_lengths(const Parts& parts) {
   const std::string& reason = parts.text("reason");
   if (reason == "method") {
@@ -231,14 +224,12 @@ std::string not_solvable(const Parts& parts) {
   return "WireWarp cannot calculate the shape of " + piece + ". Remesh it, or cut it in two with a seam.";
 }
 
-// Errors of flat shapes that break a guarantee.
-
 std::string counted(int count, const std::string& noun) {
   return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }
 
-/// Returns text such as ", has 3 flipped faces and overlaps itself at 1 face", for the faults that the
-/// error's code does not name.
+/// Returns text such as ", has 3 flipped faces and overlaps itself at 1 face", for the faults that the error's code
+/// does not name.
 std::string also(int num_flipped, int num_overlapping) {
   const std::string flips = "has " + counted(num_flipped, "flipped face");
   const std::string overlaps = "overlaps itself at " + counted(num_overlapping, "face");
@@ -267,8 +258,6 @@ std::string flipped_faces(const Parts& parts) {
          "add a seam or a dart there" +
          (parts.is("has_wires") ? ", or remove a nearby wire or give it more tolerance." : ".");
 }
-
-// Errors of suggestions.
 
 std::string no_proposal(const Parts& parts) {
   const std::string piece = introduce_piece(parts.elements.faces);

@@ -33,7 +33,6 @@ class OnOneCore {
   bool was_on_one_core_;
 };
 
-/// Returns whether a second core is available for a second thread.
 inline bool has_second_core() { return num_cores() > 1; }
 
 /// Starts a thread. Returns nullopt if the system allows no more threads.

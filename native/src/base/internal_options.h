@@ -11,8 +11,8 @@ namespace wirewarp {
 enum class Target {
   minimum,  // when no further step is worthwhile
   rough,    // when another step would gain little; the shape is only a start, or sets the fabric's direction
-  /// After the first Newton step that decreases f; the shape is a start for other runs. Continuing would increase the
-  /// total number of factorizations by a sixth.
+  /// The method ends after the first Newton step that decreases f, and the shape is a start for other runs. Longer runs
+  /// would increase the total number of factorizations by a sixth.
   newton_step,
 };
 

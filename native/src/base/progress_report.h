@@ -32,7 +32,6 @@ class ProgressReport {
   /// Acts as if the caller had canceled. Any thread may call this function.
   void cancel() { is_cancelled_ = true; }
 
-  /// Returns whether the run was canceled. Any thread may call this function.
   bool is_cancelled() const { return is_cancelled_; }
 
  private:

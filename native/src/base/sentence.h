@@ -36,7 +36,6 @@ std::string name_piece(const std::vector<int>& faces);
 /// Returns text such as "The piece around face 3 (12 triangles)".
 std::string introduce_piece(const std::vector<int>& faces);
 
-/// Returns the sentence with a capital first letter.
 std::string capitalized(std::string sentence);
 
 /// Returns the number with the fewest digits that identify it, such as "0.1", "1e-300" or "nan".

@@ -15,8 +15,8 @@ class Stopped : public std::exception {
   const char* what() const noexcept override { return "stopped"; }
 };
 
-/// Asks the caller whether to go on, and remembers the first "no". Copies share this memory. Several threads may use
-/// one token if its function may be called from several threads.
+/// Asks the caller whether to go on, and remembers the first "no". All copies of a token remember it. Several threads
+/// may use one token if its function may be called from several threads.
 class StopToken {
  public:
   using Question = std::function<bool(const char* stage)>;

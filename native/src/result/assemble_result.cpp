@@ -30,7 +30,7 @@ void take_input_faces(const FlattenInput& input, const Chart& chart, Piece& piec
   });
 }
 
-/// Returns the metrics of a piece without a flat shape, of which only the 3D area is known.
+/// Returns the metrics of a piece without a flat shape. Only its 3D area is known.
 Metrics unknown_metrics(const FlattenInput& input, const std::vector<int>& faces) {
   Metrics metrics;
   metrics.arap_energy = metrics.angle_deviation_rms = metrics.angle_deviation_max = metrics.area_2d = kNaN;

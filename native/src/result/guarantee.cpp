@@ -18,7 +18,7 @@ constexpr double kRelativeLengthError = 1e-9;  // the documented guarantee
 struct WrongEdge {
   VertexPair vertices;  // vertices of the input
   int part;             // index into chart.wire_parts; -1: boundary
-  double difference;    // (l2 - (1+r)(1+h) l) / l
+  double difference;    // excess over the guaranteed length, divided by the length on the surface
 };
 
 std::vector<WrongEdge> find_wrong_edges(const Chart& chart, const WireNetwork& network, const Positions2& uv,
@@ -55,7 +55,6 @@ std::vector<int> parts_beyond_tolerance(const Chart& chart, const std::vector<do
   return parts;
 }
 
-/// Returns the arguments that name the wire of a part; empty for the outline.
 ErrorArguments arguments_of_part(const Chart& chart, const std::vector<Wire>& wires, int part) {
   return arguments_of_wires(wires, part < 0 ? std::vector<int>() : std::vector<int>{chart.wire_parts[part].wire_index});
 }

@@ -70,7 +70,6 @@ struct SideLength {
   double without_ease = 0;  // l2 / (1 + r)
 };
 
-/// Measures one side of a seam. guaranteed: (1 + r)(1 + h) l, one per chart edge.
 SideLength measure_side(const Chart& chart, const HalfEdgeChain& chain, const Piece& piece,
                         const std::vector<double>& guaranteed, const std::map<VertexPair, double>& side_eases) {
   SideLength side;
@@ -226,7 +225,8 @@ std::vector<double> fit_variation(const Chart& chart, const Positions2& uv) {
   struct Lengths {
     double asked = 0, flat = 0;
   };
-  std::map<std::pair<int, int>, Lengths> sides;  // for runs along the boundary: sums over all sides in the chart
+  // Each entry has the sums over all sides of a boundary run in the chart. The keys are wire and part.
+  std::map<std::pair<int, int>, Lengths> sides;
   std::vector<Lengths> lengths;
   for (const WirePart& part : chart.wire_parts) {
     Lengths of_part;

@@ -43,7 +43,7 @@ void measure_faces(const Chart& chart, const Positions2& uv, Metrics& metrics) {
   metrics.arap_energy = metrics.face_arap.sum() / metrics.area_3d;
 }
 
-/// Computes E_L of Eq. (5) for the edges on wires, then for the rest of the boundary.
+/// Computes E_L of Eq. (5) for the edges of wires inside the piece, then for the edges of the boundary.
 void measure_wire_edges(const Chart& chart, const WireNetwork& network, const Positions2& uv, Metrics& metrics) {
   std::vector<const WireEdge*> edges;
   for (const WireEdge& edge : network.edges) edges.push_back(&edge);

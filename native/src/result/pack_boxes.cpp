@@ -92,8 +92,8 @@ Positions2 pack_boxes(const Positions2& sizes, double gap, const StopToken& stop
   const auto height = [&](Eigen::Index box) { return slack > 0 ? std::round(sizes(box, 1) / slack) : 0.0; };
   std::stable_sort(order.begin(), order.end(), [&](Eigen::Index a, Eigen::Index b) { return height(a) > height(b); });
 
-  // Tries several strip widths and keeps the packing nearest to a square. The widths are 0.8 to 1.55 times the side of
-  // a square with the area of all boxes, including `gap`, but at least the width of the widest box.
+  // The loop tries several strip widths and keeps the packing nearest to a square. The widths are 0.8 to 1.55 times the
+  // side of a square with the area of all boxes, including `gap`, but at least the width of the widest box.
   constexpr int kStrips = 16;
   WorkMeter work(stop);
   Packing best;

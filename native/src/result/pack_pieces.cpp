@@ -15,7 +15,7 @@ Positions2 mirror_image(const Positions2& uv) {
   return mirrored;
 }
 
-// Rotates in place, because for a large piece, allocating memory would take most of the time.
+// Layouts are rotated in place, because for a large piece, allocating memory would take most of the time.
 std::vector<Positions2> pack_pieces(const std::vector<Chart>& charts, std::vector<Positions2> layouts,
                                     const Options& options, const StopToken& stop) {
   WorkMeter work(stop);

@@ -33,8 +33,8 @@ Eigen::Vector3d normal_of(const Positions3& vertices, const Triangles& faces, Ei
   return side(vertices, faces, face, 0).cross(-side(vertices, faces, face, 2));
 }
 
-/// Normals count as canceled out if the length of their weighted sum, over the sum of the angles around the vertex, is
-/// smaller than this.
+/// Normals count as canceled out if the length of their weighted sum, divided by the sum of the angles around the
+/// vertex, is smaller than this.
 constexpr double kCancels = 1e-6;
 
 /// Returns one unit normal per vertex; zero if the normals around it cancel out.

@@ -16,8 +16,8 @@ namespace wirewarp {
 void assemble_front(const FrontLayout& layout, int node, const double* values, Tile* factor, Tile* schurs);
 
 /// Number of tile multiplications between two calls of the stop token, about a tenth of a second. Each call also
-/// advances the progress bar, so calls are rare: none below 50,000 triangles, and forty per factorization for a million
-/// triangles.
+/// advances the progress bar, so calls are rare. A factorization has no call below 50,000 triangles, and forty calls
+/// for a million triangles.
 constexpr double kWorkPerQuestion = 1e7;
 
 /// Calls eliminate(front) for all fronts, children before parents, in two threads if requested. Returns false
@@ -26,7 +26,7 @@ template <typename Eliminate>
 bool eliminate_fronts(const FrontLayout& layout, bool in_threads, const StopToken& stop, const Eliminate& eliminate) {
   std::atomic<bool> is_good{true};
   const std::thread::id caller = std::this_thread::get_id();
-  double work = 0;  // of the calling thread, since the last call of the token
+  double work = 0;  // tile multiplications of the calling thread since the last call of the token
   const auto may_go_on = [&](const Front& next) {
     if (std::this_thread::get_id() != caller) return true;
     if (work > kWorkPerQuestion && !stop.may_go_on()) return false;

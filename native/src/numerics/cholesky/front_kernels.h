@@ -13,8 +13,8 @@
 
 namespace wirewarp {
 
-/// A block of 4 by 4, column by column. In a diagonal block of L, the diagonal is stored inverted and the entries above
-/// it are undefined.
+/// A block of 4 by 4 numbers, stored column by column. In a diagonal block of L, the diagonal is stored inverted and
+/// the entries above it are undefined.
 struct alignas(64) Tile {
   double entries[16];
 };
@@ -53,13 +53,12 @@ struct FrontKernels {
   void (*solve_upper_4)(const Tile* panel, int m, int r, double* x);
 };
 
-extern const FrontKernels kPlainKernels;  // for any processor
-extern const FrontKernels kAvx2Kernels;   // call only if has_avx2()
+extern const FrontKernels kPlainKernels;
+extern const FrontKernels kAvx2Kernels;  // call only if has_avx2()
 
 /// Returns whether this processor has AVX2 and FMA.
 bool has_avx2();
 
-/// Returns the fastest kernels for this processor.
 const FrontKernels& fastest_kernels();
 
 }  // namespace wirewarp

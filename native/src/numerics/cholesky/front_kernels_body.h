@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The code of the kernels. Each front_kernels_*.cpp includes this file once. Before, it defines how many numbers a
-// register of its processor holds (kLanes). It also defines how many row tiles fit in the registers during
-// factorization (kRowsAtOnce) and during the sums of back substitution (kRowsSummed).
+// The code of the kernels. Each front_kernels_*.cpp defines three constants, then includes this file once. kLanes is
+// the number of numbers in a register of the processor. kRowsAtOnce and kRowsSummed are the numbers of row tiles that
+// fit in the registers during factorization and during the sums of back substitution.
 //
 // A file that is compiled for newer processors must not share inline functions with other files. The linker keeps one
 // of the copies, and old processors might then execute new instructions. Therefore everything here is in an unnamed
@@ -93,7 +93,6 @@ inline T& other(T (&factors)[kFactors], int f) {
   return factors[kFactors - 1 - f];
 }
 
-/// Factors a diagonal tile. Returns false at a pivot that is not a positive finite number.
 template <int kFactors>
 inline bool factor_tile(Tile* const (&tiles)[kFactors]) {
   for (int j = 0; j < kTile; ++j) {
@@ -126,8 +125,8 @@ struct FrontTiles {
 };
 
 /// Updates the tiles in rows t to t + kRows - 1 and columns begin to end - 1 of a factor. From each tile of column j,
-/// subtracts the product over the pivots from `first` to before min(j, last). Then divides columns before `last` by
-/// their diagonal tiles, which makes these columns final.
+/// subtracts the product over the pivots `first` to min(j, last) - 1. Then divides columns before `last` by their
+/// diagonal tiles, which makes these columns final.
 template <int kRows>
 void update_rows(const FrontTiles& front, const FrontTiles& other, int t, int first, int last, int begin, int end) {
   Tile* c[kRows];

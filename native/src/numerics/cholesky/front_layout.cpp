@@ -185,7 +185,7 @@ class Builder {
   struct Entry {
     int row, column, source;
   };
-  // Limit of MatrixEntry::place, which indexes the entries of a panel by 32 bits. A tile has 16 entries.
+  // A panel has at most this many tiles of 16 entries, because MatrixEntry::place indexes the entries by 32 bits.
   static constexpr std::size_t kMostTiles = std::numeric_limits<std::uint32_t>::max() / 16;
 
   const Eigen::SparseMatrix<double>& lower_;

@@ -13,13 +13,13 @@
 
 namespace wirewarp {
 
-/// One supernode. Its vertices are its pivots, then its rows; each has unknowns_per_vertex consecutive unknowns.
+/// One supernode. Its vertices are its pivots, then its rows. Each vertex has unknowns_per_vertex consecutive unknowns.
 struct Front {
   int parent;             // -1 at a root
   int first_vertex;       // index into FrontLayout::vertices
   int num_pivots;         // number of vertices
   int num_rows;           // number of vertices
-  int num_own_rows;       // number of rows at the start whose vertices are pivots in this front's share of subtrees
+  int num_own_rows;       // number of leading rows whose vertices are pivots of fronts in the same share of subtrees
   int pivot_tiles;        // m: number of row tiles of pivots
   int row_tiles;          // r: number of row tiles below the pivots
   int first_entry;        // index into FrontLayout::entries; the next front's value is the end
@@ -44,22 +44,22 @@ struct MatrixEntry {
 struct FrontLayout {
   int unknowns_per_vertex;
   Eigen::Index num_unknowns;
-  std::vector<Front> fronts;  // in postorder, then an entry that marks the end
-  std::vector<int> vertices;  // pivots and rows of all fronts, each in elimination order; rows that are not a front's
-                              // own are indices into shared_vertices
-  std::vector<int> rows_in_parent;  // parent's row of each unknown of each front's rows
+  std::vector<Front> fronts;        // in postorder, then an entry that marks the end
+  std::vector<int> vertices;        // pivots, then rows, of each front, both in elimination order; rows after the first
+                                    // num_own_rows are indices into shared_vertices
+  std::vector<int> rows_in_parent;  // for each unknown in the rows of each front: its row in the parent's front
   std::vector<int> children;        // children of each front
   std::vector<MatrixEntry> entries;
   std::vector<int> front_of_vertex;  // front in which each vertex is a pivot
   std::size_t panel_tiles = 0;
   std::size_t schur_tiles = 0;
-  int largest_front = 0;  // tiles of pivots and rows
+  int largest_front = 0;  // largest number of row tiles of a front
   int kept_root = -1;     // front that is assembled but not eliminated; -1: none
 
   FrontSet all_fronts;               // fronts to eliminate
   std::vector<int> shared_vertices;  // pivots of the ancestors of all_fronts and of the kept root
 
-  /// Returns the row of the first unknown of a front's vertex, with padding.
+  /// Returns the row of the first unknown of the vertex at position `place` in a front. Padding counts as rows.
   int row_of(const Front& front, int place) const {
     return place < front.num_pivots ? unknowns_per_vertex * place
                                     : 4 * front.pivot_tiles + unknowns_per_vertex * (place - front.num_pivots);

@@ -50,7 +50,7 @@ class MultifrontalCholesky {
   /// std::logic_error without a factor.
   void solve_in_place(Eigen::Ref<Eigen::MatrixXd> b) const;
 
-  /// Return sets of fronts for the substitutions below (substitution.h).
+  /// These functions return sets of fronts for the substitutions below (see substitution.h).
   FrontSet fronts_reaching(const std::vector<int>& vertices) const { return substitution_.fronts_reaching(vertices); }
   FrontSet others(const FrontSet& fronts) const { return substitution_.others(fronts); }
   const FrontSet& all() const { return substitution_.all(); }

@@ -12,7 +12,7 @@
 namespace wirewarp {
 namespace {
 
-// Number of vertices of a leaf, which is one front. With 8 to 24, whole runs take the same time.
+// Maximum number of vertices of a leaf, which becomes one front. With 8 to 24 vertices, whole runs take the same time.
 constexpr std::ptrdiff_t kLeafSize = 16;
 
 // Directions in which a set of vertices is halved: x, y and the two diagonals, because meshes have no preferred
@@ -28,7 +28,6 @@ class Dissection {
         side_(graph.num_vertices(), Side::outside),
         keys_(side_.size()) {}
 
-  /// Dissects each connected part of the graph.
   DissectionTree run() {
     std::vector<char> is_met(side_.size(), 0);
     std::vector<int> last(side_.size() - static_cast<std::size_t>(positions_.rows()));
@@ -51,7 +50,6 @@ class Dissection {
     int smaller() const { return std::min(lower, upper); }
   };
 
-  /// Returns all vertices connected with a vertex, in ascending order.
   std::vector<int> all_joined_to(int vertex, std::vector<char>& is_met) const {
     std::vector<int> part{vertex};
     is_met[vertex] = 1;
@@ -137,7 +135,7 @@ class Dissection {
   const Graph& graph_;
   const Positions2& positions_;
   VertexSeparator cover_;
-  std::vector<Side> side_;  // per vertex of the set that is being split: its side
+  std::vector<Side> side_;  // side of each vertex in the set that is being split
   std::vector<std::pair<double, int>> keys_;
   DissectionTree tree_;
 };

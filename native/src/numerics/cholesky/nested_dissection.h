@@ -19,7 +19,7 @@ struct Graph {
 };
 
 /// A tree of sets of vertices. Each vertex belongs to one node. An edge of the graph connects two vertices of one node,
-/// or a vertex of a node with a vertex of its ancestor.
+/// or a vertex of a node with a vertex of an ancestor of this node.
 struct DissectionTree {
   struct Node {
     std::vector<int> vertices;  // at least one

@@ -36,8 +36,8 @@ std::vector<Subtree> subtrees(const FrontLayout& layout) {
 }
 
 struct Shares {
-  std::array<std::vector<int>, FrontSet::num_shares> roots;  // roots of each share's subtrees
-  double largest;                                            // work of the larger share
+  std::array<std::vector<int>, FrontSet::num_shares> roots;
+  double largest;  // work of the larger share
 };
 
 /// Assigns each subtree, largest first, to the share with the least work.

@@ -45,7 +45,7 @@ class FrontRows {
   }
 
  private:
-  /// Calls function(number here, number in columns) for the vertices of a front from begin to end.
+  /// Calls function(number in x_, number in columns) for the vertices of a front from begin to end.
   template <typename AllColumns, typename Function>
   void for_each(const Front& front, int begin, int end, AllColumns& columns, const Function& function) const {
     const int k = layout_.unknowns_per_vertex;

@@ -21,8 +21,8 @@ void update_hessian(const Eigen::VectorXd& step, Eigen::VectorXd change, Eigen::
   b += change * change.transpose() / step.dot(change) - b_step * b_step.transpose() / curvature;
 }
 
-/// Returns where a parabola has its minimum, clamped to [0.1, 0.5]. The parabola has the value 0 and the given slope at
-/// 0, and the value `rise` at 1.
+/// Returns the position of a parabola's minimum, clamped to [0.1, 0.5]. The parabola has the value 0 and the given
+/// slope at 0, and the value `rise` at 1.
 double shorter_by(double slope, double rise) { return std::clamp(-slope / (2 * (rise - slope)), 0.1, 0.5); }
 
 }  // namespace

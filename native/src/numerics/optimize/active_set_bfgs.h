@@ -24,12 +24,12 @@ struct BoxMinimum {
   double value = 0;
   int iterations = 0;
   int evaluations = 0;
-  bool converged = false;  // the predicted decrease is less than tolerance * value
+  bool converged = false;  // the predicted decrease is at most tolerance * value
 };
 
-/// Minimizes the function from a start in the box. Never returns a value above the start's. Throws
-/// std::bad_optional_access if the function is not defined at the start. lower must be below upper, and
-/// both must be finite. tolerance: smallest predicted decrease that is worthwhile, over the value. The function is
+/// Minimizes the function from a start in the box. Never returns a value above the value at the start. Throws
+/// std::bad_optional_access if the function is not defined at the start. lower must be below upper, and both must be
+/// finite. tolerance: the search ends if the predicted decrease, divided by the value, is at most this. The function is
 /// called at most max_evaluations times. hessian: positive definite estimate at the start; the default is a multiple of
 /// the identity.
 BoxMinimum minimize_in_box(const BoxFunction& function, const Eigen::VectorXd& lower, const Eigen::VectorXd& upper,

@@ -10,11 +10,11 @@ Eigen::VectorXd minimize_quadratic_in_box(const Eigen::VectorXd& g, const Eigen:
                                           const Eigen::VectorXd& lower, const Eigen::VectorXd& upper) {
   constexpr int kMaxFactorizations = 50;
   Eigen::VectorXd d = Eigen::VectorXd::Zero(g.size()), slope = g;
-  double value = 0;  // value of the model
+  double value = 0;
   Eigen::LLT<Eigen::MatrixXd> factor;
   std::vector<int> factored;  // variables of the factored submatrix
   for (int i = 0; i < kMaxFactorizations; ++i) {
-    // Variables that a step may change: all except variables at a bound that the model pushes outward.
+    // A step may change all variables, except variables at a bound that the model pushes outward.
     std::vector<int> free;
     for (int k = 0; k < g.size(); ++k) {
       const bool is_active = (d[k] <= lower[k] && slope[k] > 0) || (d[k] >= upper[k] && slope[k] < 0);
@@ -40,7 +40,7 @@ Eigen::VectorXd minimize_quadratic_in_box(const Eigen::VectorXd& g, const Eigen:
     if (!(down < 0)) break;
     const Eigen::VectorXd change_of_slope = b * step;
     const double curvature = step.dot(change_of_slope);
-    const double share = curvature > -down ? -down / curvature : 1;  // share of the step up to the minimum along it
+    const double share = curvature > -down ? -down / curvature : 1;  // share of the step at which the model is smallest
     d = (d + share * step).cwiseMax(lower).cwiseMin(upper);
     slope += share * change_of_slope;
     value += share * (down + share * curvature / 2);

@@ -23,7 +23,7 @@ void add_vertices(const FlattenInput& input, const SurfaceCut& cut, Chart& chart
       const int fan = cut.fan_of_corner[3 * f + k];
       VertexHandle& v = handles.vertex_of_fan[fan];
       if (v.is_valid()) continue;
-      v = VertexHandle(0);  // marks the fan as used; its number follows
+      v = VertexHandle(0);  // marks the fan as used, until its vertex is added below
       fans.push_back({input.faces(f, k), fan});
     }
   }

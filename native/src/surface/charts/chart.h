@@ -20,7 +20,7 @@ using HalfEdgeChain = std::vector<HalfedgeHandle>;
 /// share one h, the relative change of length (see Wire).
 struct WirePart {
   int wire_index = -1;
-  int part = -1;  // counted along the whole wire, over all charts
+  int part = -1;  // index of the part along the whole wire, over all charts
   WireKind kind = WireKind::rigid;
   double tolerance = 0;  // |h - ease| <= tolerance
   HalfEdgeChain half_edges;
@@ -36,7 +36,6 @@ inline double variation_of(const WirePart& part, double g) {
   return std::clamp(part.ease + (1 + part.ease) * g, part.ease - part.tolerance, part.ease + part.tolerance);
 }
 
-/// Returns whether a part is a run on the boundary with elastic length.
 inline bool is_elastic_boundary(const WirePart& part) { return part.kind == WireKind::boundary && part.tolerance > 0; }
 
 /// Returns whether a part has a length of its own to keep: it is a rigid or elastic wire, or an elastic run on the
@@ -56,14 +55,14 @@ struct Chart {
   std::vector<int> source_vertex;  // input vertex of each chart vertex
   std::vector<int> source_face;    // input face of each chart face
   std::vector<WirePart> wire_parts;
-  std::vector<double> length_ratio;  // per edge of the mesh: target length at h = ease over 3D length, which is
-                                     // (1 + r)(1 + ease); 1 for edges beyond the end of the list
+  std::vector<double> length_ratio;  // per edge of the mesh: target length at h = ease divided by 3D length, that is
+                                     // (1 + r)(1 + ease) with r from Ease; 1 for edges beyond the end of the list
   std::vector<BoundaryChain> boundary_chains;
   std::vector<HalfEdgeChain> boundary_loops;  // [0] is the outer loop, others are holes; the chart is on the left
   std::optional<FlattenError> error;          // set if the chart cannot be flattened; parts and chains are then empty
 };
 
-/// Returns the target length at h = ease over the 3D length.
+/// Returns the target length at h = ease, divided by the 3D length.
 inline double length_ratio(const Chart& chart, HalfedgeHandle h) {
   const auto edge = static_cast<std::size_t>(chart.mesh.edge_handle(h).idx());
   return edge < chart.length_ratio.size() ? chart.length_ratio[edge] : 1;

@@ -13,16 +13,16 @@ namespace {
 /// A triangle counts as having zero area if its height over the longest side is below this fraction of that side.
 constexpr double kFlatness = 1e-12;
 
-/// A side that is shorter than this, scene units, counts as a point: the squared areas of such triangles underflow.
+/// A side that is shorter than this, scene units, counts as a point, because squared areas would underflow.
 constexpr double kShortest = 1e-60;
 
 struct Faults {
-  std::vector<int> repeated_vertex;      // faces
-  std::vector<int> repeated_face;        // faces
-  std::vector<int> zero_area;            // faces
-  std::vector<VertexPair> non_manifold;  // edges
-  std::vector<VertexPair> turned;        // edges whose two faces have opposite orientations
-  std::vector<int> pinched;              // vertices at which faces touch without a common edge
+  std::vector<int> repeated_vertex;  // faces
+  std::vector<int> repeated_face;    // faces
+  std::vector<int> zero_area;        // faces
+  std::vector<VertexPair> non_manifold;
+  std::vector<VertexPair> turned;  // edges whose two faces have opposite orientations
+  std::vector<int> pinched;        // vertices at which faces touch without a common edge
   bool is_one_sided = false;
 };
 
@@ -57,7 +57,7 @@ void find_edge_faults(const FlattenInput& input, const EdgeTable& edges, const S
   for (int e = 0; e < edges.num_edges(); ++e) {
     const int num_sides = edges.num_sides(e);
     if (num_sides < 2) continue;
-    // Two faces with the same three vertices share three edges: check only the edge between the two smallest vertices.
+    // Two faces with the same three vertices share three edges, so only the edge between the two smallest is checked.
     for (int j = 1; j < num_sides; ++j) {
       const int third = opposite_vertex(input.faces, edges.side(e, j));
       if (third < edges.vertices(e)[1]) continue;
@@ -95,8 +95,7 @@ void find_one_sided(const EdgeTable& edges, const SurfaceCut& cut, std::vector<F
   }
 }
 
-/// Finds vertices at which faces of one chart touch without an edge that connects them. If two charts touch at a
-/// vertex, this is not a fault.
+/// Finds vertices at which faces of one chart touch without an edge that connects them.
 void find_vertex_faults(const FlattenInput& input, const EdgeTable& edges, const SurfaceCut& cut,
                         std::vector<Faults>& faults) {
   const bool is_uncut = input.seams.rows() == 0;

@@ -15,10 +15,10 @@ namespace wirewarp {
 std::vector<std::optional<FlattenError>> find_chart_faults(const FlattenInput& input, const EdgeTable& edges,
                                                            const SurfaceCut& cut);
 
-/// Returns the number of handles, 1 for a torus, of a chart with mesh and boundary loops.
+/// Returns the number of handles of a chart, 1 for a torus. The chart must have its mesh and boundary loops.
 long count_handles(const Chart& chart);
 
-/// Returns the error closed_chart or handles of a chart with mesh and boundary loops, or nullopt.
+/// Returns the error closed_chart or handles, or nullopt. The chart must have its mesh and boundary loops.
 std::optional<FlattenError> find_topology_fault(const Chart& chart);
 
 }  // namespace wirewarp

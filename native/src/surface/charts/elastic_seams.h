@@ -21,7 +21,7 @@ class FixedSeams {
  public:
   explicit FixedSeams(Chart& chart) : FixedSeams(chart, eases_of(chart)) {}
 
-  /// variation: h of the seams, one per wire part; their ease if not given.
+  /// variation: h of the seams, one per wire part. The other constructor uses the eases.
   FixedSeams(Chart& chart, const std::vector<double>& variation);
 
   FixedSeams(const FixedSeams&) = delete;
@@ -36,7 +36,7 @@ class FixedSeams {
 
 /// Several charts as one chart that is not connected.
 struct CombinedCharts {
-  Chart chart;                    // without boundary chains; wire parts in order
+  Chart chart;                    // without boundary chains; wire parts in the order of the charts
   std::vector<int> first_vertex;  // per chart: index of its first vertex in the combined chart
   std::vector<int> first_edge;    // per chart: index of its first edge
   std::vector<int> first_part;    // per chart: index of its first wire part

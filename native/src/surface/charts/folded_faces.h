@@ -11,10 +11,8 @@ namespace wirewarp {
 
 // In all functions, uv has at least one row per vertex.
 
-/// Returns whether a flat piece has flipped faces.
 bool has_flips(const HalfEdgeMesh& mesh, const Positions2& uv);
 
-/// Returns whether faces of a flat piece overlap other faces.
 bool has_overlaps(const HalfEdgeMesh& mesh, const Positions2& uv);
 
 inline bool has_folds(const HalfEdgeMesh& mesh, const Positions2& uv) {

@@ -13,7 +13,8 @@
 namespace wirewarp {
 namespace {
 
-/// Returns for each half-edge the index of the other half-edge on the same edge; nullopt if the loop lacks a half-edge.
+/// Returns for each half-edge the index of the other half-edge on the same input edge. Returns nullopt unless the loop
+/// has two half-edges on each of its edges.
 std::optional<std::vector<int>> find_mates(const Chart& chart, const HalfEdgeChain& loop) {
   std::map<VertexPair, int> first;
   std::vector<int> mate(loop.size(), -1);
@@ -137,7 +138,7 @@ std::optional<SewnChart> sew(const Chart& chart, const std::vector<Slit>& slits)
   if (!is_whole || static_cast<int>(charts.charts[0].mesh.n_vertices()) != num_vertices) return std::nullopt;
   sewn.chart = std::move(charts.charts[0]);
   // The two rims of an edge that stays open can become one edge, for example if the outer loop is a slit in a closed
-  // surface.
+  // surface. Then a loop is missing, and the slits cannot be sewn.
   if (sewn.chart.boundary_loops.size() + slits.size() != chart.boundary_loops.size()) return std::nullopt;
   keep_outer_loop(chart, sewn);
   inherit_lengths(chart, sewn.chart);

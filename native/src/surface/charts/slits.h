@@ -21,7 +21,6 @@ std::optional<Slit> as_slit(const Chart& chart, const HalfEdgeChain& loop);
 /// Returns the slits among the inner boundary loops. Slits whose rims have an ease or a tolerance are left out.
 std::vector<Slit> find_slits(const Chart& chart);
 
-/// A chart with sewn slits.
 struct SewnChart {
   Chart chart;
   std::vector<int> vertex;  // vertex of the sewn chart for each vertex of the open chart

@@ -6,7 +6,7 @@
 namespace wirewarp {
 namespace {
 
-/// Unites the corners of all faces at both ends of an edge.
+/// Unites the corners at each end of an edge, over all faces of the edge.
 void join_corners(const EdgeTable& edges, int edge, DisjointSets& corners) {
   for (int j = 1; j < edges.num_sides(edge); ++j) {
     for (int vertex : edges.vertices(edge)) {

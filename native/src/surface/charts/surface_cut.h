@@ -20,7 +20,7 @@ struct SurfaceCut {
   bool is_outline(const EdgeTable& edges, int edge) const { return is_seam[edge] != 0 || edges.num_sides(edge) == 1; }
 };
 
-/// Cuts the surface. seams: vertex pairs; each must be an edge.
+/// seams: vertex pairs, each of which must be an edge.
 SurfaceCut cut_along_seams(const Triangles& faces, const EdgeTable& edges, const VertexPairs& seams);
 
 /// Returns the fan of each corner on the uncut surface, where edges on seams also connect corners. If a vertex has two

@@ -87,7 +87,7 @@ void check_wire_on_mesh(const FlattenInput& input, const EdgeTable& edges, std::
   }
 }
 
-/// Returns the number of sides of an edge whose triangles have ends[1] after ends[0]; 0 if the edge is not on a seam or
+/// Returns how many sides of an edge have a triangle with ends[1] after ends[0]; 0 if the edge is not on a seam or
 /// border.
 int num_sides_named(const EdgeTable& edges, const std::set<int>& seams, const VertexPair& ends) {
   const int edge = edges.find(ends[0], ends[1]);
@@ -167,7 +167,6 @@ void check_mesh(const FlattenInput& input) {
   }
   std::vector<int> not_finite;
   for (int v = 0; v < input.vertices.rows(); ++v) {
-    // With larger coordinates, squared areas would overflow.
     if (!(input.vertices.row(v).array().abs() < kCoordinateLimit).all()) not_finite.push_back(v);
   }
   if (!not_finite.empty()) {

@@ -43,7 +43,7 @@ void check_faces(const FlattenInput& input) {
 }
 
 void check_paths(const std::vector<SurfacePath>& paths, int num_faces, double snap) {
-  constexpr double kLeast = 1e-4;  // faces are divided in coordinates with about twelve digits: see kInLine
+  constexpr double kLeast = 1e-4;  // if points were nearer, areas would come near the rounding limit kInLine
   constexpr double kMost = 0.25;   // with a larger value, a point could move past the middle between two other points
   if (!(snap >= kLeast && snap <= kMost)) throw wrong_option("snap", shortest(snap), "be from 0.0001 to 0.25");
   for (std::size_t p = 0; p < paths.size(); ++p) {

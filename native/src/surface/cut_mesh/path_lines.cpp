@@ -18,7 +18,7 @@ constexpr double kCloseBy = 0.5;
 /// Maximum number of divisions in one face. Sites are `snap` apart, so even dense scribbles need far fewer.
 constexpr int kMostDivisions = 10000;
 
-/// Returns the distance of two points in barycentric coordinates, as PathSites measures it.
+/// Returns the distance of two points: the largest difference of their three barycentric coordinates.
 double distance(const FacePoint& a, const FacePoint& b) {
   const FacePoint apart = b - a;
   return std::max(apart.cwiseAbs().maxCoeff(), std::abs(apart.sum()));

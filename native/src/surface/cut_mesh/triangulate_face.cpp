@@ -114,7 +114,6 @@ std::vector<Triangle> Triangulation::triangles() const {
   return triangles;
 }
 
-/// Returns the smallest height of a triangle in space.
 double least_height(const FaceToDivide& face, const Triangle& triangle) {
   const auto at = [&](int k) -> Eigen::RowVector3d { return face.places.row(triangle[k]); };
   const Eigen::RowVector3d a = at(1) - at(0), b = at(2) - at(0);
@@ -122,7 +121,7 @@ double least_height(const FaceToDivide& face, const Triangle& triangle) {
   return a.cross(b).norm() / longest;
 }
 
-/// Returns the corner before the edge from a to b; -1 if there is none.
+/// Returns the corner at which the edge from a to b starts; -1 if the triangle does not have this edge.
 int corner_before(const Triangle& triangle, int a, int b) {
   for (int k = 0; k < 3; ++k) {
     if (triangle[k] == a && triangle[(k + 1) % 3] == b) return k;
@@ -176,7 +175,7 @@ bool do_cross(const FacePoint& a, const FacePoint& b, const FacePoint& c, const 
 
 std::vector<std::array<int, 3>> triangulate(const FaceToDivide& face) {
   std::vector<Triangle> triangles = Triangulation(face).triangles();
-  for (Flip flip; find_best_flip(face, triangles, flip);) {  // ends, because flips only increase the smaller height
+  for (Flip flip; find_best_flip(face, triangles, flip);) {  // The loop ends, because flips increase heights.
     triangles[flip.first] = flip.one;
     triangles[flip.second] = flip.other;
   }

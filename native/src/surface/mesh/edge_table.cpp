@@ -8,7 +8,7 @@ namespace wirewarp {
 EdgeTable::EdgeTable(const Triangles& faces, int num_vertices) : faces_(faces) {
   const int num_sides = static_cast<int>(faces.rows()) * 3;
 
-  // Sorts the sides into buckets by smaller end, and each bucket by larger end, then by side.
+  // The sides are sorted into buckets by their smaller end, and each bucket by the larger end, then by side.
   std::vector<int> bucket(num_vertices + 1, 0);
   for (int s = 0; s < num_sides; ++s) ++bucket[std::min(from(s), to(s)) + 1];
   for (int v = 0; v < num_vertices; ++v) bucket[v + 1] += bucket[v];

@@ -16,8 +16,8 @@ namespace {
 /// with a million triangles is still above the smallest double.
 constexpr double kTime = 4;
 
-/// The Laplacian L is singular, so this factor times the areas at vertices, over their mean, is added to its diagonal.
-/// The distances change by less than this share.
+/// The Laplacian L is singular. Therefore, this factor times the areas at vertices, divided by their mean, is added to
+/// its diagonal. The distances change by less than this share.
 constexpr double kShift = 1e-9;
 
 using Point = HalfEdgeMesh::Point;
@@ -72,8 +72,8 @@ Eigen::VectorXd GeodesicDistance::from(VertexHandle source) const {
     Point vectors[3], gradient(0, 0, 0);
     for (int k = 0; k < 3; ++k) vectors[k] = mesh_.calc_edge_vector(sides[k]);
     const Point normal = vectors[0] % vectors[1];
-    // The gradient, up to a positive factor: the heat of each vertex times the opposite side, rotated to point into the
-    // triangle.
+    // Up to a positive factor, the gradient is a sum over the vertices: the heat of a vertex times the opposite side,
+    // rotated to point into the triangle.
     for (int k = 0; k < 3; ++k)
       gradient += heat(mesh_.to_vertex_handle(sides[(k + 1) % 3]).idx(), 0) * (normal % vectors[k]);
     const double length = gradient.norm();

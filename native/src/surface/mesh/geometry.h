@@ -16,19 +16,16 @@ inline double edge_length(const HalfEdgeMesh& mesh, HalfedgeHandle h) {
   return (mesh.point(mesh.to_vertex_handle(h)) - mesh.point(mesh.from_vertex_handle(h))).norm();
 }
 
-/// Returns the length in a layout, which has one row per vertex.
 inline double planar_length(const HalfEdgeMesh& mesh, HalfedgeHandle h, const Positions2& uv) {
   return (uv.row(mesh.to_vertex_handle(h).idx()) - uv.row(mesh.from_vertex_handle(h).idx())).norm();
 }
 
-/// Returns the length of a chain or loop of edges, scene units.
 inline double length_of(const HalfEdgeMesh& mesh, const std::vector<HalfedgeHandle>& chain) {
   double length = 0;
   for (const HalfedgeHandle h : chain) length += edge_length(mesh, h);
   return length;
 }
 
-/// Returns the vertices of a chain of edges, in order.
 inline std::vector<VertexHandle> vertices_along(const HalfEdgeMesh& mesh, const std::vector<HalfedgeHandle>& chain) {
   std::vector<VertexHandle> vertices{mesh.from_vertex_handle(chain.front())};
   for (const HalfedgeHandle h : chain) vertices.push_back(mesh.to_vertex_handle(h));
@@ -57,7 +54,6 @@ inline HalfedgeHandle next_counterclockwise(const HalfEdgeMesh& mesh, HalfedgeHa
   return mesh.opposite_halfedge_handle(mesh.prev_halfedge_handle(h));
 }
 
-/// Returns the area of a face, scene units squared.
 inline double face_area(const HalfEdgeMesh& mesh, FaceHandle f) {
   const HalfedgeHandle h = mesh.halfedge_handle(f);
   const auto origin = mesh.point(mesh.from_vertex_handle(h));
@@ -66,14 +62,12 @@ inline double face_area(const HalfEdgeMesh& mesh, FaceHandle f) {
   return (along % back).norm() / 2;
 }
 
-/// Returns the sum of the faces' areas, scene units squared.
 inline double surface_area(const HalfEdgeMesh& mesh) {
   double area = 0;
   for (const FaceHandle f : mesh.faces()) area += face_area(mesh, f);
   return area;
 }
 
-/// Returns the points, one row per vertex.
 inline Positions3 points_of(const HalfEdgeMesh& mesh) {
   Positions3 points(static_cast<Eigen::Index>(mesh.n_vertices()), 3);
   for (const VertexHandle v : mesh.vertices()) {

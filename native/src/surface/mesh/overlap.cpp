@@ -20,7 +20,6 @@ Corners corners_of(const Triangles& faces, const Positions2& uv, int face) {
   return {uv.row(faces(face, 0)), uv.row(faces(face, 1)), uv.row(faces(face, 2))};
 }
 
-/// Returns the triangle with its corners in counter-clockwise order.
 Corners counter_clockwise(Corners t) {
   if (cross(t[1] - t[0], t[2] - t[0]) < 0) std::swap(t[1], t[2]);
   return t;

@@ -10,8 +10,8 @@
 
 namespace wirewarp {
 
-/// Penetration that counts as overlap, over the diagonal of the piece: far above rounding, far below what scissors can
-/// cut.
+/// Penetration that counts as overlap, divided by the diagonal of the piece. It is far above rounding errors, and far
+/// below the precision of scissors.
 inline constexpr double kRelativeOverlapDepth = 1e-9;
 
 /// Returns the faces that overlap another face of the same piece by positive area, in increasing order.

@@ -9,8 +9,8 @@
 namespace wirewarp {
 namespace {
 
-/// Share of the spread's trace that is added to the spread, to decide between equal axes: far above rounding errors,
-/// and below the effect of the mesh on unequal axes.
+/// This share of the spread's trace is added to the spread, to decide between equal axes. It is far above rounding
+/// errors, and below the effect of the mesh on unequal axes.
 constexpr double kDecides = 1e-7;
 
 }  // namespace

@@ -10,7 +10,6 @@
 
 namespace wirewarp {
 
-/// Returns a pair with the smaller index first.
 inline VertexPair sorted(const VertexPair& ends) { return {std::min(ends[0], ends[1]), std::max(ends[0], ends[1])}; }
 
 /// Returns each edge once, the smaller end first.
@@ -20,14 +19,12 @@ inline std::set<VertexPair> undirected(const std::vector<VertexPair>& edges) {
   return pairs;
 }
 
-/// Returns the rows of an array as a list.
 inline std::vector<VertexPair> as_list(const VertexPairs& pairs) {
   std::vector<VertexPair> list;
   for (const auto& ends : pairs.rowwise()) list.push_back({ends[0], ends[1]});
   return list;
 }
 
-/// Returns a list as the rows of an array.
 inline VertexPairs as_pairs(const std::vector<VertexPair>& list) {
   VertexPairs pairs(static_cast<Eigen::Index>(list.size()), 2);
   for (std::size_t i = 0; i < list.size(); ++i) pairs.row(static_cast<Eigen::Index>(i)) << list[i][0], list[i][1];

@@ -7,8 +7,8 @@
 namespace wirewarp {
 
 double widespread(const std::vector<double>& areas, const Eigen::VectorXd& of_faces) {
-  // Allows for rounding errors in sums of areas, so that the choice among equal triangles does not depend on their
-  // numbering.
+  // The last factor allows for rounding errors in sums of areas. Without it, the choice among equal triangles could
+  // depend on their numbering.
   constexpr double kShare = 0.99 * (1 - 1e-9);
   std::vector<int> order(areas.size());
   std::iota(order.begin(), order.end(), 0);

@@ -5,8 +5,8 @@
 
 namespace wirewarp {
 
-/// Returns g of each wire part in a layout: its length over its target at h = ease, minus 1. uv: one row per chart
-/// vertex.
+/// Returns g of each wire part in a layout: the flat length divided by the target length at h = ease, minus 1. uv: one
+/// row per chart vertex.
 Eigen::VectorXd length_variation(const Chart& chart, const Positions2& uv);
 
 /// Returns h of each wire part of the chart. solver: g, one per part; the values of helper wires may follow.

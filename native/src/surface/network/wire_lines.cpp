@@ -19,7 +19,7 @@ std::vector<WireHalfEdge> follow_lines(const Chart& chart, const WireNetwork& ne
     }
   };
   for (const WirePart& part : chart.wire_parts) {
-    if (wire_half_edge(mesh, network, part.half_edges[0]).edge < 0) continue;  // super-elastic, not in this network
+    if (wire_half_edge(mesh, network, part.half_edges[0]).edge < 0) continue;  // not in the network
     const VertexHandle begin = mesh.from_vertex_handle(part.half_edges.front());
     join_chain(part.half_edges, begin == mesh.to_vertex_handle(part.half_edges.back()) && !mesh.is_boundary(begin));
   }

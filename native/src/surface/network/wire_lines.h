@@ -8,9 +8,9 @@
 
 namespace wirewarp {
 
-/// One side of a line at a vertex where it continues.
+/// One side of a line at a vertex through which the line continues.
 struct LineBend {
-  WireNode node;        // α: total angle of the sectors on this side; ℓ: mean of their ℓ
+  WireNode node;        // α: total angle of the sectors on this side; ℓ: mean ℓ of these sectors
   int num_sectors = 1;  // more than one if other lines cross or meet the line on this side
 };
 

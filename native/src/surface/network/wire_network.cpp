@@ -68,7 +68,7 @@ void add_nodes(const HalfEdgeMesh& mesh, WireNetwork& network) {
   }
 }
 
-/// Numbers the regions between wires.
+/// Numbers the regions between wires, and returns the region of each face.
 std::vector<int> find_patch_of_face(const HalfEdgeMesh& mesh, const WireNetwork& network, int& num_patches) {
   std::vector<int> patch_of_face(mesh.n_faces(), -1);
   num_patches = 0;

@@ -100,7 +100,7 @@ const HalfEdgeChain& upright_chain(const Chart& chart, int grain) {
   return chart.wire_parts.empty() ? longest_boundary_chain(chart) : chart.wire_parts.front().half_edges;
 }
 
-/// Returns the orientation that applies to this chart, which is wire or up for Orientation::grain.
+/// Returns the orientation that applies to this chart. For Orientation::grain, this is wire or up.
 Orientation orientation_of(const Chart& chart, const Options& options) {
   if (options.orientation != Orientation::grain) return options.orientation;
   return grain_in(chart, options.grain) != nullptr ? Orientation::wire : Orientation::up;
@@ -128,7 +128,7 @@ void stand_upright(Positions2& uv, const Eigen::Vector2d& up) {
   }
   const Eigen::RowVector2d center = (uv.colwise().minCoeff() + uv.colwise().maxCoeff()) / 2;
   for (Eigen::Index v = 0; v < uv.rows(); ++v) {
-    // Rotates around the center, because small numbers have smaller rounding errors.
+    // The layout is rotated around its center, because small numbers have smaller rounding errors.
     uv.row(v) = ((uv.row(v) - center) * transposed_rotation).eval();
   }
   const Eigen::RowVector2d corner = uv.colwise().minCoeff();

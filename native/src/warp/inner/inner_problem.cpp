@@ -8,7 +8,7 @@
 namespace wirewarp {
 namespace {
 
-constexpr double kClosed = 1e-12;       // gap over the length of a loop that counts as closed
+constexpr double kClosed = 1e-12;       // largest gap of a closed loop, divided by the loop's length
 constexpr double kNearlyClosed = 1e-3;  // largest gap that restore() can close with the present factor
 constexpr double kRounding = 2e-15;     // smallest gap that double precision allows
 constexpr double kStationary = 1e-10;   // largest projected gradient at a minimum; gives E six correct digits
@@ -145,7 +145,7 @@ Eigen::VectorXd InnerProblem::inverse_iteration(Eigen::VectorXd turn) const {
   const Eigen::VectorXd no_gap = Eigen::VectorXd::Zero(eq1_.num_closures());
   for (int i = 0; i < kIterations; ++i) {
     turn = kkt_.solve(turn, no_gap).step;
-    turn.array() -= turn.mean();  // remove the rotation of the whole piece
+    turn.array() -= turn.mean();  // removes the rotation of the whole piece
     turn /= largest(turn);
   }
   return turn;

@@ -14,7 +14,7 @@ struct InnerSolution {
   Eigen::VectorXd headings;                                              // φ, radians, #wire edges
   Eigen::VectorXd psi;                                                   // change of φ from the starting headings
   Eigen::VectorXd multipliers;                                           // λ of the closures, #closures
-  double closure_residual = 0;                                           // largest gap of a loop over the loop's length
+  double closure_residual = 0;                                           // largest gap of a loop, divided by its length
   double projected_gradient = std::numeric_limits<double>::quiet_NaN();  // largest entry of ∇F + Jᵀλ; NaN: not computed
   int num_solves = 0;                                                    // factorizations
   bool is_feasible = false;                                              // every loop closes

@@ -12,7 +12,7 @@ namespace wirewarp {
 struct OuterSolution {
   WarpedShape shape;          // ψ(h)
   Eigen::VectorXd variation;  // h, one per wire part
-  double shape_error = 0;     // E over the 3D area
+  double shape_error = 0;     // E divided by the 3D area
   int iterations = 0;
   int evaluations = 0;          // evaluations of E; all except the evaluation of an unused start include the gradient
   int inner_solves = 0;         // all factorizations of Eq. (1)
@@ -30,7 +30,7 @@ struct VariationBounds {
 
 /// Returns the bounds |h| <= tolerance for elastic parts, and -0.99 <= h <= 100 for super-elastic parts. With
 /// WireWarping, the user's wires are rigid, and only the helper wires of the method are free. With Inner::least_norm, h
-/// is 0 everywhere, because that solution has no gradient with respect to h.
+/// is 0 everywhere, because the least-norm solution has no gradient with respect to h.
 VariationBounds variation_bounds(const Chart& chart, const Options& options);
 
 /// Returns h0, the start of the search: the lengths of a free ARAP flattening, clamped to the bounds. h0 is 0 if ψ(0)

@@ -19,7 +19,6 @@ struct PlacedHelperWire {
 std::vector<PlacedHelperWire> list_helper_wires(const Chart& prepared, std::size_t first_part,
                                                 const Eigen::VectorXd& variation);
 
-/// Returns the helper wires with their points in the finished layout.
 std::vector<HelperWire> place_helper_wires(std::vector<PlacedHelperWire> helpers, const Positions2& uv);
 
 }  // namespace wirewarp

@@ -8,7 +8,8 @@
 namespace wirewarp {
 namespace {
 
-/// Added to the curvatures, relative to their mean, so that a length without effect on E gets a finite step.
+/// This share of the mean curvature is added to all curvatures, so that a length without effect on E gets a finite
+/// step.
 constexpr double kFloor = 1e-4;
 
 Eigen::VectorXd edge_lengths(const WireNetwork& network) {

@@ -33,7 +33,7 @@ class Warp {
   /// that shape.
   WarpedShape follow(const WarpedShape& from, const Eigen::VectorXd& variation);
 
-  /// Returns E of Eq. (4) over the chart's 3D area.
+  /// Returns E of Eq. (4), divided by the chart's 3D area.
   double shape_error(const WarpedShape& shape) const;
 
   /// Returns the gradient of E with respect to h, one entry per wire part, at a minimum of Eq. (1). Applies the
@@ -50,7 +50,7 @@ class Warp {
   const StopToken& stop() const { return inner_problem_.stop(); }
 
   int interior_factorizations() const { return placement_.factorizations(); }
-  int inner_factorizations() const { return inner_problem_.num_factorizations(); }  // of all calls so far
+  int inner_factorizations() const { return inner_problem_.num_factorizations(); }  // sum over all calls so far
 
  private:
   Eigen::VectorXd by_variation(const WarpedShape& shape, Positions2 by_uv) const;

@@ -9,7 +9,6 @@
 namespace wirewarp {
 namespace {
 
-/// Returns the wire edges that leave a vertex.
 std::vector<HalfedgeHandle> wires_at(const SplitChart& split, VertexHandle v) {
   const HalfEdgeMesh& mesh = split.chart.mesh;
   std::vector<HalfedgeHandle> wires;
@@ -66,7 +65,7 @@ void extend_tail(SplitChart& split, VertexHandle tail, HalfedgeHandle wire) {
 }  // namespace
 
 void extend_hinged_wires(SplitChart& split, WorkMeter& work) {
-  const std::size_t num_vertices = split.chart.mesh.n_vertices();  // enough, because new vertices are not ends of wires
+  const std::size_t num_vertices = split.chart.mesh.n_vertices();  // without new vertices, which are not ends of wires
   for (std::size_t i = 0; i < num_vertices; ++i) {
     const VertexHandle v(static_cast<int>(i));
     work.did(1);

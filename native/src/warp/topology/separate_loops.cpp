@@ -122,7 +122,7 @@ std::vector<WireLoop> find_separate_loops(const WireNetwork& network) {
 }
 
 void join_separate_loops(SplitChart& split, WorkMeter& work) {
-  // Every round reduces the number of loops or of edges with the same region on both sides.
+  // Every round reduces the number of loops or of edges with the same region on both sides, so the rounds end.
   for (std::size_t rounds_left = split.chart.mesh.n_edges(); rounds_left > 0; --rounds_left) {
     const std::vector<WireLoop> loops = find_separate_loops(build_wire_network(split.chart));
     if (loops.empty()) return;

@@ -9,7 +9,7 @@
 namespace wirewarp {
 namespace {
 
-/// A crossed edge in the plane with the part of it that the path may cross. The gates at both ends of the strip are
+/// A crossed edge in the plane, and its open part, which the path may cross. The gates at both ends of the strip are
 /// points.
 struct Gate {
   Planar from;
@@ -100,7 +100,7 @@ std::vector<Corner> pull_string(const std::vector<Gate>& gates) {
   return corners;
 }
 
-/// Returns the parameter along a gate at which the line from a to b crosses it.
+/// Returns the parameter along a gate at which the line from a to b crosses the gate.
 double crossing_parameter(const Gate& gate, Planar a, Planar b) {
   const Planar along = gate.to - gate.from;
   const double left = cross(b - a, gate.to - a);

@@ -13,17 +13,18 @@
 namespace wirewarp {
 namespace {
 
-/// Returns whether the path is shorter around the other side of the vertex, because the angle there is below 180
+/// Returns whether the path is shorter around the other side of the vertex, because the angle on that side is below 180
 /// degrees.
 bool is_shorter_on_other_side(const HalfEdgeMesh& mesh, const StripTurn& turn) {
   constexpr double kStraight = 1e-9;  // radians, a thousand times the rounding error of a sum of angles
   return total_angle(mesh, turn.vertex) - kPi - turn.angle < kPi - kStraight;
 }
 
-/// Replaces the strip and its path with a shorter path that may_take accepts. Returns false if there is none.
+/// Replaces the strip with a strip that may_take accepts and that has a shorter path. Returns false if there is none.
 template <class MayTake>
 bool improve(const HalfEdgeMesh& mesh, const WireMask& wires, const MayTake& may_take, Strip& strip, StripPath& best) {
-  // Least relative decrease: some hundred rounding errors, so that two equally long paths do not alternate.
+  // The new path must be shorter by this share, some hundred rounding errors, so that equally long paths do not
+  // alternate.
   constexpr double kNoShorter = 1e-13;
   for (const StripTurn& turn : best.turns) {
     if (!is_shorter_on_other_side(mesh, turn)) continue;

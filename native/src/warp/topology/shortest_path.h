@@ -14,9 +14,9 @@ std::vector<VertexHandle> shortest_edge_path(const HalfEdgeMesh& mesh, const Wir
                                              const std::vector<VertexHandle>& sources,
                                              const std::vector<char>& is_target);
 
-/// Returns a locally shortest path between the ends of edge_path. It starts with the shortest path in the strip of
-/// triangles beside edge_path, and changes to the other side of a vertex if that is shorter. It stays a quarter of an
-/// edge away from wires.
+/// Returns a locally shortest path between the ends of edge_path. The search starts with the shortest path in the strip
+/// of triangles beside edge_path. It moves the path to the other side of a vertex if this makes the path shorter. The
+/// path stays a quarter of an edge away from wires.
 MeshPath straighten(const HalfEdgeMesh& mesh, const WireMask& wires, const std::vector<VertexHandle>& edge_path);
 
 /// Returns a locally shortest path between the ends of edge_path, within the triangles that touch edge_path.

@@ -47,7 +47,6 @@ class View {
     return std::move(found_);
   }
 
-  /// A vertex in view.
   struct Seen {
     VertexHandle vertex;
     Planar leaving;
@@ -63,7 +62,7 @@ class View {
   /// A half-edge through which the directions from `right` to `left` leave a face.
   struct Window {
     HalfedgeHandle half_edge;
-    Planar start, end;  // of the half-edge
+    Planar start, end;  // of half_edge
     Planar right, left;
   };
 
@@ -157,7 +156,7 @@ class View {
   const SurfacePoint& from_;
   double longest_;
   const SurfacePoint* end_ = nullptr;  // none: looks for all vertices
-  std::vector<Window> windows_;        // half-edges to look through
+  std::vector<Window> windows_;        // half-edges through which the view passes now
   std::optional<StraightLine> found_;
   std::vector<Seen> seen_;
 };
@@ -217,6 +216,7 @@ std::optional<StraightLine> StraightWalk::line(const SurfacePoint& from, const S
   if (!direct) direct = View(mesh_, barriers_, from, longest).to(to);
   if (direct || to.vertex.is_valid()) return direct;
   // If the angles around a vertex sum to more than 360 degrees, no straight line reaches a region behind the vertex.
+  // The shortest line then leads through the vertex.
   std::optional<StraightLine> around;
   double least = longest;
   const std::vector<View::Seen> here = View(mesh_, barriers_, from, longest).vertices();

@@ -36,7 +36,8 @@ class StraightWalk {
   /// Returns the point where a straight step ends; the start if the step meets a barrier or the outline.
   SurfacePoint step(const SurfacePoint& from, Planar vector) const;
 
-  /// Returns the line from a point in a face; none if it is longer than `longest` or has to cross a barrier.
+  /// Returns the line from a point in a face to another point; none if every line is longer than `longest` or crosses a
+  /// barrier.
   std::optional<StraightLine> line(const SurfacePoint& from, const SurfacePoint& to, double longest) const;
 
  private:
@@ -44,7 +45,6 @@ class StraightWalk {
   const std::vector<char>& barriers_;
 };
 
-/// Returns the faces around a vertex, or the face of another point.
 inline std::vector<FaceHandle> faces_at(const HalfEdgeMesh& mesh, const SurfacePoint& point) {
   return point.vertex.is_valid() ? faces_at(mesh, point.vertex) : std::vector<FaceHandle>{point.face};
 }

@@ -29,7 +29,6 @@ class InnerEdges {
     HalfedgeHandle half_edge;  // invalid if the edge does not exist or is on a seam or outline
   };
 
-  /// Returns the edge from one input vertex to another.
   Side find(int from, int to) const {
     const auto [begin, end] = copies_.equal_range(from);
     for (auto copy = begin; copy != end; ++copy) {

@@ -35,7 +35,8 @@ Strip strip_beside(const HalfEdgeMesh& mesh, const std::vector<VertexHandle>& ed
 /// Returns a strip that passes an interior vertex on its other side, and is otherwise the same.
 Strip pass_on_other_side(const HalfEdgeMesh& mesh, const Strip& strip, const StripTurn& turn);
 
-/// Returns the shortest path in a strip. It crosses each edge at least a quarter of its length from an end on a wire.
+/// Returns the shortest path in a strip. If an end of a crossed edge is on a wire, the path stays a quarter of the edge
+/// away from this end.
 StripPath shortest_in_strip(const HalfEdgeMesh& mesh, const WireMask& wires, const Strip& strip);
 
 }  // namespace wirewarp

@@ -23,14 +23,12 @@ struct PathPoint {
 
 using MeshPath = std::vector<PathPoint>;
 
-/// Returns the faces around a vertex.
 inline std::vector<FaceHandle> faces_at(const HalfEdgeMesh& mesh, VertexHandle v) {
   std::vector<FaceHandle> faces;
   for (const FaceHandle f : mesh.vf_range(v)) faces.push_back(f);
   return faces;
 }
 
-/// Returns the faces that contain a point of a path, at a corner or on an edge.
 inline std::vector<FaceHandle> faces_at(const HalfEdgeMesh& mesh, const PathPoint& point) {
   if (point.is_vertex()) return faces_at(mesh, point.vertex);
   std::vector<FaceHandle> faces;
