@@ -16,7 +16,7 @@ bl_info = {
     "location": "3D Viewport > Sidebar > WireWarp",
     "category": "Mesh",
 }
-# read now, because Blender deletes bl_info from an extension once it is imported
+# The version is read now, because Blender deletes bl_info from an extension after the import.
 VERSION = ".".join(map(str, bl_info["version"]))
 
 

@@ -17,5 +17,5 @@ def object_error(code: str, sentence: str) -> ObjectError:
 
 
 def changed_error(name: str) -> ObjectError:
-    """Return the error for the object of this name, whose report describes another shape."""
+    """Return the error for an object whose report describes another shape. name: name of the object."""
     return object_error("changed", f'"{name}" has changed since it was flattened. Flatten it again.')

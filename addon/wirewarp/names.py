@@ -28,41 +28,40 @@ class Mark(Attribute):
 WIRE = Mark("wirewarp_wire", "INT", "EDGE", is_drawn=True)  # random 31-bit id of the wire, 0 none
 TOLERANCE = Mark("wirewarp_tolerance", "FLOAT", "EDGE")  # 0 rigid, finite elastic, inf super-elastic
 EASE = Mark("wirewarp_ease", "FLOAT", "EDGE")  # relative change of the wire's length: 0.05 is 5%
-# like EASE, for the side of the edge that begins at the corner
+# SIDE_EASE is the ease of one side of an edge: the side of the face in which the edge begins at this corner.
 SIDE_EASE = Mark("wirewarp_side_ease", "FLOAT", "CORNER", is_drawn=True)
 SIDE_RATIO = Mark("wirewarp_side_ratio", "FLOAT", "EDGE", is_drawn=True)  # like EASE, for one side, see SidedMark
 EASED_SIDE = Mark("wirewarp_eased_side", "INT", "EDGE")  # FACE number of the face on the side with SIDE_RATIO, 0 none
 ALLOWANCE = Mark("wirewarp_allowance", "FLOAT", "EDGE", is_length=True)  # see state.allowances
-# like ALLOWANCE, for the side of the edge that begins at the corner
+# SIDE_ALLOWANCE is the allowance of one side of an edge: the side of the face in which the edge begins at this corner.
 SIDE_ALLOWANCE = Mark("wirewarp_side_allowance", "FLOAT", "CORNER", is_length=True)
 SIDE_WIDTH = Mark("wirewarp_side_width", "FLOAT", "EDGE", is_length=True)  # like ALLOWANCE, for one side, see SidedMark
 SIDE = Mark("wirewarp_side", "INT", "EDGE")  # FACE number of the face on the side with SIDE_WIDTH, 0 none
 FACE = Mark("wirewarp_face", "INT", "FACE")  # random 31-bit number of faces beside edges with a marked side, 0 none
 MARKS = (WIRE, TOLERANCE, EASE, SIDE_EASE, SIDE_RATIO, EASED_SIDE, ALLOWANCE, SIDE_ALLOWANCE, SIDE_WIDTH, SIDE, FACE)
-# on faces: no seam is suggested where the value is above 0; also the name of a vertex group of the object
+# No seam is suggested on faces with a value above 0. A vertex group of the object with this name has the same effect.
 NO_SEAM = "wirewarp_no_seam"
 
-# On the model's mesh, written by a run.
+# A run writes these data on the model's mesh.
 PIECE = Attribute("wirewarp_piece", "INT", "FACE")  # random 31-bit id of the piece, 0 none; on the flat mesh too
 SEAM = Attribute("wirewarp_seam", "INT", "EDGE")  # random 31-bit id of the seam, 0 none; on the flat mesh too
 UV_LAYER = "WireWarp"  # UV map of the pieces in the unit square
 UV_SCALE = "wirewarp_uv_scale"  # custom property: Blender units in one UV unit
 
-# Custom properties of the model's object.
+# These are custom properties of the model's object.
 REPORT = "wirewarp_report"  # report of the run that made the flat pieces, JSON
 REPORT_SEAL = "wirewarp_report_seal"  # digest of the report's text
 MARKER = "wirewarp_marker"  # last marker made by an export: a digest, then JSON
 
-# On the flat mesh: the elements of the model from which its elements were made.
+# These attributes of the flat mesh contain the model's element from which each flat element was made.
 SOURCE_VERTEX = Attribute("source_vertex", "INT", "POINT")
 SOURCE_CORNER = Attribute("source_corner", "INT", "CORNER")
 SOURCE_FACE = Attribute("source_face", "INT", "FACE")
 PIECE_INDEX = Attribute("piece", "INT", "FACE")  # index of the face's piece in the report
 
-# On the flat mesh: its layout, and data for detecting manual changes.
+# These data of the flat mesh describe its layout, and show manual changes.
 FLAT_LENGTH = Attribute("flat_length", "FLOAT", "EDGE")  # edge lengths of the layout
 FLAT_RECORD = "wirewarp_flat"  # custom property: how the pieces were laid out, see state.record
 
-# Data-blocks.
 COLLECTION = "WireWarp"  # collection of the flat objects of a scene
 FAILED_MATERIAL = "WireWarp Failed Piece"  # on faces of pieces that failed

@@ -59,7 +59,7 @@ class EaseAmount:
     )
 
 
-OTHER_ROLL = 8  # number in files for a roll of another width; new papers of the library get the numbers around it
+OTHER_ROLL = 8  # number stored in files for ROLL; the library's papers have the numbers before and after it
 
 
 class PatternSettings:
@@ -168,7 +168,7 @@ def take_settings(operator: bpy.types.Operator, settings: "WIREWARP_PG_settings"
 
 
 def reset_unknown(settings: "WIREWARP_PG_settings", kind: type = FlattenSettings) -> None:
-    """Reset each enum whose stored value is unknown to this version of the add-on to its default."""
+    """Set enums to their defaults if this version of the add-on does not know their stored values."""
     for name in kind.__annotations__:
         if getattr(settings, name) == "":
             settings.property_unset(name)
@@ -287,15 +287,11 @@ class WIREWARP_PG_wire_name(bpy.types.PropertyGroup):
 
 
 class WIREWARP_PG_piece(bpy.types.PropertyGroup):
-    """The name of the piece with this id."""
-
     name: StringProperty(name="Name", description="Name of the piece", update=_redraw)
     piece_id: IntProperty(name="Piece Id", options={"HIDDEN"})
 
 
 class WIREWARP_PG_seam(bpy.types.PropertyGroup):
-    """The name of the seam with this id."""
-
     name: StringProperty(name="Name", description="Name of the seam", update=_redraw)
     seam_id: IntProperty(name="Seam Id", options={"HIDDEN"})
 

@@ -25,7 +25,7 @@ SIDEBAR = (  # Blender shows panels in the order in which they are registered
 )
 OTHERS = tuple(module for room in ROOMS for module in room.MODULES if module not in SIDEBAR)
 CLASSES = (*properties.CLASSES, *(cls for module in OTHERS + SIDEBAR for cls in module.CLASSES))
-# each part has attach(), which returns the function that detaches the part
+# Each part has attach(), which returns the function that detaches the part.
 PARTS = (properties, overlay, ui.layout, ui.menus, auto_update)
 HANDLERS: dict[str, tuple[Callable, ...]] = {  # keys: names of Blender's lists of handlers
     "depsgraph_update_post": (memory.note_updates, auto_update.note_update),
@@ -36,7 +36,7 @@ HANDLERS: dict[str, tuple[Callable, ...]] = {  # keys: names of Blender's lists 
     "load_pre": (window_run.stop, drop_jobs),
     "load_post": (drawings.forget, memory.forget),
 }
-# functions that clear the memory when the add-on is disabled or another file is opened
+# These functions clear the memory when the add-on is disabled or another file is opened.
 FORGET = (*HANDLERS["load_pre"], *HANDLERS["load_post"])
 
 

@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 import bpy
 
-# approximate pixels at interface scale 1: the width of a letter, and the space beside the sentence
+# These are the width of a letter and the space beside the sentence, in approximate pixels at interface scale 1.
 LETTER, MARGIN = 7, 60
 
 

@@ -62,7 +62,6 @@ def read_values(mesh: bpy.types.Mesh, attribute: Attribute) -> np.ndarray:
 
 
 def has_attributes(mesh: bpy.types.Mesh, *attributes: Attribute) -> bool:
-    """Returns whether the mesh has all these attributes, with their types and domains."""
     found = [mesh.attributes.get(each.name) for each in attributes]
     return all(
         each and (each.data_type, each.domain) == (ours.data_type, ours.domain)
@@ -82,7 +81,6 @@ def write_values(mesh: bpy.types.Mesh, attribute: Attribute, values: np.ndarray)
 
 
 def _write_edited(mesh: bpy.types.Mesh, attribute: Attribute, values: np.ndarray) -> None:
-    """Write values of edges or faces in Edit Mode."""
     edit = bmesh.from_edit_mesh(mesh)
     elements = {"EDGE": edit.edges, "FACE": edit.faces}[attribute.domain]
     layers = {"INT": elements.layers.int, "FLOAT": elements.layers.float}[attribute.data_type]

@@ -15,11 +15,11 @@ from mathutils.bvhtree import BVHTree
 from ..core import Elements, counted
 from .mesh import as_bmesh
 
-# largest distance of elements that count as one, as a share of the model's size: files round coordinates to 5 or 6
-# digits
+# Elements count as one if they are at most this share of the model's size apart, because files round coordinates to 5
+# or 6 digits.
 CLOSE = 1e-5
-# least distance of this kind, as a share of the largest coordinate: two rounding errors of single precision (1.2e-7)
-# for each of two vertices
+# The distance at which elements count as one is at least this share of the largest coordinate. Each of two vertices may
+# have two rounding errors of single precision, each 1.2e-7 of a coordinate.
 ROUNDED = 5e-7
 Found = list[Any]  # vertices, edges and faces of the bmesh
 
@@ -35,12 +35,10 @@ class Fault:
     repair: Callable[[bmesh.types.BMesh, float, Found], object]
 
     def text(self, count: int) -> str:
-        """Return the fault with its count, such as "12 overlapping vertices"."""
         return counted(count, self.one, self.many)
 
 
 def find_faults(mesh: bpy.types.Mesh) -> dict[str, Elements]:
-    """Return the elements of each kind of fault in a mesh in Object Mode."""
     with as_bmesh(mesh) as edit:
         close = _close_distance(edit)
         found = {fault.kind: _found(fault, edit, close) for fault in FAULTS}
@@ -77,7 +75,6 @@ def _found(fault: Fault, edit: bmesh.types.BMesh, close: float) -> Found:
 
 
 def _close_distance(edit: bmesh.types.BMesh) -> float:
-    """Return a distance proportional to the model's size, but at least the rounding error of its coordinates."""
     places = np.array([vertex.co for vertex in edit.verts]).reshape(-1, 3)
     if not len(places):
         return 0.0
@@ -160,14 +157,13 @@ def _around(edge: bmesh.types.BMEdge) -> list[tuple[int, int, int]]:
     second, faces = axis.cross(first), []
     for loop in edge.link_loops:
         runs_along = axis if loop.vert == edge.verts[0] else -axis
-        inward = loop.face.normal.cross(runs_along)  # points from the edge into the face
+        inward = loop.face.normal.cross(runs_along)
         ahead = 1 if loop.face.normal.dot(axis.cross(inward)) > 0 else -1
         faces.append((math.atan2(inward.dot(second), inward.dot(first)), (loop.face.index, ahead, -ahead)))
     return [face for _, face in sorted(faces)]
 
 
 def _leads_out(surface: BVHTree, face: bmesh.types.BMFace, side: int) -> bool:
-    """Return whether a ray from the middle of the face on this side meets no face."""
     toward = side * face.normal
     above = toward * 1e-4 * face.calc_perimeter()  # so that the ray does not hit the face itself
     return surface.ray_cast(face.calc_center_median() + above, toward)[0] is None

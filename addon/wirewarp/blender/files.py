@@ -10,7 +10,7 @@ import bpy
 # Options of a property with a path that may be relative. Blender before 4.5 has no option for relative paths.
 OPTIONS = {"SKIP_SAVE", "PATH_SUPPORTS_BLEND_RELATIVE"} if bpy.app.version >= (4, 5, 0) else {"SKIP_SAVE"}
 LONGEST_NAME = 200  # bytes; most systems allow 255
-# names reserved on Windows, with or without a suffix
+# Windows reserves these names, with or without a suffix.
 DEVICE = re.compile(r"(con|prn|aux|nul|com\d|lpt\d)(\.|$)", re.IGNORECASE)
 NOT_IN_NAMES = re.compile(r'[/\\:*?"<>|\x00-\x1f]')  # characters that some operating systems forbid
 
@@ -30,7 +30,6 @@ def file_name(name: str, ending: str) -> str:
 
 
 def unwritten(path: str | Path, error: OSError) -> str:
-    """Return a sentence about a file that cannot be written."""
     return f'Cannot write "{path}": {error.strerror or error}.'
 
 
@@ -46,7 +45,6 @@ def check_file(path: Path) -> None:
 
 
 def check_ending(path: Path, ending: str) -> None:
-    """Raises OSError if the path does not have this ending."""
     if path.suffix.lower() != ending:
         raise OSError(f"its name must end in {ending}")
 
@@ -54,7 +52,7 @@ def check_ending(path: Path, ending: str) -> None:
 def check_room(path: Path) -> None:
     """Raises OSError like check_file, or if the folder accepts no new files."""
     check_file(path)
-    # Does not use tempfile, which tries 10,000 names if Windows denies access.
+    # tempfile is not used, because it tries 10,000 names if Windows denies access.
     trial = path.resolve().with_name(f".wirewarp-{os.getpid()}")
     with trial.open("xb"):
         pass

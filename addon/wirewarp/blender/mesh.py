@@ -1,5 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Reads and writes Blender's meshes as numpy arrays."""
+"""Reads and writes Blender's meshes as numpy arrays.
+
+The arrays have a row for each of n vertices, e edges, f faces, l corners or m triangles. Places are float32, and
+indices are int32.
+"""
 
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -12,7 +16,7 @@ from ..solve.chains import next_corners
 
 HAS_UV_ATTRIBUTES = bpy.app.version >= (3, 5, 0)
 HAS_ATTRIBUTES = bpy.app.version >= (4, 0, 0)
-# the attribute of seams, which is absent if no edge is a seam
+# The attribute of seams is absent if no edge is a seam.
 SEAM = "uv_seam" if bpy.app.version >= (4, 5, 0) else ".uv_seam"
 
 
@@ -43,19 +47,16 @@ def read_attribute(mesh: bpy.types.Mesh, name: str, data_type: str, domain: str)
 
 
 def vertex_places(mesh: bpy.types.Mesh) -> np.ndarray:
-    """Return the places of the vertices, (n,3) float32."""
     if not HAS_ATTRIBUTES or not len(mesh.vertices):
         return read(mesh.vertices, "co", np.float32, 3)
     return read(mesh.attributes["position"].data, "vector", np.float32, 3)
 
 
 def edge_vertices(mesh: bpy.types.Mesh) -> np.ndarray:
-    """Return the vertices of each edge, (e,2) int32."""
     return _indices(mesh.edges, "vertices", 2)
 
 
 def corner_vertices(mesh: bpy.types.Mesh) -> np.ndarray:
-    """Return the vertex of each corner, (l,) int32."""
     return _of_corners(mesh, ".corner_vert", "vertex_index")
 
 
@@ -82,27 +83,22 @@ def triangle_corners(mesh: bpy.types.Mesh) -> np.ndarray:
 
 
 def triangle_vertices(mesh: bpy.types.Mesh) -> np.ndarray:
-    """Return the vertices of each triangle, (m,3) int32."""
     return _indices(mesh.loop_triangles, "vertices", 3)
 
 
 def triangle_faces(mesh: bpy.types.Mesh) -> np.ndarray:
-    """Return the face of each triangle, (m,) int32."""
     return _indices(mesh.loop_triangles, "polygon_index")
 
 
 def read_seams(mesh: bpy.types.Mesh) -> np.ndarray:
-    """Return which edges are seams, (e,) bool."""
     return _edge_flags(mesh, SEAM, "use_seam")
 
 
 def read_selected_edges(mesh: bpy.types.Mesh) -> np.ndarray:
-    """Return which edges are selected, (e,) bool."""
     return _edge_flags(mesh, ".select_edge", "select")
 
 
 def read_hidden_edges(mesh: bpy.types.Mesh) -> np.ndarray:
-    """Return which edges are hidden, (e,) bool."""
     return _edge_flags(mesh, ".hide_edge", "hide")
 
 
@@ -213,12 +209,10 @@ def faces_at_edges(mesh: bpy.types.Mesh) -> np.ndarray:
 
 
 def next_loops(mesh: bpy.types.Mesh) -> np.ndarray:
-    """Return, for each corner, the next corner of its face, (l,)."""
     return next_corners(face_sizes(mesh))
 
 
 def element_counts(mesh: bpy.types.Mesh) -> dict[str, int]:
-    """Return the numbers of vertices, edges and faces, by which a report detects that its mesh has changed."""
     return {"vertices": len(mesh.vertices), "edges": len(mesh.edges), "faces": len(mesh.polygons)}
 
 

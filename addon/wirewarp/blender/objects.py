@@ -22,8 +22,7 @@ def remove_object(target: bpy.types.Object) -> None:
 
 
 def name_with(name: str, ending: str) -> str:
-    """Return the name with the ending, by which users and scripts recognize the object. Shortens the name if
-    necessary."""
+    """Return the name with the ending. Long names are cut first, so that Blender does not cut the ending."""
     room = LONGEST - len(ending.encode())
     return name.encode()[:room].decode(errors="ignore") + ending
 
@@ -34,7 +33,7 @@ def show_where_shown(source: bpy.types.Object, target: bpy.types.Object) -> None
     for window in bpy.context.window_manager.windows:
         present = window.view_layer.objects.values()
         for view in _local_views(window) if source in present and target in present else ():
-            # not local_view_get, which is always False in Blender 3.4
+            # local_view_get is not used, because it always returns False in Blender 3.4.
             if source.visible_get(view_layer=window.view_layer, viewport=view):
                 target.local_view_set(view, True)
 
@@ -132,7 +131,6 @@ def strange_size(target: bpy.types.Object, scene: bpy.types.Scene) -> str:
 
 
 def size_text(target: bpy.types.Object, scene: bpy.types.Scene) -> str:
-    """Return a sentence about the present size of the model."""
     largest = max(target.dimensions) * meters_per_blender_unit(scene)
     return f'"{target.name}" now measures {LengthText("cm", 100.0).rough(largest)}.'
 

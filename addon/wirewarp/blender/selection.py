@@ -120,7 +120,6 @@ def select_edges_in_edit_mode(mesh: bpy.types.Mesh, pairs: Iterable[tuple[int, i
 
 
 def _frame(context: bpy.types.Context, target: bpy.types.Object, vertex_mask: np.ndarray) -> None:
-    """Show the vertices of this mask in the 3D view in which the button was pressed, or else in the largest 3D view."""
     area = work_area(context)
     if area is None or bpy.app.background:  # in the background, views are not drawn and cannot be turned
         return

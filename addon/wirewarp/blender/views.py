@@ -11,12 +11,12 @@ from mathutils import Quaternion, Vector
 
 LEGEND_WIDTH = 180  # usual width of the legend with its margin, in pixels at interface scale 1
 TEXTS_HEIGHT = 50  # height of the names of view and object with their margin, in pixels at interface scale 1
-# largest share of the view that is kept free for legend and texts; a wider legend hides part of the place shown
+# At most this share of the view is kept free for legend and texts. A wider legend hides some of the elements shown.
 MOST_COVERED = 0.8
 MARGIN = 1.15  # size of the visible area, as a multiple of the extent of the points
-ONE_SIDE = 0.3  # shortest mean normal of a surface with a front; a ring around a body has a mean normal near zero
+ONE_SIDE = 0.3  # least length of the mean normal of a surface with a front; around a ring, the normals cancel out
 SEEN = 0.3  # smallest cosine between mean normal and direction to the eye at which the surface counts as visible
-# elevation of the eye above flat pieces: the smallest allowed elevation, and the elevation that replaces smaller ones
+# If the eye's elevation above flat pieces is below the first angle, the view turns to the second angle.
 LEAST_ELEVATION, ELEVATION = math.radians(15), math.radians(40)
 _legend_width = 0.0  # width of the legend as last drawn, with its margin, in pixels of the screen
 
@@ -46,7 +46,6 @@ def redraw_sidebars() -> None:
 
 
 def is_over_sidebar(event: bpy.types.Event) -> bool:
-    """Return whether the mouse is over the sidebar of a 3D view in the event's window."""
     return any(
         region.x <= event.mouse_x < region.x + region.width and region.y <= event.mouse_y < region.y + region.height
         for area in bpy.context.window.screen.areas
@@ -68,8 +67,9 @@ class Projection:
 
 
 def fit(points: np.ndarray, view: Projection) -> tuple[np.ndarray, float]:
-    """Return the point to look at (3,), and the distance to it, or the zoom factor of an orthographic view. With these,
-    all points (n,3) are visible in the part of the view that nothing covers, as large and as central as possible."""
+    """Return the point to look at (3,), and the distance of the eye from it. For an orthographic view, return a factor
+    for the view's present distance instead. With these results, the points (n,3) fill the part of the view that nothing
+    covers, except for MARGIN."""
     x, y, z = (points @ view.axes).T
     middle = (z.min() + z.max()) / 2
     nearer = z - middle if view.is_perspective else np.zeros_like(z)
@@ -80,13 +80,16 @@ def fit(points: np.ndarray, view: Projection) -> tuple[np.ndarray, float]:
 
 
 class _Sides:
-    """The limits of the view in one direction, left and right or bottom and top, between which all points must be."""
+    """The two limits of the view in one direction, left and right or bottom and top. All points must be between
+    them."""
 
     def __init__(self, places: np.ndarray, nearer: np.ndarray, covered: float) -> None:
-        """places (n,): places of the points at distance 1, in units of half the view; nearer (n,): how much nearer to
-        the eye the points are than the center; covered: covered share of the view, at its right or upper end.
+        """places (n,): coordinates of the points, in units of half the view's size at distance 1; nearer (n,): how much
+        nearer to the eye the points are than the center; covered: covered share of the view, at its right or upper end.
 
-        A point is inside if -begin * depth <= place - center <= end * depth, with depth = distance - nearer.
+        With free = (1 - covered) / MARGIN and depth = distance - nearer, a point is inside if
+
+            -(free + covered) * depth <= place - center <= (free - covered) * depth.
         """
         self._covered, self._free = covered, (1 - covered) / MARGIN
         self._last = float((places + (self._free - covered) * nearer).max())

@@ -17,7 +17,7 @@ Stages = Generator[tuple[str, float], None, T]  # each step yields the name of t
 
 
 Grain = Literal["one way", "both ways", "free"]
-GRAINS: dict[str, Grain] = {"ONE_WAY": "one way", "BOTH_WAYS": "both ways", "FREE": "free"}  # by setting
+GRAINS: dict[str, Grain] = {"ONE_WAY": "one way", "BOTH_WAYS": "both ways", "FREE": "free"}
 
 
 @dataclass(frozen=True)
@@ -25,7 +25,7 @@ class Cloth:
     """The fabric on which pieces are nested; lengths are in millimeters."""
 
     width: float
-    gap: float  # space between pieces
+    gap: float
     grain: Grain  # how pieces may be turned
 
 
@@ -53,7 +53,7 @@ class Allowances(NamedTuple):
 class PatternParts:
     title: str
     pieces: Sequence[pattern.FlatPiece]
-    failed: Sequence[str]  # names of failed pieces
+    failed: Sequence[str]
     seam_names: Sequence[str]
     allowances: Allowances
     units: Literal["metric", "imperial"]
@@ -72,7 +72,7 @@ class PatternParts:
         )
 
     def narrow(self, allowance: float) -> list[str]:
-        """Return the names of the pieces in which two allowances have no room side by side.
+        """Return the names of the pieces that are too narrow somewhere for two allowances side by side.
 
         allowance: allowance of unmarked edges, in millimeters.
         """
@@ -80,7 +80,7 @@ class PatternParts:
         widths = {ends: width for a, b, width in both for ends in ((a, b), (b, a))}
         widths |= {(a, b): width for a, b, width in own} | {ends: 0.0 for a, b in folds for ends in ((a, b), (b, a))}
         sides, marked = list(widths), list(widths.values())
-        # without pieces that have no flat shape, and therefore no width
+        # Pieces without a flat shape have no width.
         flat = [piece for piece in self.pieces if np.isfinite(piece.vertices[piece.outline]).all()]
         return [piece.name for piece in flat if not piece.has_room(allowance, sides, marked)]
 
@@ -97,7 +97,6 @@ class PatternParts:
 
     @property
     def _marked(self) -> dict[str, Any]:
-        """Return the marked allowances and the units as options of the library."""
         both, sides, folds = self.allowances
         return {"units": self.units, "allowances": both, "side_allowances": sides, "folds": folds}
 
@@ -131,7 +130,7 @@ class ExportChoices:
     options: Mapping[str, Any] = field(default_factory=dict)  # options of Pattern.write
     in_rows: bool = False  # whether pieces are arranged in rows; otherwise they keep their places
     cloth: Cloth | None = None  # fabric on which the pieces are nested; None without a marker
-    seconds: float = 0.0  # seconds to search for a marker
+    seconds: float = 0.0
     anew: bool = False  # whether to search even if a marker is stored
 
 

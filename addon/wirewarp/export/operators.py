@@ -21,7 +21,7 @@ DRAWN = [  # the library's kinds, in upper case and with underscores
     ("TEXTS", "Texts", "Name and number of the piece, and how many to cut"),
     ("LINE_NAMES", "Line Names", "Numbers of seams, which are the same on both sides, and names of wires"),
 ]
-PROPERTIES = {"proof": "proof_sheet"}  # operator properties whose names differ from the options of the format
+PROPERTIES = {"proof": "proof_sheet"}  # names of operator properties by option, if they differ
 ALL_DRAWN = {kind for kind, _, _ in DRAWN}
 ALL_KINDS = frozenset(kind.lower().replace("_", " ") for kind in ALL_DRAWN)
 
@@ -73,7 +73,7 @@ class OBJECT_OT_wirewarp_export(PatternExport, PatternSettings, bpy.types.Operat
         return super().invoke(context, event)
 
     def execute(self, context: bpy.types.Context) -> set[str]:
-        # abspath comes first, because on Windows, Path reads a path that begins with // as the name of a server
+        # First use abspath, because on Windows, Path reads a path that begins with // as the name of a server.
         ending = Path(bpy.path.abspath(self.filepath)).suffix[1:].upper()
         if not self.properties.is_property_set("format") and ending in FORMATS:
             self.format = ending
@@ -134,7 +134,6 @@ class OBJECT_OT_wirewarp_export(PatternExport, PatternSettings, bpy.types.Operat
         return options
 
     def _chosen(self, name: str) -> str | bool:
-        """Return the value of an option of the format, for the library."""
         value = getattr(self, _property_name(name))
         return value.lower() if isinstance(value, str) else value
 

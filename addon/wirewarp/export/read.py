@@ -30,13 +30,14 @@ def keep_marker(source: bpy.types.Object, kept: KeptMarker) -> None:
 
 
 def kept_marker(text: str) -> KeptMarker | None:
-    """Return the marker stored in this text; None if another version wrote it."""
+    """Return the marker stored in this text. Return None if the text was edited, or if another version stored other
+    data."""
     stored = unsealed(text)
     if stored is None:
         return None
     try:
         return KeptMarker(Cloth(**stored["cloth"]), pattern.Marker.from_dict(stored["marker"]))
-    except (KeyError, TypeError):  # another version stored different data
+    except (KeyError, TypeError):
         return None
 
 
@@ -124,7 +125,6 @@ def _closed_slits(chains: Sequence[pattern.Chain], outline: set[tuple[int, int]]
 def _inner_wires(
     flat: FlatPieces, outline: OutlineEdges, names: Mapping[int, str]
 ) -> dict[int, list[pattern.FlatWire]]:
-    """Return the wires inside each piece."""
     count, marks = len(flat.vertices), flat.marks.take(flat.marks.rows)
     edges = flat.edges[flat.marks.rows]
     on_outline = are_among(edges, outline.edges)
@@ -164,7 +164,6 @@ def _allowances(
 
 
 def pieces_over_others(pieces: Sequence[pattern.PatternPiece]) -> list[str]:
-    """Return the names of pieces that overlap other pieces."""
     lines = [[line.points for line in piece.of_role("cut", "inner_cut")] for piece in pieces]
     low, high = np.array([piece.bounds for piece in pieces]).transpose(1, 0, 2)
     meet = np.triu(np.all((low[:, None] < high) & (low < high[:, None]), axis=2), 1)

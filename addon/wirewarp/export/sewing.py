@@ -19,7 +19,7 @@ from ..state.owners import model_or_self
 from ..ui.editing import OnMesh, reporting_refusals
 from .read import EDITED
 
-FLAT, WORN = "Flat", "On the Model"  # shape keys
+FLAT, WORN = "Flat", "On the Model"  # names of the shape keys
 OURS = (*MARKS, *OF_ELEMENTS, SEAM, FLAT_LENGTH)
 
 
@@ -51,9 +51,9 @@ def add_sewing_object(source: bpy.types.Object) -> bpy.types.Object:
 
 
 def sewing_edges(pieces: FlatPieces, seams: Iterable[list]) -> np.ndarray:
-    """Return pairs (k,2) of vertices of the pieces that are one vertex of the model. seams: for each seam, its edges as
-    vertex pairs of the model. If more than two sides meet, each is joined to the next side. Raises ObjectError if a
-    seam is not found on the pieces."""
+    """Return pairs (k,2) of vertices of the pieces. Both vertices of a pair are the same vertex of the model. seams:
+    for each seam, its edges as vertex pairs of the model. If more than two sides meet, each side is joined to the next
+    side. Raises ObjectError if a seam is not found on the pieces."""
     outline = outline_of(pieces)
     sides: dict[tuple[int, int], list[tuple[int, int]]] = {}
     for ends in outline.edges.tolist():

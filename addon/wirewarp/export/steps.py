@@ -40,7 +40,6 @@ INCH = 25.4
 
 
 def crossing_sentence(made: pattern.Pattern) -> str:
-    """Return a sentence about overlapping pieces; empty if no pieces overlap."""
     names = pieces_over_others(made.pieces)
     return f"These pieces overlap: {listed(names)}. Move them apart before you cut." if names else ""
 
@@ -82,7 +81,7 @@ def largest_sentence(made: pattern.Pattern) -> str:
 
 
 def _size_text(made: pattern.Pattern, width: float, height: float) -> str:
-    """Return the text of a size in millimeters, also in inches if the scene uses them. width, height: millimeters."""
+    """Return the text of a size. width, height: millimeters."""
     inches = f" ({width / INCH:.1f} × {height / INCH:.1f} in)" if made.units.name == "imperial" else ""
     return f"{width:.0f} × {height:.0f} mm{inches}"
 
@@ -98,9 +97,9 @@ class _Beforehand(NamedTuple):
 
 
 class PatternExport(OnMesh, WindowSteps, ExportHelper):
-    """Mixin of operators that define filename_ext, choices() and size_sentences()."""
+    """Mixin for export operators, which must define filename_ext, choices() and size_sentences()."""
 
-    # The path is not remembered like other settings, because the next model has another name.
+    # Unlike other settings, the path is not remembered, because the next model has another name.
     filepath: StringProperty(name="File Path", description="The file to write", subtype="FILE_PATH", options=OPTIONS)
     report_path: StringProperty(
         name="Report File",
@@ -223,7 +222,7 @@ class PatternExport(OnMesh, WindowSteps, ExportHelper):
         only, settings = self._notes
         sizes = " ".join(self.size_sentences(made))
         off = max(math.ceil(100 * written.off), 1) / 100
-        # print scale first, because the status bar cuts off long sentences
+        # The print scale is first, because the status bar cuts off long sentences.
         said = f'Print at 100% scale. Lengths in "{written.path.name}" are right to {off:g} mm. {sizes}'
         warnings = [sentence for sentence in [crossing_sentence(made), *written.warnings] if sentence]
         if self.report_path:
@@ -238,7 +237,6 @@ class PatternExport(OnMesh, WindowSteps, ExportHelper):
 
 
 def _read(context: bpy.types.Context) -> PatternParts:
-    """Return the pattern data of the active model. Raises ObjectError."""
     active = context.active_object
     if is_earlier(active):
         raise object_error("earlier_pieces", earlier_sentence(active))

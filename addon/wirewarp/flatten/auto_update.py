@@ -29,7 +29,7 @@ from .operators import FlattenSteps
 from .read import find_source
 
 WATCH = "wm.wirewarp_watch"
-# vertices; larger models are updated after Edit Mode, because reading and writing them in Edit Mode is slow
+# Models with more vertices are updated after Edit Mode, because reading and writing them in Edit Mode is slow.
 EDIT_LIMIT = 20_000
 
 
@@ -71,14 +71,12 @@ def is_left(source: bpy.types.Object) -> bool:
 
 
 def _flattened(context: bpy.types.Context) -> list[bpy.types.Object]:
-    """Return the models of this view layer that have flat pieces."""
     present = set(context.view_layer.objects)
     sources = dict.fromkeys(filter(None, map(model_of, context.scene.objects)))
     return [source for source in sources if source in present and source.library is None]
 
 
 def waits_for_object_mode(source: bpy.types.Object) -> bool:
-    """Return whether the model is in Edit Mode and too large to be updated there."""
     return source.data.is_editmode and len(bmesh.from_edit_mesh(source.data).verts) > EDIT_LIMIT
 
 
@@ -183,7 +181,7 @@ class WM_OT_wirewarp_watch(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        """Return whether an update is due and may run. It must wait for the end of other modes and runs."""
+        """Return whether an update is due and may run. Updates wait for the end of other modes and runs."""
         return is_due(context.scene) and OBJECT_OT_wirewarp_update.poll(context)
 
     def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> set[str]:
@@ -217,7 +215,6 @@ def updating_in(group: str) -> Callable:
 
 
 def _joining() -> list[type[bpy.types.Operator]]:
-    """Return the numbered operators that updating_in has registered."""
     return list(takewhile(bool, (getattr(bpy.types, JOINING.format(number), None) for number in range(MOST))))
 
 

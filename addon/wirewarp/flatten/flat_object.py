@@ -42,7 +42,6 @@ MAX_UV_LAYERS = 8
 
 
 def check_uv_room(target: bpy.types.Object) -> None:
-    """Raise ObjectError if there is no room for another UV map."""
     mesh = target.data
     if UV_LAYER in mesh.uv_layers:
         return
@@ -96,7 +95,7 @@ def _write_new(mesh: bpy.types.Mesh, name: str, pairs: np.ndarray) -> None:
     write_layer(mesh.uv_layers.new(name=name, do_init=False), pairs.view(np.float32).reshape(-1, 2))
 
 
-# names of our collections, with a suffix in a second scene, or if a linked collection has the name
+# The name of our collection has a suffix in a second scene, or if a linked collection has the plain name.
 OUR_NAMES = re.compile(rf"{COLLECTION}(\.\d+)?")
 RED = (0.8, 0.02, 0.02, 1.0)
 
@@ -129,7 +128,6 @@ def write_flat_object(
 
 @contextmanager
 def _restored_on_failure(target: bpy.types.Object, *, is_new: bool) -> Iterator[None]:
-    """Restore the object's mesh, or remove a new object, if an error occurs while the mesh is written."""
     earlier = None if is_new else target.data.copy()
     try:
         yield
@@ -188,7 +186,6 @@ def _write_mesh(
 
 
 def _write_faces(mesh: bpy.types.Mesh, flat: FlatMesh) -> None:
-    """Replace the vertices, edges and faces of the mesh."""
     mesh.clear_geometry()
     coordinates = np.zeros((len(flat.vertices), 3), dtype=np.float32)
     coordinates[:, :2] = flat.vertices
@@ -213,7 +210,7 @@ def _write_attributes(mesh: bpy.types.Mesh, flat: FlatMesh) -> None:
 
 
 def _write_marks(mesh: bpy.types.Mesh, marks: FlatMarks) -> None:
-    """Mark seams, which are red in Edit Mode, and wires as sharp edges, which are blue."""
+    """Mark the seams and wires. Wires also become sharp edges, so that Edit Mode shows them in blue."""
     add_seams(mesh, np.flatnonzero(marks.seams))
     add_sharp_edges(mesh, marks.wires.rows)
     write_marks(mesh, marks.wires)
@@ -221,7 +218,7 @@ def _write_marks(mesh: bpy.types.Mesh, marks: FlatMarks) -> None:
 
 
 def our_collection(scene: bpy.types.Scene) -> bpy.types.Collection:
-    """Return the scene's collection for flat pieces."""
+    """Return the scene's collection for flat pieces. Create it if it is missing."""
     for collection in scene.collection.children_recursive:
         if OUR_NAMES.fullmatch(collection.name) and not (collection.library or collection.override_library):
             return collection
@@ -257,7 +254,7 @@ def _new_material() -> bpy.types.Material:
 def follow_name(source: bpy.types.Object, earlier: str) -> None:
     """Rename the flat object after the model, unless the user has renamed it. earlier: the model's former name."""
     flat = find_flat_object(source)
-    # the mesh has the same name as the object
+    # The mesh has the same name as the object.
     for each in (flat, flat.data) if flat and earlier != source.name else ():
         if each.name == flat_name(earlier) and each.library is None:
             each.name = flat_name(source.name)

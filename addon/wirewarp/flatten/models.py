@@ -31,7 +31,8 @@ NO_ANGLE = "Grain Angle was not used. Choose Grain Wire under Upright, and mark 
 
 @dataclass(frozen=True)
 class Model:
-    """The data read from an object. It has the object's name, because the object may be deleted during the run."""
+    """The data read from an object. The model has the object's name instead of the object, which may be deleted during
+    the run."""
 
     name: str  # Object.name_full, which includes the name of its library
     facts: Facts
@@ -63,7 +64,7 @@ def solve_models(
     models: list[Model], choices: FlattenChoices, meters: float, *, tries_uv_seams: bool = True
 ) -> Steps[list[Outcome]]:
     """Flatten every model and return the outcomes. meters: meters in a Blender unit; tries_uv_seams: whether to try UV
-    seams if the marked seams fail. If the user cancels this attempt, the results with the marked seams are kept."""
+    seams after the marked seams. If the user cancels this attempt, the results with the marked seams are kept."""
     outcomes: list[Outcome] = []
     # Models with modifiers are left out, because edges that modifiers create cannot be marked.
     readable = [model for model in models if tries_uv_seams and model.arrays and not model.facts.with_modifiers]
@@ -81,7 +82,6 @@ def solve_models(
 
 
 def failed_report(model: Model, issue: Issue) -> ObjectReport:
-    """Return the report of a model that was not flattened."""
     return replace(failure_report(issue, model.facts), model_state=model.state)
 
 
@@ -103,7 +103,8 @@ def _solve(model: Model, choices: FlattenChoices, meters: float) -> Steps[Outcom
             outcome.report.notes.append(Note(NO_ANGLE))
         outcome.report.options = asdict(used) | {"grain_wire": model.arrays.grain_wire}
     outcome.report.notes += model.notes
-    # if normals point inward, the pieces show the inside; with the option mirror, they show the outside
+    # If normals point inward, the pieces show the inside. With the option mirror, they show the outside, and no note is
+    # needed.
     if model.arrays and not choices.mirror and faces_inward(model.arrays):
         outcome.report.notes.append(Note(INWARD, is_warning=True))
     if model.arrays:

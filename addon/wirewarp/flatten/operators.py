@@ -27,7 +27,7 @@ from .models import Model, Outcome, failed_report, solve_models
 from .read import active_target, check_current, check_sources, find_source, in_suitable_mode, mesh_targets, read_models
 from .write import write_results
 
-# Events during a run that only move the view.
+# These events only move the view, so Blender may handle them during a run.
 HARMLESS = {"MIDDLEMOUSE", "MOUSEMOVE", "INBETWEEN_MOUSEMOVE", "HOME", "NUMPAD_PERIOD"} | {
     f"NUMPAD_{digit}" for digit in range(10)
 }
@@ -35,8 +35,6 @@ HARMLESS_KINDS = ("TIMER", "WHEEL", "TRACKPAD", "NDOF", "WINDOW")
 
 
 class FlattenSteps(WindowSteps, FlattenSettings):
-    """Mixin of operators that flatten."""
-
     tries_uv_seams = True  # whether to try UV seams; the attempt takes as long as the run
 
     @property
@@ -102,7 +100,6 @@ class FlattenSteps(WindowSteps, FlattenSettings):
         return self._tell(context, outcomes, "WARNING")  # an error would open a popup over the button and the verdict
 
     def show(self, context: bpy.types.Context, outcomes: list[Outcome]) -> None:
-        """Move the view to the models that have pieces in new places."""
         sources = [find_source(outcome.model) for outcome in outcomes if outcome.is_elsewhere]
         area = work_area(context)
         # In Edit Mode, the view does not move, because the user is selecting edges in it.

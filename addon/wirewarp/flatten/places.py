@@ -38,7 +38,7 @@ def free_place(
 ) -> Vector:
     """Return the lower left corner for pieces of this size (2,) in Blender units. It is to the right of the source and
     of all flat pieces, at the height of the lowest point of this run's models. There, the pieces meet no other object,
-    and no model of the run is above or below them."""
+    except objects beyond LARGE, and no model of the run is above or below them."""
     own, largest = world_box(source), max(source.dimensions)
     together = [world_box(each) for each in models]
     others = [each for each in scene.objects if each.type in SOLID and each.visible_get() and each not in models]
@@ -51,7 +51,6 @@ def free_place(
 
 
 def _rises(box: Box, floor: float, gap: float) -> bool:
-    """Return whether the box begins at most `gap` above the floor and ends above the floor."""
     return bool(box[0, 2] <= floor + gap and box[1, 2] > floor)
 
 

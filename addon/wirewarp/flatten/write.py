@@ -92,7 +92,7 @@ def _place(source: bpy.types.Object, outcome: Outcome, earlier: Earlier | None) 
     options = outcome.report.options
     pieces, crowded = pieces_in_place(outcome.pieces, earlier, gap_between(outcome.arrays, options["spacing"]))
     was = np.ptp(np.array(earlier.flat.bound_box), axis=0)[:2] if earlier else np.zeros(2)
-    has_grown = bool(np.any(np.ptp(pieces.vertices, axis=0) > GROWN * was))  # many pieces are new
+    has_grown = bool(np.any(np.ptp(pieces.vertices, axis=0) > GROWN * was))  # for example because of new pieces
     outcome.is_elsewhere = bool(crowded) or has_grown
     if crowded:
         name_of = {identity.piece_id: identity.name for identity in outcome.identities}

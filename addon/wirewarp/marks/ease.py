@@ -38,7 +38,7 @@ from ..state.marked_mesh import check_attributes, read_marks, write_marks
 
 
 def wire_at(target: bpy.types.Object, edge: int) -> WireSummary:
-    """Return the wire to which this edge of the mesh belongs. Raises ObjectError if the edge has none."""
+    """Return the wire to which this edge of the mesh belongs. Raises ObjectError if the edge is not part of a wire."""
     for wire in find_wires(target):
         if edge in wire.edges:
             return wire
@@ -47,8 +47,8 @@ def wire_at(target: bpy.types.Object, edge: int) -> WireSummary:
 
 
 def change_wire(target: bpy.types.Object, edge: int, name: str, tolerance: float, ease: float | None) -> None:
-    """Change the wire of this edge. If the name is empty or the ease is None, the wire keeps its own. Raises
-    ObjectError like wire_at."""
+    """Change the wire of this edge. If the name is empty, the wire keeps its name. If the ease is None, the wire keeps
+    its ease. Raises ObjectError like wire_at."""
     mesh = target.data
     rows = np.array(wire_at(target, edge).edges)
     marks = read_marks(mesh)
@@ -93,7 +93,6 @@ def make_seams(mesh: bpy.types.Mesh, edges: np.ndarray) -> int:
 
 
 def clear_seams(mesh: bpy.types.Mesh, edges: list) -> None:
-    """Clear the seams of edges, given as vertex pairs."""
     remove_seams(mesh, np.flatnonzero(_mask(mesh, edges)))
     mesh.update()
 
@@ -125,15 +124,14 @@ def _mask(mesh: bpy.types.Mesh, pairs: list) -> np.ndarray:
     return are_among(edge_vertices(mesh), pairs)
 
 
-# relative difference of areas above which one piece counts as larger; mirrored pieces differ only by rounding
+# A piece counts as larger if its area is larger by more than this share. Areas of mirrored pieces differ only by
+# rounding.
 SAME_AREA = 1e-3
 Amount = Callable[[float], float]  # ease of a line as a fraction, from its length in Blender units
 
 
 @dataclass(frozen=True)
 class Change:
-    """A planned change of one line."""
-
     ratio: float  # ease as a fraction; 0 for a cleared ease
     length: float  # change of length, in Blender units
 
@@ -148,7 +146,6 @@ Planned = Callable[[], Eased]  # writes the change, and cannot fail
 
 
 def check_ease_attributes(mesh: bpy.types.Mesh) -> None:
-    """Raises ObjectError if an attribute with one of our names has another type or domain."""
     check_attributes(mesh)
     SIDE_EASES.check_attributes(mesh)
 
@@ -180,7 +177,7 @@ def _write_lines(target: bpy.types.Object, lines: list[np.ndarray], changes: lis
         marks.eases[line] = change.ratio
     write_marks(mesh, marks)
     wire_id = int(repair_marks(target).wire_ids[min(map(min, lines))])
-    mesh.wirewarp_active_wire = list_places(mesh)[wire_id]  # the last marked wire is chosen in the list
+    mesh.wirewarp_active_wire = list_places(mesh)[wire_id]  # choose one of these wires in the list
 
 
 def plan_sides(target: bpy.types.Object, rows: np.ndarray, amount: Amount, side: int) -> Planned:
@@ -304,5 +301,4 @@ def _places(target: bpy.types.Object) -> np.ndarray:
 
 
 def _lengths(target: bpy.types.Object) -> np.ndarray:
-    """Return the lengths (e,) of all edges in Blender units."""
     return edge_lengths(_places(target), edge_vertices(target.data))

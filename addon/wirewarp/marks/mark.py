@@ -43,9 +43,9 @@ class Marked(NamedTuple):
 
 
 def plan_wires(target: bpy.types.Object, tolerance: float) -> Callable[[], Marked]:
-    """Plan to make the selected edges wires, one per chain, even along seams and outlines.
+    """Plan to make the selected edges wires, one for each line, even along seams and outlines.
 
-    If a chain contains all edges of one wire and no edges of other wires, this wire keeps its id and name and gets the
+    If a line contains all edges of one wire and no edges of other wires, this wire keeps its id and name and gets the
     new tolerance. Raises ObjectError if an edge has no face, or if attributes of another add-on have our names.
     """
     mesh = target.data
@@ -127,7 +127,6 @@ def _find_map(target: bpy.types.Object) -> bpy.types.MeshUVLoopLayer:
 
 
 def _borders(mesh: bpy.types.Mesh, layer: bpy.types.MeshUVLoopLayer) -> np.ndarray:
-    """Return a mask (e,) of the edges that are borders of islands in the map."""
     return island_borders(corner_edges(mesh), corner_vertices(mesh), next_loops(mesh), read_uv(layer), len(mesh.edges))
 
 

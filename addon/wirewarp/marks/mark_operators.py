@@ -36,8 +36,6 @@ DESCRIPTIONS = {identifier: description for identifier, _, description in KINDS}
 
 
 class WireKind:
-    """Mixin of operators with settings for the kind of a wire."""
-
     kind: EnumProperty(name="Kind", description="How strictly the wire keeps its length", items=KINDS, default="RIGID")
     tolerance: number(
         "Tolerance",
@@ -158,7 +156,6 @@ class MESH_OT_wirewarp_allowance(bpy.types.Operator):
         return {"FINISHED"}
 
     def _allowance(self) -> str:
-        """Return words for the marked allowance, such as "hem of 30 mm"."""
         return {
             "WIDTH": f"allowance of {self.width:g} mm",
             "HEM": f"hem of {self.hem:g} mm",
@@ -321,7 +318,6 @@ class SCENE_OT_wirewarp_set_height(OnMesh, bpy.types.Operator):
     )
 
     def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> set[str]:
-        """Open the dialog with the present height."""
         own = height_of(model_or_self(context.active_object))
         if own > 0:
             self.height = 100 * meters_per_blender_unit(context.scene) * own

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Draws the panel Mark. It is above Flatten, because the verdict below Flatten grows and shrinks and would move it.
 
-The panel has the same height in all modes and on flat pieces. Otherwise, buttons below the panel would move if they
-enter Edit Mode.
+The panel has the same height in all modes and on flat pieces. Otherwise, buttons below the panel would move when the
+user enters Edit Mode with one of them.
 """
 
 from collections.abc import Sequence

@@ -78,7 +78,6 @@ class MESH_OT_wirewarp_change_wire(WireKind, WireOperator, bpy.types.Operator):
 
     @reporting_refusals
     def _ask(self, context: bpy.types.Context) -> set[str]:
-        """Open the dialog with the present settings of the wire."""
         wire = wire_at(context.active_object, self.edge)
         self.name = next(name for name, each in listed_wires(context.active_object) if self.edge in each.edges)
         if wire.tolerance == 0:
@@ -231,7 +230,6 @@ def _wire_of(target: bpy.types.Object, entry: bpy.types.PropertyGroup) -> WireSu
 
 
 def _figures(context: bpy.types.Context, wire: WireSummary) -> str:
-    """Return the kind and the length of the wire as text."""
     length = wire.length(np.array(context.active_object.matrix_world, dtype=np.float64)[:3, :3])
     return f"{wire_text(wire.tolerance, wire.ease)}  {length_text(context.scene)(length)}"
 

@@ -42,7 +42,8 @@ def draw_lines(
         if (kind in CORES) != (layer == Layer.CORES):
             continue
         shader.uniform_float("color", (*style.rim, RIM_ALPHA) if is_rim else (*style.color, 1.0))
-        # Dashes are drawn before the thin line. If lines have the same depth, only spots of the later line are visible.
+        # Dashes are drawn before the thin line. The thin line has the same depth, so only spots of it are visible on
+        # dashes.
         for what, arrays, width in ((f"{kind} dashes", dashes, style.width), (kind, places, style.line_width)):
             if kind in arrays:
                 batch = _batch(owner, f"{space} {what}", arrays[kind], LINES, "LINES", pos=arrays[kind])

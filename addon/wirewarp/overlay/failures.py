@@ -107,8 +107,8 @@ def _failed_faces(mesh: bpy.types.Mesh, issues: list[Issue]) -> np.ndarray:
 
 
 def _failed_edges(mesh: bpy.types.Mesh, pairs: np.ndarray, issues: list[Issue], faces: np.ndarray) -> np.ndarray:
-    """Return a mask (e,) of the edges of issues, of edges at vertices of issues, and of the borders of faces of issues.
-    Edges between two of these faces are not in the mask, so that wires and suggested seams are visible on tinted
+    """Return a mask (e,) of the failed edges: edges of issues, edges at vertices of issues, and borders of failed
+    faces. Edges between two failed faces are not in the mask, so that wires and suggested seams are visible on tinted
     faces."""
     failed = are_among(pairs, [edge for issue in issues for edge in issue.edges])
     failed |= np.isin(pairs, [vertex for issue in issues for vertex in issue.vertices]).any(axis=1)

@@ -36,8 +36,6 @@ from .lines import LineEdges, SideEases
 
 @dataclass(frozen=True)
 class Triangles:
-    """All triangles of a mesh."""
-
     positions: np.ndarray  # (n,3) float32, places of the vertices
     vertices: np.ndarray  # (m,3) int32, vertices of each triangle
     corners: np.ndarray  # (m,3) int32, corners of the mesh at the corners of each triangle
@@ -62,7 +60,7 @@ def on_model(flat_colors: np.ndarray, source_corner: np.ndarray, count: int) -> 
     """Return the colors (count,4) at the model's corners. flat_colors (k,4): colors at the corners of the flat pieces;
     source_corner (k,): the corner of the model for each corner of the pieces."""
     colors = np.tile(NO_LAYOUT, (count, 1))
-    # corners that the user has created have no place on the model
+    # Corners that the user has created have no corner on the model.
     inside = (source_corner >= 0) & (source_corner < count)
     colors[source_corner[inside]] = flat_colors[inside]
     return colors

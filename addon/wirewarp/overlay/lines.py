@@ -13,7 +13,8 @@ from ..solve.chains import EdgeMarks, chains_of_marks
 ALONG = (0.25, 0.5, 0.75)
 HEAD = 0.25  # length of an arrow's head, as a share of half the length of a grain arrow, or of an ease arrow's length
 _TURNS = [np.array([[np.cos(a), -np.sin(a)], [np.sin(a), np.cos(a)]]) for a in np.radians(range(0, 90, 15))]
-# usual width or height of an object in pixels; at this size of the object, dashes have the length of their style
+# Dashes have the lengths of their style if the object's largest dimension is this many pixels on the screen, as it
+# often is.
 VIEW_SIZE = 800
 
 
@@ -26,7 +27,6 @@ class LineStyle:
 
     @property
     def line_width(self) -> float:
-        """Return the width of the solid line."""
         return THIN if self.dash else self.width
 
     @property
@@ -44,7 +44,7 @@ def _hex(text: str) -> tuple[float, float, float]:
 
 THIN = 1.0  # pixels
 RIM, RIM_ALPHA = 1.5, 0.6  # extra width of a rim beyond its line, in pixels; opacity of the rim
-# In drawing order, so that a wire is visible on a seam or a failed area.
+# The styles are in drawing order, so that a wire is visible on a seam or a failed area.
 STYLES = {
     "failed": LineStyle("Failed", _hex("#d8001f"), 4.0),
     "proposed": LineStyle("Suggestion", _hex("#890089"), 6.0),
@@ -176,7 +176,6 @@ def dashes_by_kind(lines: LineEdges, runs: Sequence[WireRun]) -> dict[str, np.nd
 
 
 def _members(lines: LineEdges) -> dict[str, np.ndarray]:
-    """Return a mask (k,) of the edges of each kind of line."""
     wires, tolerances = lines.marks.are_wires, lines.marks.tolerances
     return {
         "allowance": lines.allowances,
@@ -287,7 +286,7 @@ class SideEases:
     normals: np.ndarray  # (k,3) normals of this face
     ratios: np.ndarray  # (k,) float32, eases as fractions
     pieces: np.ndarray  # (k,) int32, index of the flat piece; 0 on the model
-    size: float  # size of the object
+    size: float  # largest dimension of the object
 
 
 def ease_arrows(eases: SideEases) -> tuple[np.ndarray, list[Name]]:

@@ -122,8 +122,8 @@ def _seams_of_report(edges: LineEdges, report: ObjectReport) -> np.ndarray:
 
 
 def _seam_texts(report: ObjectReport, on_flat: bool, number: int, piece: int) -> tuple[str, ...]:
-    """Return the seam's name with the joined pieces (on a flat piece, only with the other piece), and the name alone.
-    number: as in _seams_of_report."""
+    """Return the texts of a seam, see Name: its name with the joined pieces, then the name alone. On a flat piece, the
+    first text names only the other piece. number: as in _seams_of_report."""
     seam = report.seams[number - 1]
     joined = joined_pieces(report, [each for each in seam.pieces if not on_flat or each != piece])
     return (f"{seam.name}: {joined}", seam.name) if joined and len(set(seam.pieces)) > 1 else (seam.name,)
@@ -131,8 +131,6 @@ def _seam_texts(report: ObjectReport, on_flat: bool, number: int, piece: int) ->
 
 @dataclass(frozen=True)
 class _Middle:
-    """The middle of a flat piece, for its name."""
-
     piece_id: int
     place: np.ndarray  # (3,) center of the face nearest to the middle
     reach: float  # distance from this center to the center of the farthest face

@@ -83,7 +83,6 @@ def lay_out(
 
 
 def _title(color_map: ColorMap, highest: float | None) -> str:
-    """Return the title of the color scale with the largest value, which may be beyond the scale."""
     return color_map.label if highest is None else f"{color_map.label}: up to {color_map.number(highest, digits=3)}"
 
 
@@ -113,7 +112,7 @@ def _add_scale(
         legend.boxes.append(Box(begin, bar, end, bar + SCALE_HEIGHT * unit, tuple(color)))
     for share in np.linspace(0, 1, TICKS):
         number = color_map.number(color_map.low + share * (color_map.high - color_map.low))
-        # values beyond the scale have the color of its end
+        # Values beyond the scale have the color of its end, so the numbers at its ends begin with a sign.
         beyond = "≥ " if share == 1 else "≤ " if share == 0 and color_map.low < 0 else ""
         text = beyond + number
         legend.texts.append(Text(text, left + share * width - text_width(text) / 2, base + 3 * unit))
@@ -134,8 +133,8 @@ Size = tuple[float, float]  # width and height
 Span = tuple[float, float]
 EVERYWHERE = (-np.inf, np.inf)
 NO_LINES = np.empty((0, 2, 2))
-# heights of the panel Adjust Last Operation (lower left) and of the navigation gizmos (upper right), in pixels at
-# interface scale 1
+# These are the heights of the panel Adjust Last Operation (lower left) and of the navigation gizmos (upper right), in
+# pixels at interface scale 1.
 REDO, NAVIGATION = 45, 230
 
 
@@ -206,7 +205,6 @@ def arrange(names: Iterable[PlacedName], size_of: Callable[[str], Size], span: S
 
 
 def _box(points: np.ndarray) -> np.ndarray:
-    """Return the lower left and the upper right corner (2,2) of the box around points (c,2)."""
     return np.array([points.min(axis=0), points.max(axis=0)])
 
 

@@ -32,7 +32,8 @@ from .pages import CutLines, PageChoices, PagePreview, cut_lines, cut_places, pa
 
 MODES = {"OBJECT", "EDIT"}
 STRETCH_MAPS = (STRETCH, ASPECT_RATIO)
-# maps for which the legend shows the stretch of 99% of the area, as the list of pieces does, and not the largest value
+# For these maps, the legend shows the stretch of 99% of the area, as the list of pieces does, instead of the largest
+# value.
 ONE_FIGURE = (*STRETCH_MAPS, *CLOTH_MAPS)
 
 
@@ -49,7 +50,7 @@ def shown_map(context: bpy.types.Context) -> ColorMap | None:
     return next((each for each in COLOR_MAPS if each.attribute.upper() == wanted), None)
 
 
-# reasons why a map is missing, in the order in which the legend lists them
+# The legend lists these reasons for a missing map in this order.
 REASONS = NOT_FLATTENED, NO_FABRIC, CHANGED, EDITED = (
     "Not flattened: no map",
     "No fabric was chosen: no map",
@@ -59,7 +60,6 @@ REASONS = NOT_FLATTENED, NO_FABRIC, CHANGED, EDITED = (
 
 
 def missing_maps(shown: Sequence[Drawing], color_map: ColorMap) -> list[str]:
-    """Return the reasons why the chosen map is missing on some objects."""
     missing = [each.target for each in shown if each.surface is None]
     found = {_why_missing(target, color_map) for target in missing}
     if len(missing) < len(shown):  # maps of other objects are in view, so the note about Edit Mode is unnecessary
@@ -92,7 +92,7 @@ def map_notes(shown: Sequence[Drawing], color_map: ColorMap) -> list[str]:
 
 
 def _figure(reports: Sequence[ObjectReport], color_map: ColorMap) -> str:
-    """Return the text of the largest stretch or shear of the pieces; empty for maps that do not show stretch."""
+    """Return the text of the largest stretch or shear of the pieces; empty for maps of other measures."""
     pieces = [piece for report in reports for piece in report.pieces if piece.ok]
     threads = [piece.threads for piece in pieces if piece.threads]
     if color_map in STRETCH_MAPS and pieces:
@@ -115,7 +115,6 @@ def highest_value(shown: Sequence[Drawing], color_map: ColorMap) -> float | None
 
 
 def drawings(context: bpy.types.Context) -> Iterator[Drawing]:
-    """Yield the drawings of all models and flat pieces in the view."""
     settings, color_map = context.scene.wirewarp, shown_map(context)
     if not context.space_data.overlay.show_overlays or not (settings.show_lines or settings.show_pages or color_map):
         return
@@ -254,7 +253,7 @@ def shown_pages(context: bpy.types.Context, source: bpy.types.Object, flat: bpy.
     settings, millimeters = context.scene.wirewarp, 1000 * meters_per_blender_unit(context.scene)
     cut = _cut_lines(context, source, flat)
     drawn = _cut_lines(context, source, flat, settings.pairs, settings.on_fold)
-    # a setting with a stored value that this version does not know is "": see reset_unknown
+    # A setting is "" if this version does not know its stored value (see reset_unknown).
     cloth = Cloth(settings.cloth_width, settings.gap, GRAINS[settings.grain or "ONE_WAY"])
     paper = library_paper(settings.paper or "A4", settings.roll_width)
     chosen = PageChoices(paper, settings.arrangement or "IN_ROWS", cloth, stored_text(source, MARKER))

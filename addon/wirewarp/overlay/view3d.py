@@ -20,12 +20,11 @@ from .shown import Drawing, UvDrawing, drawings, highest_value, map_notes, shown
 # Layers are drawn closer to the eye by these shares of the distance, so that a surface does not hide its lines.
 SURFACE_NEARER = 0.0005
 NEARER = {Layer.RIMS: 0.002, Layer.LINES: 0.0025, Layer.CORES: 0.003}
-# Two steps of a 24-bit depth buffer. The view distinguishes two depths if their difference, divided by the distance,
-# exceeds this number times distance / near. Here, near is the distance of the near plane.
+# This is two steps of a 24-bit depth buffer. The view distinguishes two depths if their difference, divided by the
+# distance, exceeds this number times distance / near. Here, near is the distance of the near plane.
 DEPTH_STEP = 2 / 2**24
 HIDDEN_BY = 0.005  # a surface that is closer to a place than this share of the distance from the eye does not hide it
-# maximum number of faces that are tested in Edit Mode; names show through larger models, because reading all faces
-# after each change would be slow
+# In Edit Mode, names show through models with more faces, because reading all faces after each change would be slow.
 EDITED_LIMIT = 20_000
 MOST_APART = 8.0  # largest result of _apart; if it were larger, lines on the back of a cushion would be visible
 
@@ -159,7 +158,6 @@ def _room(context: bpy.types.Context, target: bpy.types.Object) -> float:
 
 
 def _may_hide_itself(context: bpy.types.Context, target: bpy.types.Object) -> bool:
-    """Return whether the model can hide parts of itself."""
     shading = context.space_data.shading
     is_solid = shading.type != "WIREFRAME" and not shading.show_xray
     return is_solid and model_of(target) is None
@@ -208,7 +206,8 @@ def _edited_faces(mesh: bpy.types.Mesh) -> BVHTree:
 
 
 def _chosen_piece(target: bpy.types.Object) -> int | None:
-    """Return the index of the flat piece chosen in the list, all of whose names are drawn; None for models."""
+    """Return the index of the flat piece chosen in the list; None for models. All names of the chosen piece are
+    drawn."""
     model = model_of(target)
     return model.wirewarp_active_piece if model else None
 
@@ -258,7 +257,7 @@ def _names_in_region(context: bpy.types.Context, drawing: UvDrawing) -> Iterator
     """Yield the names in the region of the UV editor, with their places in pixels."""
     region, to_region = context.region, context.region.view2d.view_to_region
     origin = np.array(to_region(0, 0, clip=False))
-    # of 1000 units, because view_to_region rounds to whole pixels
+    # The scale is measured over 1000 units, because view_to_region rounds to whole pixels.
     pixels = (np.array(to_region(1000, 1000, clip=False)) - origin) / 1000
     for name in drawing.lines.names:
         points = origin + name.places[:, :2] * pixels

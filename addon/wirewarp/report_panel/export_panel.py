@@ -39,7 +39,6 @@ class VIEW3D_PT_wirewarp_export(SidebarPanel, bpy.types.Panel):
 
 
 def draw_pages(context: bpy.types.Context, layout: bpy.types.UILayout, source: bpy.types.Object) -> None:
-    """Draw the settings of the page preview, and the sentence about its pages."""
     settings, column = context.scene.wirewarp, layout.column(align=True)
     column.prop(settings, "arrangement", text="")
     if settings.arrangement == "MARKER":

@@ -25,8 +25,8 @@ from ..ui.settings import draw_settings
 from .operators import PROPOSALS, check_flattened, take_proposals
 
 KINDS = [(fault.kind, fault.many.capitalize(), f"All {fault.many} of the model") for fault in FAULTS]
-# kind that is not selected by default, because interior walls may be intended, and some interior faces look like faces
-# of the shell
+# This kind is not selected by default, because interior walls may be intended. Some interior faces also look like faces
+# of the shell.
 NOT_UNASKED = "INTERIOR"
 WIDTH = 340  # width of the dialog, in pixels at interface scale 1
 
@@ -46,8 +46,6 @@ class Repairs:
 
 
 class BetweenRuns(OnMesh):
-    """Mixin of operators that work only while no run is in progress."""
-
     modes = WORKING_MODES
 
     @classmethod

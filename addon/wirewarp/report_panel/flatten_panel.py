@@ -41,7 +41,7 @@ from .next_step import (
 ICON = "MATCLOTH"
 FAR_ENOUGH = "Fabrics with a tick stretch far enough for the present pieces"
 TO_TRY = "Flatten to see whether a fabric stretches far enough"
-# stretch fabrics that are sold for clothes
+# These stretch fabrics are sold for clothes.
 EVERYDAY = {"fleece", "jersey", "swim"}
 
 
@@ -70,7 +70,7 @@ class VIEW3D_MT_wirewarp_fabrics(bpy.types.Menu):
         layout.operator_context = "INVOKE_DEFAULT"
         found = fabrics_to_choose(report, present) if report else ([], [])
         layout.label(text=FAR_ENOUGH if found[0] else TO_TRY)
-        # both groups under one heading, because Blender reverses the order of a menu that opens upward
+        # Both groups have one heading, because Blender reverses the order of a menu that opens upward.
         for icon, names in zip(("CHECKMARK", "BLANK1"), found, strict=True):
             for name in names:
                 button = layout.operator("object.wirewarp_mend", text=fabric_label(name), icon=icon)
@@ -93,7 +93,7 @@ class VIEW3D_PT_wirewarp_flatten(SidebarPanel, bpy.types.Panel):
         row = layout.row(align=True)
         row.scale_y = 1.5
         layout = layout.column()
-        # gray during a run, so that no button moves
+        # During a run, the column is gray instead of hidden, so that no button moves.
         layout.enabled = not draw_progress(row, FLATTEN, "object.wirewarp_flatten")
         if layout.enabled:
             row.operator("object.wirewarp_flatten", icon="MOD_UVPROJECT")
@@ -184,15 +184,15 @@ def _draw_state(
     kinds = {line.kind for line in verdict.lines}
     if report.issues and (verdict.kind is not Kind.CLOSED or Kind.NEEDS_SEAM in kinds):
         draw_sentence(context, layout, failure_text(report, step), "INFO")
-    # a step that only shows a place is drawn below steps that change the model
+    # A step that only shows a place is drawn below steps that change the model.
     is_looked_at = step is not None and step.operator == SHOW
     if step and not is_looked_at:
         below = layout.column()
-        # While suggestions are shown, only their button marks seams. This button stays, but is gray, so that the
-        # buttons of the search do not move.
+        # While suggestions are shown, only their button marks seams. The button of this step turns gray instead of
+        # disappearing, so that the buttons of the search do not move.
         below.enabled = not (marks_seams(step) and are_shown(context))
         _draw_step(context, below, step)
-    # if the user has chosen a fabric, this button does not offer another fabric
+    # If the user has chosen a fabric, the button for a suitable fabric is not drawn.
     if Kind.NEEDS_STRETCH in kinds and context.scene.wirewarp.cloth == "NONE":
         _draw_fabric(layout, report)
     if kinds & FABRIC_HELPS:
@@ -272,8 +272,8 @@ def offered_piece(context: bpy.types.Context, source: bpy.types.Object, report: 
 
 
 def _left_out(context: bpy.types.Context, source: bpy.types.Object, report: ObjectReport) -> list[str]:
-    """Return which of "modifiers" and "shape keys" shape the model but not the pieces: now, if Blender evaluates the
-    model's modifiers, otherwise in the last run."""
+    """Return "modifiers" and "shape keys" if they shape the model but not the pieces. If Blender evaluates the model's
+    modifiers, the present model decides, otherwise the model of the last run."""
     if report.with_modifiers or not shows_modified(source):
         return report.left_out
     if not source.modifiers and not source.data.shape_keys:

@@ -124,8 +124,8 @@ def draw_first_steps(layout: bpy.types.UILayout) -> None:
 
 MEND = "object.wirewarp_mend"
 SHOW = "mesh.wirewarp_select_result"
-# Text and icon of the button for each kind of fix, the most urgent first. Overlapping vertices, faces without area and
-# flipped faces come before seams, because they cause faults that seams would only hide.
+# These are the text and the icon of the button for each kind of fix, the most urgent first. Overlapping vertices, faces
+# without area and flipped faces come before seams, because they cause faults that seams would only hide.
 REMEDIES = {
     "MERGE": ("Merge and Flatten", "AUTOMERGE_ON"),
     "DISSOLVE": ("Dissolve and Flatten", "X"),
@@ -135,7 +135,7 @@ REMEDIES = {
 }
 APPLY_FIRST = "This fix needs edges that modifiers make. Apply the modifiers, or mark edges of the model itself."
 CHECK = "object.wirewarp_check"
-# for faults that Check and Repair finds and fixes
+# Check and Repair finds and repairs these faults.
 FAULTY_CODES = {"non_manifold_edge", "repeated_face", "repeated_vertex_in_face"}
 OF_CODES = {"zero_area_face": "DISSOLVE", "loose_faces": "MERGE", "inconsistent_orientation": "NORMALS"}
 
@@ -198,7 +198,6 @@ def marks_seams(step: NextStep) -> bool:
 
 
 def wants_seams(report: ObjectReport) -> bool:
-    """Return whether Suggest Seams can help."""
     return any(issue.proposed_seams for issue in report.issues)
 
 
@@ -262,7 +261,7 @@ def failure_text(report: ObjectReport, step: NextStep | None) -> str:
 
 def _reason(issues: Sequence[Issue], what: str) -> str:
     if what == "SEAMS":
-        # each edge counts once, because the issues of mirrored pieces suggest the same edges
+        # Each edge counts once, because the issues of mirrored pieces suggest the same edges.
         edges = {(min(edge), max(edge)) for issue in issues for edge in issue.proposed_seams}
         return f"Suggested seam: {counted(len(edges), 'edge')}."
     if what == "TOLERANCES":

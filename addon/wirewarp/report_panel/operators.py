@@ -39,7 +39,6 @@ def check_indices(target: bpy.types.Object, report: ObjectReport) -> None:
 
 
 def check_flattened(source: bpy.types.Object, report: ObjectReport | None) -> ObjectReport:
-    """Return the report. Raises ObjectError if it is None, because the model has not been flattened."""
     if report is None:
         raise object_error("not_flattened", f'"{source.name}" has not been flattened yet. Press Flatten first.')
     return report
@@ -58,7 +57,6 @@ class ReportOperator(OnMesh):
         return what.enum_items[properties.what].description if what else ""
 
     def report_of(self, source: bpy.types.Object) -> ObjectReport | None:
-        """Return the report that the panel shows; None if there is none."""
         return last_report(source)
 
     @reporting_refusals
@@ -223,7 +221,6 @@ class VIEW3D_OT_wirewarp_frame(bpy.types.Operator):
 
 
 def _objects(context: bpy.types.Context) -> list[bpy.types.Object]:
-    """Return the active model and its flat pieces, if they exist."""
     active = context.active_object
     if active is None or active.type != "MESH":
         return []

@@ -44,7 +44,7 @@ def draw_table(
     rows: list[ReportRow],
     names: Mapping[int, bpy.types.PropertyGroup],
 ) -> None:
-    """Draw the table of these rows. names: the items with the names of seams, which the user can edit, by their ids."""
+    """Draw the table of these rows. names: by the id of a seam, the item with its name, which the user can edit."""
     units, meters = length_text(context.scene), meters_per_blender_unit(context.scene)
     column = layout.column(align=True)
     wide = is_wide(context)
@@ -150,7 +150,7 @@ def draw_issues(context: bpy.types.Context, layout: bpy.types.UILayout, report: 
     issues = report.issues
     for index, issue in enumerate(issues[:SHOWN_ROWS]):
         _draw_entry(context, layout, issue_text(report, issue), "ISSUE", index, has_shown_place(report, issue))
-        # the buttons are drawn here only if the panel Flatten does not have them
+        # The buttons are drawn here only if the panel Flatten does not have them.
         if not report.with_modifiers and (len(issues) > 1 or issue.code == CLOSED_CODE):
             _draw_proposals(context, layout, index, issue)
     if len(issues) > SHOWN_ROWS:

@@ -52,7 +52,7 @@ class WIREWARP_UL_pieces(bpy.types.UIList):
         if row.has_layout:
             figure = columns.row()
             figure.alignment = "RIGHT"
-            # a longer text would not fit the column
+            # A longer text would not fit the column.
             figure.label(text=percent_text(row.shown) if row.shown < 1 else ">100%")
             if _have_buttons(context, source):
                 draw_select(line, "PIECE", index)
@@ -119,7 +119,7 @@ class VIEW3D_PT_wirewarp_pieces(SidebarPanel, bpy.types.Panel):
             button.what, button.index = "PIECE", chosen.index
         if chosen:  # above the figures, so that the suggestions below the buttons stay in view
             report = shown_report(context)
-            # the piece for which the panel Flatten has these buttons
+            # This is the piece for which the panel Flatten has these buttons.
             offered = offered_piece(context, source, report) if report else None
             has_seams = bool(report and report.seams)
             if chosen.ok and chosen.needed >= WORTH_A_CUT and offered != chosen.index:
@@ -151,7 +151,7 @@ def draw_figures(context: bpy.types.Context, layout: bpy.types.UILayout, row: co
     if row.needed >= NO_STRAIN:
         line = column.row(align=True)
         draw_cells(line, "Stretch", [percent_text(row.shown)], 0.5)
-        # a stretch of None is infinite
+        # A stretch of None is infinite.
         is_stretched = row.stretch_max is None or (row.ease_max is not None and row.stretch_max >= row.ease_max)
         draw_select(line, "STRETCH" if is_stretched else "EASE", row.index)
 

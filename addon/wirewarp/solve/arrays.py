@@ -8,7 +8,8 @@ import numpy as np
 from ..core import LengthText
 from .chains import WireChain, next_corners
 
-# largest length of the sum of all area vectors, as a share of the area, at which a surface counts as having an inside
+# A surface has an inside if the sum of its area vectors is at most this share of its area. On a closed surface, the sum
+# is zero.
 ALL_ROUND = 0.3
 INWARD = (
     "Normals point inward, so pieces show their inside. In Edit Mode use Mesh > Normals > Recalculate Outside, then "
@@ -54,8 +55,7 @@ class MeshArrays:
     seam_ids: np.ndarray  # (k,) int32, id of the seam of each seam edge in the last run; 0 none
     outline: np.ndarray  # (o,2) int32, edges with one face
     wires: list[NamedWire]
-    # (l,) float32, ease of the edge that begins at each corner, on the side of the corner's face; 0: none
-    side_eases: np.ndarray
+    side_eases: np.ndarray  # (l,) float32, ease of the edge from each corner, on the side of the corner's face; 0: none
     grain_wire: int  # id of the wire that is upright in its pieces; 0: no wire was chosen
     piece_ids: np.ndarray  # (f,) int32, id of the piece of each polygon in the last run; 0: none
     regions: FaceRegions
@@ -63,8 +63,7 @@ class MeshArrays:
     uv_maps: dict[str, np.ndarray]  # (l,2) float32, the model's own maps by name
     own_map: str  # the map whose island borders can become seams; "": none
     allowance: float  # the widest allowance, in Blender units
-    # (l,) float32, like side_eases, allowances in Blender units; 0: the default, below 0: no allowance
-    side_allowances: np.ndarray
+    side_allowances: np.ndarray  # (l,) float32, like side_eases, in Blender units; 0: default, below 0: no allowance
     loose_marks: int  # number of edges that are marked as wires, but ignored because they have no face
     loose_eases: int  # number of edges with an ease that has no effect, because they are not wires
     mirrored: bool  # whether the object's matrix mirrors the mesh

@@ -65,12 +65,10 @@ class EdgeMarks:
 
     @property
     def are_wires(self) -> np.ndarray:
-        """Return a mask (e,) of the edges that are wires."""
         return self.wire_ids != 0
 
     @property
     def rows(self) -> np.ndarray:
-        """Return the edges (k,) that are wires."""
         return np.flatnonzero(self.wire_ids)
 
     def take(self, rows: np.ndarray) -> "EdgeMarks":
@@ -126,7 +124,7 @@ def chains_of_marks(edges: np.ndarray, marks: EdgeMarks, positions: np.ndarray) 
 def shortest_double(value: np.float32) -> float:
     """Return the shortest decimal number with this float32 value: 0.03 as entered by the user, not 0.029999999329."""
     number = float(str(np.float32(value)))
-    # always the same NaN object, so that equal edges belong to one wire
+    # NaN is always the same object, so that edges with NaN belong to one wire.
     return math.nan if math.isnan(number) else number
 
 

@@ -13,7 +13,7 @@ from .arrays import MeshArrays
 from .chains import are_among
 from .flatten import polygons_across
 
-Pairs = list[tuple[int, int]]  # vertices
+Pairs = list[tuple[int, int]]
 
 
 @dataclass(frozen=True)
@@ -49,7 +49,6 @@ class Division:
 
 
 def segments_of(paths: Iterable[SurfacePath], arrays: MeshArrays) -> Segments:
-    """Return the segments to draw for these lines."""
     points = [
         list(zip(arrays.triangles[path.faces].tolist(), path.coordinates.tolist(), strict=True)) for path in paths
     ]

@@ -31,7 +31,6 @@ class ErrorFacts:
         return self.error.arguments[name]
 
     def get(self, name: str) -> Any:  # noqa: ANN401
-        """Return the error's argument of this name; None if it has no such argument."""
         return self.error.arguments.get(name)
 
     @property
@@ -59,7 +58,6 @@ def _listed(words: list[str]) -> str:
 
 
 def percent(fraction: float) -> str:
-    """Return a percentage, such as "3.25%"."""
     return f"{100 * fraction:.3g}%"
 
 

@@ -50,9 +50,9 @@ def _on_lines(result: FlattenResult, arrays: MeshArrays) -> tuple[np.ndarray, np
 def _model_lengths(result: FlattenResult, arrays: MeshArrays, choices: FlattenChoices) -> np.ndarray:
     """Return the lengths (k,) of the model's edges; for thick materials, the lengths in the middle of the thickness.
 
-    A flat edge (dx, dy) has the length of the vector dx f_u + dy f_v on the model. Here, f_u and f_v are the
-    derivatives of the map to the model. The strains of the threads determine the lengths of f_u and f_v, and the shear
-    determines the angle between f_u and f_v.
+    Let f_u and f_v be the derivatives of the map from the plane to the model. The strains of the threads determine
+    their lengths, and the shear determines the angle between them. A flat edge (dx, dy) has the length of the vector dx
+    f_u + dy f_v on the model.
     """
     lengths = edge_lengths(arrays.vertices, arrays.edges)
     if choices.thickness == 0 or choices.surface == "middle":
@@ -104,8 +104,7 @@ class FlatMesh:
     arap_energy: np.ndarray  # (f,) float32, ARAP energy
     energy_density: np.ndarray  # (f,) float32, ARAP energy divided by the area on the model
     aspect_ratio: np.ndarray  # (f,) float32, of the worst triangle
-    # (f,) float32: mean stretch over all directions; 0.1 if the fabric is stretched by 10% on the model
-    stretch: np.ndarray
+    stretch: np.ndarray  # (f,) float32: mean stretch over all directions; 0.1 if the model stretches the fabric by 10%
     length_variation: np.ndarray  # (e,) float32: 0.1 if an edge differs by 10% from its target length
     threads: "Threads | None"  # None without a fabric
     piece_areas: np.ndarray  # (n,) areas of the pieces by index; below 0 for a flipped piece
@@ -271,8 +270,6 @@ def _signed_areas(vertices: np.ndarray, triangles: np.ndarray) -> np.ndarray:
 
 @dataclass(frozen=True)
 class FlatMarks:
-    """Marks of the flat edges, copied from the edges of the model."""
-
     seams: np.ndarray  # (e,) bool
     seam_ids: np.ndarray  # (e,) int32, 0 none
     wires: EdgeMarks

@@ -40,7 +40,7 @@ class ClothChoice:
     """A fabric of the library, chosen by its name, or a custom fabric."""
 
     name: str  # name of a preset, or "custom"
-    gives_across: float  # maximum stretch as a fraction; 0 for unknown
+    gives_across: float  # maximum stretch as a fraction; 0: that of the preset
     gives_along: float
     worn_across: float = 0.0  # negative ease: stretch when worn, as a fraction
     worn_along: float = 0.0
@@ -60,7 +60,7 @@ class FlattenChoices:
     fairness: float
     node_weight: str
     cloth: ClothChoice | None
-    thickness: float  # thickness of the material, in Blender units
+    thickness: float  # in Blender units
     surface: str
     layout: str = field(metadata=LAYS_OUT)
     orientation: str = field(metadata=LAYS_OUT)
@@ -69,7 +69,7 @@ class FlattenChoices:
     mirror: bool = field(metadata=LAYS_OUT)
 
 
-# Options of a report that require a new layout if they change.
+# If one of these options of a report changes, all pieces need a new layout.
 LAYOUT_OPTIONS = (*(each.name for each in fields(FlattenChoices) if each.metadata), "grain_wire")
 
 
@@ -148,7 +148,6 @@ def known_stretch(cloth: ClothChoice | None) -> list[float]:
 
 
 def limits_of(cloth: ClothChoice | None) -> dict[str, Any]:
-    """Return the arguments for make_report: the fabric and its maximum stretch."""
     if cloth is None:
         return {}
     return {"cloth": library_cloth(cloth), "limits": maximum_stretch(cloth), "fabric": cloth.name}

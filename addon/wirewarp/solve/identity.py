@@ -18,15 +18,15 @@ from .arrays import FaceRegions, MeshArrays, Region, area_vectors, edge_lengths,
 from .chains import find_edges
 from .limbs import limb_names
 
-# Names of the negative and positive side of each axis, as seen by the person modeled, who looks toward Blender's front
-# (-Y): the left hand is at +X.
+# These are the names of the negative and the positive side of each axis, as seen by the person modeled. The person
+# looks toward Blender's front (-Y), so the left hand is at +X.
 SIDES = (("Right", "Left"), ("Front", "Back"), ("Bottom", "Top"))
-HALVES = (("Right", "Left"), ("Front", "Back"), ("Lower", "Upper"))  # distinguish pieces on the same side
-# least length of the mean normal of a piece that faces one side; other pieces, such as sleeves, are named after their
-# place
+HALVES = (("Right", "Left"), ("Front", "Back"), ("Lower", "Upper"))  # words that distinguish pieces on the same side
+# A piece faces one side if its mean normal has at least this length. Other pieces, such as sleeves, are named after
+# their place.
 FACES_ONE_WAY = 0.3
-WORD_ORDER = (2, 1, 0)  # axes of the words in a name: "Upper Front Left"
-# share of the distance between the outermost pieces; a piece closer to the middle between these gets no word
+WORD_ORDER = (2, 1, 0)  # order of the axes in a name, such as "Upper Front Left"
+# A piece gets no word if it is closer to the middle between the outermost pieces than this share of their distance.
 IN_THE_MIDDLE = 0.13
 BESIDE = 0.05  # share of the model's size; a piece closer to the model's middle, such as a ball, has no side
 ROUNDED = 3  # number of digits of offsets that are compared, because models are seldom exactly symmetric
@@ -48,7 +48,7 @@ def side_names(normals: np.ndarray, offsets: np.ndarray) -> list[str]:
             names[index] = f"{side} {half}".rstrip()
     words = {name: sorted(name.split()) for name in names}
     alike = {name for name in names for other in words if other != name and words[other] == words[name]}
-    # rename "Left Front" to "Left Side Front" if there is a "Front Left"
+    # Rename "Left Front" to "Left Side Front" if there is a "Front Left".
     return [re.sub("^(Left|Right) ", r"\1 Side ", name) if name in alike else name for name in names]
 
 
@@ -169,8 +169,6 @@ MAX_ID = 2**31 - 1  # largest value of an INT attribute
 
 @dataclass(frozen=True)
 class KnownPieces:
-    """Ids and names of pieces before a run."""
-
     ids: np.ndarray  # (f,) int32, piece ids of the model's faces; 0 on faces that have not been in a piece yet
     names: Mapping[int, str]  # names of the pieces of the last run, by id
     model_name: str  # former name of the model
@@ -205,7 +203,8 @@ def identify_pieces(
     ids = assign_ids(piece_of_triangle, known.ids[arrays.triangle_polygons], shape.triangle_areas, count, set())
     old = [known.names.get(piece_id, "") for piece_id in ids]
     if list(known.names.values()) == [known.model_name]:
-        # no old names: the former only piece may now be a part of the model, or the model may have been renamed
+        # Old names are not used, because the former only piece may now be a part of the model, or the model may have
+        # been renamed.
         old = [""] * count
     names = _first_of_each(old)
     new = [index for index in from_top(shape.offsets) if not names[index]]
@@ -292,8 +291,6 @@ GIVEN = re.compile(rf"({'|'.join(KINDS)}) (\d+)")  # matches a name that the use
 
 @dataclass(frozen=True)
 class KnownSeams:
-    """Ids and names of seams before a run."""
-
     ids: np.ndarray  # (k,) int32, seam ids of the model's seam edges; 0 on edges that have not been in a seam yet
     names: Mapping[int, str]  # names of all present and former seams by id
 
@@ -306,7 +303,6 @@ class SeamIdentity:
 
 
 def identify_seams(result: FlattenResult, arrays: MeshArrays, known: KnownSeams) -> list[SeamIdentity]:
-    """Return the identity of each seam of a FlattenResult."""
     seam_of_edge, lengths = _seam_of_edge(result.seams, arrays), edge_lengths(arrays.vertices, arrays.seams)
     inside = seam_of_edge >= 0
     taken = {*known.names, *known.ids.tolist()}
@@ -328,8 +324,8 @@ def identify_seams(result: FlattenResult, arrays: MeshArrays, known: KnownSeams)
 
 
 def _highest_number(kind: str, names: Mapping[int, str], kinds: Mapping[int, str]) -> int:
-    """Return the highest number in the names of a kind of seam, or the number of these seams if it is larger, because
-    renamed seams count, too.
+    """Return the highest number in the names of this kind of seam. Return the count of these seams if it is larger,
+    because renamed seams count, too.
 
     If a seam becomes a dart, or a dart becomes a seam, a later seam or dart can get the number of its former name.
 

@@ -56,7 +56,6 @@ def _are_mirrored(piece: int, other: int, offsets: np.ndarray, areas: np.ndarray
 
 
 def _kind(result: FlattenResult, piece: int, places: np.ndarray) -> str | None:
-    """Return SLEEVE or LEG if the tube is a sleeve or a leg, otherwise None."""
     open_ends, joined = [], []
     for chain in result.pieces[piece].boundaries:
         middle = places[chain.vertices].mean(axis=0)

@@ -7,9 +7,9 @@ from functools import cache
 
 import numpy as np
 
-# Linear RGB at equal steps from no distortion to the upper end: near white, yellow, orange, red, dark.
+# These linear RGB colors are at equal steps from no distortion to the upper end: near white, yellow, orange, red, dark.
 _RISING = ((0.93, 0.93, 0.90), (0.98, 0.80, 0.35), (0.93, 0.42, 0.10), (0.65, 0.07, 0.08), (0.18, 0.01, 0.09))
-# Linear RGB at equal steps from compressed through unchanged to stretched: blue, near white, orange.
+# These linear RGB colors are at equal steps from compressed through unchanged to stretched: blue, near white, orange.
 _TWO_SIDED = ((0.002, 0.08, 0.33), (0.10, 0.33, 0.66), (0.92, 0.90, 0.86), (0.89, 0.35, 0.05), (0.38, 0.05, 0.002))
 STEPS = 4096  # number of colors of a scale, more than the eye can distinguish
 
@@ -55,7 +55,7 @@ LENGTH_VARIATION = ColorMap("length_variation_color", "Change of length", 0.0, 0
 ARAP_ENERGY = ColorMap("arap_energy_color", "Distortion", 0.0, 0.1)
 WEFT = ColorMap("weft_strain_color", "Across the grain", -0.1, 0.1, is_percent=True, stops=_TWO_SIDED)
 WARP = ColorMap("warp_strain_color", "Along the grain", -0.1, 0.1, is_percent=True, stops=_TWO_SIDED)
-# the scale ends at the angle at which the threads of a plain weave lock
+# The scale ends at the angle at which the threads of a plain weave lock.
 SHEAR = ColorMap("shear_angle_color", "Shear", 0.0, math.radians(45), is_angle=True)
 CLOTH_MAPS = (WEFT, WARP, SHEAR)
 COLOR_MAPS = (ASPECT_RATIO, STRETCH, LENGTH_VARIATION, ARAP_ENERGY, *CLOTH_MAPS)

@@ -15,7 +15,7 @@ SAMPLE = 100  # maximum number of points by which the place of a piece is stored
 # Points of pieces that have a place but no flat shape at present are rows (k,4): piece id, source vertex, place (2).
 # This array has no rows.
 NONE_AWAY = np.empty((0, 4))
-# smallest correlation between the points of a piece and of its earlier shape at which the piece keeps its place
+# A piece keeps its place if the correlation between its points and those of its earlier shape is above this number.
 LIKE = 0.7
 
 
@@ -27,12 +27,10 @@ class Motion:
     shift: complex = 0.0
 
     def __call__(self, points: np.ndarray) -> np.ndarray:
-        """Return the moved points (n,2)."""
         moved = (points[:, 0] + 1j * points[:, 1]) * self.turn + self.shift
         return np.column_stack([moved.real, moved.imag])
 
     def shifted(self, by: np.ndarray) -> "Motion":
-        """Return this motion followed by a translation (2,)."""
         return Motion(self.turn, self.shift + complex(*by))
 
 
@@ -78,7 +76,6 @@ class _Pieces:
         return piece_id not in self._vertices
 
     def points(self, piece_id: int) -> np.ndarray:
-        """Return the points (k,2) of the piece."""
         if self.is_away(piece_id):
             return self._away[piece_id][:, 2:]
         return self._pieces.vertices[self._vertices[piece_id]]
@@ -140,8 +137,8 @@ def find_places(pieces: FlatMesh, earlier: FlatPieces, away: np.ndarray, spacing
 
 
 def _fit(now: _Pieces, then: _Pieces, piece_id: int) -> Motion | None:
-    """Return the motion of the piece to its earlier place, which fits the vertices that occur once in both shapes.
-    Return None if these are too few or fit badly."""
+    """Return the motion of the piece to its earlier place, as fitted to the vertices that occur only once in both
+    shapes. Return None if there are too few of these vertices, or if the fit is bad."""
     rows = [_only_once(pieces.sources(piece_id)) for pieces in (now, then)]
     here, there = (pieces.sources(piece_id)[own] for pieces, own in zip((now, then), rows, strict=True))
     _, first, second = np.intersect1d(here, there, assume_unique=True, return_indices=True)
@@ -183,7 +180,7 @@ def _crowded(kept: dict[int, Motion], now: _Pieces, then: _Pieces) -> list[int]:
 
 
 def _close(kept: dict[int, Motion], now: _Pieces) -> dict[int, set[int]]:
-    """Return the pieces whose boxes overlap, each with the pieces whose boxes overlap its box."""
+    """Return, for each piece with a box that overlaps other boxes, the pieces of these other boxes."""
     ids = list(kept)
     low, high = np.array([now.box(piece_id, motion) for piece_id, motion in kept.items()]).transpose(1, 0, 2)
     meet = np.all((low[:, None] < high) & (low < high[:, None]), axis=2) & ~np.eye(len(ids), dtype=bool)

@@ -51,8 +51,8 @@ class Facts:
 
 @dataclass(frozen=True, kw_only=True)
 class UvSeams:
-    """Figures of flattening with the seams of the model's own UV map, which are tried if the marked seams fail. The
-    pieces are not kept: if the user wants them, the seams are marked and the model is flattened again."""
+    """Figures of flattening with the seams of the model's own UV map. The pieces are not kept. If the user chooses
+    these seams, they are marked and the model is flattened again."""
 
     pieces: int  # number of pieces
     failed: int  # number of failed pieces
@@ -90,7 +90,6 @@ class ObjectReport(Report):
 
     @property
     def left_out(self) -> list[str]:
-        """Return the modifiers and shape keys that the run ignored."""
         return [] if self.with_modifiers else self.shaped_by
 
     def follows_grain_wire(self, piece: int) -> bool:
@@ -197,7 +196,6 @@ def run_message(reports: Sequence[ObjectReport], narrow: Mapping[str, Sequence[s
 
 
 def _failure_text(reports: Sequence[ObjectReport]) -> str:
-    """Return one sentence for each failure."""
     lines = [f"{place_name(report, issue.piece)}: {issue.sentence}" for report in reports for issue in report.issues]
     hidden = len(lines) - SHOWN_SENTENCES
     more = [f"And {hidden} more: see the report in the sidebar."] if hidden > 0 else []
@@ -206,7 +204,7 @@ def _failure_text(reports: Sequence[ObjectReport]) -> str:
 
 ALIKE = 1e-3  # maximum relative difference of the measures of mirrored pieces, see _measures
 IN_PLACE = 1e-4  # share of a piece's size: maximum distance between a vertex and its mirror image
-Pairs = list[tuple[int, int]]  # vertices
+Pairs = list[tuple[int, int]]
 
 
 def with_mirror_images(issues: Sequence[Issue], result: FlattenResult, arrays: MeshArrays) -> list[Issue]:
@@ -242,7 +240,6 @@ def _measures(piece: Piece, arrays: MeshArrays) -> np.ndarray:
 
 
 def _are_alike(issue: Issue, other: Issue, measures: np.ndarray, others: np.ndarray) -> bool:
-    """Return whether the issues are of the same kind, and their pieces have the same measures: see _measures."""
     same_kind = issue.code == other.code and bool(issue.proposed_seams) == bool(other.proposed_seams)
     return same_kind and len(measures) == len(others) and np.allclose(measures, others, rtol=ALIKE, atol=0)
 
@@ -252,7 +249,7 @@ def _mirrored(issue: Issue, piece: Piece, other: Piece, arrays: MeshArrays) -> I
     wanted = [*issue.proposed_seams, *(edge for wire in issue.proposed_tolerances for edge in wire.edges)]
     own = np.intersect1d(np.unique(piece.source_vertex), np.array(wanted).ravel())
     places, others = arrays.vertices[np.unique(piece.source_vertex)], np.unique(other.source_vertex)
-    # most models are symmetric in X; the other axes are for models that are rotated
+    # Most models are symmetric in X. The other axes are for models that are rotated.
     for axis in range(3):
         image = _images(arrays.vertices[own], places, arrays.vertices[others], axis)
         if image is None:
@@ -288,7 +285,8 @@ def _mirrored_edges(edges: Iterable[tuple[int, int]], image_of: dict[int, int]) 
 
 
 def _mirrored_wire(wire: LooserWire, image_of: dict[int, int], arrays: MeshArrays) -> LooserWire | None:
-    """Return the wire that contains the mirror image of the part of `wire` in the piece; None if there is none."""
+    """Return the wire that contains the mirror image of `wire`, or of its part in the piece. Return None if there is no
+    such wire."""
     image = _mirrored_edges([edge for edge in wire.edges if edge[0] in image_of and edge[1] in image_of], image_of)
     wanted = set(image or ())
     for each in arrays.wires:

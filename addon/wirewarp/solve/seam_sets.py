@@ -155,7 +155,8 @@ def _measure(cuts: Sequence[Cut], measured: list[Cut], arrays: MeshArrays, choic
 
 
 def _measured_set(arrays: MeshArrays, choices: FlattenChoices, cut: Cut, solved: Cache) -> Steps[Cut]:
-    """Return the set with the narrowest width of the pieces that it changes. Also note whether a piece is too narrow.
+    """Return the set with its measures: the least width of the pieces that it changes, and whether a piece is too
+    narrow.
 
     If pieces have no room for their allowances, only their widths count. The width is in Blender units; None if no
     piece is flat. If the maximum stretch of the fabric is known, the set also gets the strain of the fabric, and the
@@ -189,7 +190,7 @@ def _measured_set(arrays: MeshArrays, choices: FlattenChoices, cut: Cut, solved:
     threads = [each.threads for each in own_reports if each.ok and each.threads]
     if len(threads) < len(own_reports):  # a piece fails with this fabric
         return replace(cut, strain=math.inf)
-    # for seams to clear, the strain of the search is already that of the whole model with the fabric
+    # For seams to clear, the strain of the search is already that of the whole model with the fabric.
     strain = cut.strain if cut.cleared else max(each.needed for each in own_reports)
     return replace(cut, strain=strain, threads=max(threads, key=lambda each: each.excess))
 

@@ -31,10 +31,10 @@ from .cut_faces import Pairs, Segments, segments_of
 from .flatten import FlattenChoices, issue_of_error, library_arguments, polygons_across, result_of
 from .steps import CanceledError, Steps
 
-# smallest width of a piece, as a multiple of the allowance: two allowances, and a fifth more to turn the piece right
-# side out
+# Pieces have at least this width, as a multiple of the allowance: two allowances, and a fifth more to turn the piece
+# right side out.
 ROOM = 2.4
-# largest stretch, as a share of the stretch of a set with fewer pieces, at which more pieces are worth the sewing
+# More pieces are worth the sewing if their stretch is below this share of the stretch of a set with fewer pieces.
 WORTH_PIECES = 0.95
 CORNER = math.cos(math.radians(30))  # a smaller turn of a line counts as a curve, a larger turn as a corner
 PAINTED = f' Seams are also not allowed where "{NO_SEAM}" is painted.'
@@ -104,8 +104,6 @@ class Cut:
 
 @dataclass(frozen=True)
 class SearchOptions:
-    """Which cuts to suggest."""
-
     kind: str  # DARTS, SEAMS, or FEWER for seams to clear
     piece: int | None = None  # index of the piece to cut; None for any piece
     target: Target | None = None
@@ -227,8 +225,8 @@ def from_few_pieces(sets: Sequence[Cut], limits: Sequence[float]) -> list[Cut]:
     """Return cut sets by their number of pieces. Sets with more pieces but about the same stretch are left out.
 
     The first set that the fabric allows is kept even if it lowers the stretch little. A set with narrow pieces does not
-    replace a set without them. If any set is within the larger limit, sets beyond this limit are left out. limits: see
-    Cut.excess.
+    replace a set without narrow pieces. If any set is within the larger limit, sets beyond this limit are left out.
+    limits: see Cut.excess.
     """
     kept: list[Cut] = []
     within = [each for each in sets if each.strain <= limits[-1]]
@@ -242,9 +240,8 @@ def from_few_pieces(sets: Sequence[Cut], limits: Sequence[float]) -> list[Cut]:
 
 
 def set_for(sets: Sequence[Cut], limits: Sequence[float]) -> int:
-    """Return the index of the set to show first: the first set that the fabric allows, if possible one without narrow
-    pieces. If the fabric allows no set, return the set that exceeds its limits least. limits: see Cut.excess.
-    """
+    """Return the index of the set to show first: the first set that the fabric allows, if possible a set without narrow
+    pieces. If the fabric allows no set, return the set that exceeds its limits least. limits: see Cut.excess."""
     excesses = [each.excess(limits) for each in sets]
     within = [index for index, excess in enumerate(excesses) if excess <= 0]
     if within:

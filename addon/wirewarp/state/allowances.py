@@ -56,8 +56,8 @@ class SidedMark:
         """Raises ObjectError like check_attributes, or if a side is unknown or has two values.
 
         If an edge has only one face left, which is not the marked face, the mark is ignored. has_modifiers: whether
-        modifiers made the mesh. If a Mirror modifier merges the middle, both faces of an edge in the middle have one
-        number.
+        modifiers made the mesh. For example, a Mirror modifier that merges the middle gives both faces of an edge one
+        number, so that its side is unknown.
         """
         self.check_attributes(mesh)
         _, counts = marked_corners(mesh, self.side)
@@ -124,7 +124,6 @@ SIDE_ALLOWANCES = SidedMark("allowance", SIDE_WIDTH, SIDE, SIDE_ALLOWANCE)
 
 
 def is_set(values: np.ndarray) -> np.ndarray:
-    """Returns a mask of the values that are finite and not 0."""
     return np.isfinite(values) & (values != 0)
 
 
@@ -200,7 +199,7 @@ def mark_sides(mesh: bpy.types.Mesh, corners: np.ndarray, width: float) -> int:
     first = beside[np.searchsorted(loop_edges[beside], rows)]
     last = beside[np.searchsorted(loop_edges[beside], rows, side="right") - 1]
     own, shared = np.where(widths[first] != 0, first, last), np.where(widths[first] != 0, last, first)
-    both[rows] = widths[shared]  # the width of one side; below, SIDE_ALLOWANCES gets a different width of the other
+    both[rows] = widths[shared]  # below, SIDE_ALLOWANCES gets the width of the other side if it differs
     write_marked(mesh, ALLOWANCE, both)
     SIDE_ALLOWANCES.clear(mesh, rows)
     one_sided = own[widths[own] != widths[shared]]
@@ -248,7 +247,6 @@ def on_outlines(mesh: bpy.types.Mesh) -> np.ndarray:
 
 
 def _where_set(widths: np.ndarray) -> np.ndarray:
-    """Return the widths, with 0 instead of values that are not finite."""
     return np.where(is_set(widths), widths, np.float32(0))
 
 

@@ -43,7 +43,7 @@ def _state(source: bpy.types.Object, digests: dict, with_modifiers: bool, take: 
 
 def has_changed(source: bpy.types.Object, state: dict | None, take: Take = kept) -> bool:
     """Return whether geometry, marks or scale differ from a report's model_state. For a report with modifiers, also
-    return whether their result differs, if Blender evaluates them: see shows_modified. take: kept or read_anew."""
+    compare their result, if Blender evaluates them: see shows_modified. take: kept or read_anew."""
     return state is not None and bool(_changes(source, state, take))
 
 
@@ -78,8 +78,8 @@ def _changes(source: bpy.types.Object, then: dict, take: Take) -> set[str]:
 
 
 def _is_applied(source: bpy.types.Object, then: dict, now: dict, take: Take) -> bool:
-    """Return whether vertices and matrix have changed, but no length, because the user has applied a transformation. If
-    the matrix is the same, return False, so that even the smallest change of a vertex counts as a change."""
+    """Return whether the user has applied a transformation: vertices and matrix have changed, but no length. If the
+    matrix is the same, return False, so that even the smallest change of a vertex counts as a change."""
     if LENGTHS not in then or then[MATRIX] == now[MATRIX] or then[FACES] != now[FACES]:
         return False
     if (then[SCALE][-1] < 0) != (now[SCALE][-1] < 0):  # mirrored
@@ -157,7 +157,6 @@ def _faces(mesh: MarkedMesh) -> list[np.ndarray]:
 
 
 def _marks(mesh: MarkedMesh) -> list[np.ndarray]:
-    """Return the arrays of seams, wires and eases to hash."""
     seams, rows, eased = (np.flatnonzero(each) for each in (mesh.seams, mesh.marks.wire_ids, mesh.side_eases))
     wires = mesh.marks.take(rows)
     numbers = (each.astype(np.int32) for each in (seams, rows, eased))
@@ -169,7 +168,7 @@ def place_sums(points: np.ndarray) -> list[float]:
     numbers = np.arange(len(points))
     blocks = numbers * BLOCKS // max(len(points), 1)
     wave = np.cos(2.4 * numbers)
-    # no weight is near 0, and the sum of the weights is near 0, so that a common rounding error cancels
+    # No weight is near 0. The sum of the weights is near 0, so that a common rounding error cancels.
     weights = (wave + np.sign(wave)) / 2
     sums = [np.bincount(blocks, weights * column, minlength=BLOCKS) for column in _finite(points).T]
     return np.concatenate(sums).tolist()

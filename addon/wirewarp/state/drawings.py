@@ -33,7 +33,7 @@ class Same:
 @dataclass(frozen=True)
 class _Entry:
     made_of: tuple  # data from which the drawing was built
-    value: Any  # the drawing
+    value: Any
     rests_until: float  # end of the pause after the build, in seconds of the monotonic clock
     is_slow: bool  # whether the build took longer than FELT
     awaited: tuple | None = None  # data of a postponed build

@@ -39,8 +39,8 @@ def on_flat(elements: Elements, flat: FlatPieces) -> Elements:
 
 
 OF_ELEMENTS = (SOURCE_VERTEX, SOURCE_CORNER, SOURCE_FACE, PIECE_INDEX, PIECE)  # attributes that a flat mesh always has
-# Tolerances of lengths, relative to the length, and relative to the largest coordinate, because single precision rounds
-# the coordinates of pieces that were moved.
+# These are tolerances of lengths, relative to the length and to the largest coordinate. The second is needed because
+# single precision rounds the coordinates of pieces that were moved.
 LENGTH_ERROR, PLACE_ERROR = 1e-5, 1e-6
 
 
@@ -141,5 +141,4 @@ def _is_edited(mesh: bpy.types.Mesh, report: ObjectReport) -> bool:
 
 
 def is_true_size(flat: bpy.types.Object) -> bool:
-    """Return whether the object is neither scaled nor mirrored."""
     return np.allclose(flat.matrix_world.to_scale(), 1, rtol=0, atol=1e-5)

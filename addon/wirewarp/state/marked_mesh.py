@@ -71,7 +71,6 @@ def own_ids(wire_ids: Sequence[int]) -> list[int]:
 
 
 def check_id_room(target: bpy.types.Object) -> None:
-    """Raises ObjectError if the ids of pieces and seams cannot be written to the object's mesh."""
     check_room(target, PIECE, "the id of pieces")
     check_room(target, SEAM, "the id of seams")
 
@@ -92,8 +91,7 @@ class MarkedMesh:
     face_sizes: np.ndarray  # (f,) int32, number of corners of each face
     seams: np.ndarray  # (e,) bool, whether each edge is a seam
     marks: EdgeMarks  # (e,)
-    # (l,) float32, ease of the edge that begins at each corner, on the side of the corner's face; 0 none
-    side_eases: np.ndarray
+    side_eases: np.ndarray  # (l,) float32, ease of the edge from each corner, on the side of the corner's face; 0 none
 
 
 def read_marked(mesh: bpy.types.Mesh) -> MarkedMesh:

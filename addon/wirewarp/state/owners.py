@@ -25,7 +25,7 @@ def model_of(target: bpy.types.Object) -> bpy.types.Object | None:
 
 
 def model_or_self(target: bpy.types.Object) -> bpy.types.Object:
-    """Return the model if the object has flat pieces, otherwise the object itself."""
+    """Return the model of a flat object, otherwise the object itself."""
     return model_of(target) or target
 
 
@@ -54,7 +54,7 @@ def has_flat_object(source: bpy.types.Object) -> bool:
 
 
 def is_earlier(target: bpy.types.Object) -> bool:
-    """Return whether the object has flat pieces that the next run does not change: it is a copy, or pieces that were
+    """Return whether the object contains flat pieces that the next run does not change: a copy, or pieces that were
     separated from the flat object."""
     model = model_of(target)
     return model is not None and target != find_flat_object(model) and bool(target.users_scene)

@@ -27,8 +27,8 @@ from .allowances import SIDE_EASES, corner_widths, widest_allowance
 from .identities import chain_names
 from .marked_mesh import MarkedMesh, own_ids, read_ids, read_marked
 
-# Levels of a new modifier. The largest turn that counts as a curve has 60 degrees. Two levels divide it into turns of
-# 15 degrees.
+# This is the number of levels of a new modifier. The largest turn that counts as a curve has 60 degrees. Two levels
+# divide it into turns of 15 degrees.
 LEVELS = 2
 MOST_LEVELS = 4  # maximum number of levels, because each level has four times as many faces
 ROUNDING = 1e-5  # rounding error of places with an armature at rest, as a share of the model's size
@@ -89,7 +89,6 @@ def _outline_length(mesh: bpy.types.Mesh) -> float:
 
 
 def check_modifiers(source: bpy.types.Object) -> None:
-    """Raises ObjectError if Blender cannot apply the modifiers of the object."""
     if source.data.shape_keys or source.data.users > 1:
         why = "has shape keys" if source.data.shape_keys else "shares its mesh with other objects"
         remedy = "Delete the shape keys" if source.data.shape_keys else "Use Object > Relations > Make Single User"
@@ -222,7 +221,6 @@ def face_regions(source: bpy.types.Object, mesh: bpy.types.Mesh) -> FaceRegions:
 
 
 def _slots(mesh: bpy.types.Mesh) -> np.ndarray:
-    """Return the material slot of each face, (f,) int32."""
     slots = read_attribute(mesh, "material_index", "INT", "FACE")
     return np.zeros(len(mesh.polygons), dtype=np.int32) if slots is None else slots
 

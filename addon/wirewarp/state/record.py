@@ -39,7 +39,6 @@ def map_values(flat: FlatMesh) -> dict[ColorMap, np.ndarray]:
 
 
 def _write_colors(mesh: bpy.types.Mesh, flat: FlatMesh, measures: Mapping[ColorMap, np.ndarray]) -> None:
-    """Write the colors. measures: as map_values returns them."""
     ends = flat.edges.ravel()
     edges_at = np.maximum(np.bincount(ends, minlength=len(mesh.vertices)), 1)
     sums = np.bincount(ends, np.repeat(flat.length_variation, 2), minlength=len(mesh.vertices))
@@ -68,8 +67,7 @@ class FlatRecord:
     layout: dict[str, Any]  # options that change the layout
     up: list[float]  # (3,) upward direction in the model's own space when the pieces were laid out
     away: list[list[float]]  # places of pieces without a flat shape, see solve.places.NONE_AWAY
-    # for each piece: its index, two vertices, and the grain relative to the line between them; see grains
-    grain: list[list[float]]
+    grain: list[list[float]]  # rows: index, two vertices, grain relative to the line between them; see grains
     counts: list[int]  # numbers of vertices, edges and faces
     areas: list[float]  # signed area of each piece
     source_faces: int  # number of faces of the flattened mesh

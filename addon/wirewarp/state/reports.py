@@ -18,7 +18,7 @@ from ..solve.report import ObjectReport, failure_report
 from .identities import piece_names, present_names, seam_names
 from .memory import all_states, note, state_of
 
-# name of the kept drawing that says whether the model has changed, which is valid until another report is stored
+# Under this name, state.drawings keeps whether the model has changed. This is valid until another report is stored.
 HAS_CHANGED = "has changed"
 
 

@@ -255,14 +255,13 @@ class Setting:
 
     name: str  # name of the property
     choice: str = ""  # name of the field of FlattenChoices; "": no field
-    # returns the value of this field, from all settings and the meters in a Blender unit
+    # This function returns the value of the field, from all settings and the meters in a Blender unit.
     to_choice: Callable[[FlattenSettings, float], Any] | None = None
     is_advanced: bool = False  # whether the setting is rarely needed
     is_in_front: Callable[[FlattenSettings], bool] = lambda _: False  # whether the setting is above Flatten
     is_wide: bool = False  # whether the name is too long for half a narrow sidebar
     is_shown: Callable[[FlattenSettings], bool] = lambda _: True
-    # whether the setting has an effect; otherwise, it is gray
-    is_used: Callable[[FlattenSettings], bool] = lambda _: True
+    is_used: Callable[[FlattenSettings], bool] = lambda _: True  # whether it has an effect; otherwise, it is gray
 
     def part(self, settings: FlattenSettings) -> str:
         """Return the part of the panel, one of PARTS, in which the setting is drawn."""
@@ -287,7 +286,6 @@ def _setting(name: str, choice: str = "", **others: Any) -> Setting:  # noqa: AN
 
 
 def _in_units(name: str) -> Callable[[FlattenSettings, float], float]:
-    """Return a function that converts this setting from millimeters to Blender units."""
     return lambda settings, meters: getattr(settings, name) / (1000 * meters)
 
 

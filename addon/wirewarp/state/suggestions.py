@@ -57,14 +57,12 @@ class Suggestions:
     wire_ids: set[int]  # ids of the wires during the search
     state: dict  # state of the model during the search, see model_state
     no_seam: NoSeam  # painted faces and vertices of the model's own mesh
-    chosen: int  # index of the chosen cut in cuts
-    # whether the cuts are on the mesh with modifiers, which are applied when a cut is marked
-    with_modifiers: bool = False
+    chosen: int
+    with_modifiers: bool = False  # whether the cuts are on the mesh with modifiers, which marking a cut applies
     place: Place = "FLATTEN"
     other_pieces: int = 0  # number of pieces, without the piece that a cut set divides
 
     def pieces_after(self, cut: Cut) -> int:
-        """Return the number of pieces of the model with this set of seams."""
         return cut.num_pieces + (0 if cut.cleared else self.other_pieces)
 
 
@@ -103,5 +101,5 @@ def are_current(source: bpy.types.Object, found: Suggestions, take: Take = kept)
         return True
     try:
         return found.no_seam.is_same(take(source, "no seam", read_no_seam))
-    except ObjectError:  # something has changed the attribute, because the search could read it
+    except ObjectError:  # the attribute has changed since the search, which could read it
         return False

@@ -46,17 +46,15 @@ from ..ui.window_run import WindowSteps, fault_sentence
 STOPPED = "Canceled early"
 CHOOSE_FABRIC = "Choose a fabric that stretches more."
 SET_TARGET = "Set a larger target."
-# Maximum stretches as fractions if the fabric is unknown: of plush and knits, from which most closed models are sewn,
-# and of jersey, the softest fabric that is not made for swimming.
+# These are the maximum stretches, as fractions, if the fabric is unknown. The first is that of plush and knits, from
+# which most closed models are sewn. The second is that of jersey, the softest fabric that is not made for swimming.
 SOFT = 0.2, 0.5
 
 
 @dataclass(frozen=True)
 class Search:
-    """A search in progress for one model."""
-
     options: SearchOptions
-    model: Model  # the model as it was read
+    model: Model
     choices: FlattenChoices
     no_seam: NoSeam  # painted areas of the model's own mesh
     with_modifiers: bool  # whether the search uses the mesh with modifiers, which differs from the base mesh
@@ -131,15 +129,14 @@ def _lacks_seams(report: ObjectReport, piece: int | None) -> bool:
 
 
 def _names_of(search: Search, cuts: list[Cut]) -> list[str]:
-    """Return the name of the piece that each cut is in."""
     if search.is_of_model:
         return [search.model.facts.object] * len(cuts)
     return [search.names.get(cut.piece, f"Piece {cut.piece + 1}") for cut in cuts]
 
 
 def _shown_first(search: Search, cuts: list[Cut]) -> int:
-    """Return the index of the cut to show first: with a target the last cut, of sets the set for the fabric, otherwise
-    the best cut."""
+    """Return the index of the cut to show first: the last cut if there is a target, the set for the fabric if the cuts
+    are sets, otherwise the best cut."""
     if search.options.target:
         return len(cuts) - 1
     if not cuts[0].is_set:
@@ -251,8 +248,6 @@ class SuggestCuts(OnMesh, WindowSteps):
 
 
 class SuggestForPiece(SuggestCuts):
-    """Mixin of operators that suggest cuts for one piece or for any piece."""
-
     piece: IntProperty(
         name="Piece",
         description="Index of the piece in the report, from 0, or -1 for the piece that gains most from a cut",

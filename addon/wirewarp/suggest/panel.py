@@ -158,13 +158,12 @@ def _explained(cuts: Sequence[Cut]) -> str:
     if not cuts[0].is_set:
         return ""
     columns = COLUMNS.format("cleared seams" if cuts[0].cleared else "seams")
-    # a row with narrow pieces may have more stretch than the row above
+    # A row with narrow pieces may have more stretch than the row above.
     is_falling = all(few.strain > more.strain for few, more in pairwise(cuts))
     return f"{columns} {FROM_FEW}" if len(cuts) > 1 and is_falling else columns
 
 
 def are_shown(context: bpy.types.Context) -> bool:
-    """Return whether the sidebar shows a list of suggestions."""
     return _shown(context) is not None
 
 

@@ -18,7 +18,7 @@ BESIDE_TEXT = 90  # pixels of the sidebar's width that icon, margins and tabs ne
 FONT = 0  # Blender's number of the interface font
 SIZE, THICKNESS = 64, 0.08  # size of a mark in pixels; half the width of its strokes, as a share of the size
 Stroke = list[tuple[float, float]]  # points from 0 to 1, with y upward
-# Strokes and colors of the marks in verdicts. Blender has such marks in gray only.
+# These are the strokes and colors of the marks in verdicts. Blender has such marks in gray only.
 MARKS: dict[str, tuple[list[Stroke], tuple[float, float, float]]] = {
     "TICK": ([[(0.16, 0.50), (0.40, 0.25), (0.86, 0.76)]], (0.30, 0.78, 0.33)),
     "AMBER": (

@@ -19,7 +19,7 @@ from ..state.reports import HAS_CHANGED, last_report
 from ..state.settings import PARTS, SETTINGS, FlattenChoices, FlattenSettings, Setting, choices_of, usual_stretch
 from ..state.suggestions import Suggestions
 
-# directions of the grain: the two settings of a pair have one heading, because their full labels would be cut off
+# The two settings for these directions of the grain have one heading, because their full labels would be cut off.
 WAYS = ("Across", "Along")
 CHANGED = "The model has changed since it was flattened. Flatten again."
 
@@ -55,7 +55,6 @@ def has_changed_since(source: bpy.types.Object, report: ObjectReport) -> bool:
 
 
 def draw_ease(layout: bpy.types.UILayout, settings: EaseAmount) -> None:
-    """Draw the amount of an ease and its unit."""
     row = layout.row(align=True)
     row.use_property_split = False
     in_percent = settings.ease_unit == "PERCENT"
@@ -74,7 +73,7 @@ def draw_settings(layout: bpy.types.UILayout, settings: FlattenSettings, *parts:
             row.use_property_split = not setting.is_wide
             row.use_property_decorate = False
             row.enabled = setting.is_used(settings)
-            # the fabric has no label, because the items of its menu are long and clear without one
+            # The fabric has no label, because the items of its menu are long and clear without a label.
             if setting.name == "cloth" and parts:
                 row.use_property_split = False
                 row.prop(settings, setting.name, text="", icon="MATCLOTH")
@@ -143,7 +142,7 @@ def _changed_choices(
     now = asdict(choices) | {"grain_wire": source.data.wirewarp_grain}
     had_grain = then["grain_wire"] in wire_ids
     if (now["orientation"], then["orientation"]) == ("grain", "up") and not had_grain:
-        # without a grain wire, "grain" has the same effect as "up"
+        # Without a grain wire, "grain" has the same effect as "up".
         ignored = ignored | {"orientation"}
     compared = [each for each in SETTINGS if each.choice and each.choice not in ignored and each.is_used(settings)]
     changed = [each.label for each in compared if now[each.choice] != then[each.choice]]

@@ -95,7 +95,6 @@ class WindowRun(Generic[T]):
             self._do(lambda: self._steps.throw(CanceledError()))
 
     def go_on(self) -> None:
-        """Do one step of the work, and show the progress."""
         if not self.is_done:
             self._do(lambda: next(self._steps))
 
