@@ -16,7 +16,6 @@ from pathlib import Path
 OPENING = re.compile(r"(?:struct|class|enum class) (\w+)(?: final)?(?: : [^{]*)? \{")
 FIELD = re.compile(r"  (?!static )[\w:<>, ]+ (\w+)(?: = [^;]*|\{\})?;(?: +// (.*))?")
 ENUMERATOR = re.compile(r"  (\w+),(?: +// (.*))?")
-ABOVE = re.compile(r" *///? (.*)")  # "//" continues the comment after a field
 
 
 def comments(header: str) -> Iterator[tuple[str, str]]:

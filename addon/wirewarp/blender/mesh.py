@@ -18,6 +18,7 @@ HAS_UV_ATTRIBUTES = bpy.app.version >= (3, 5, 0)
 HAS_ATTRIBUTES = bpy.app.version >= (4, 0, 0)
 # The attribute of seams is absent if no edge is a seam.
 SEAM = "uv_seam" if bpy.app.version >= (4, 5, 0) else ".uv_seam"
+IN_GROUP = 0.5  # least weight at which a vertex belongs to a vertex group, half of the full strength
 
 
 def read(collection: bpy.types.bpy_prop_collection, name: str, dtype: type, columns: int = 1) -> np.ndarray:
@@ -44,6 +45,11 @@ def read_attribute(mesh: bpy.types.Mesh, name: str, data_type: str, domain: str)
     if attribute is None or (attribute.data_type, attribute.domain) != (data_type, domain):
         return None
     return read(attribute.data, *_VALUES[data_type])
+
+
+def groups_of(vertex: bpy.types.MeshVertex) -> set[int]:
+    """Return the numbers of the vertex groups to which the vertex belongs."""
+    return {element.group for element in vertex.groups if element.weight >= IN_GROUP}
 
 
 def vertex_places(mesh: bpy.types.Mesh) -> np.ndarray:

@@ -133,7 +133,6 @@ def check_target(target: bpy.types.Object, writes_model: bool, edited: Collectio
     check_local(target, target)
     if writes_model:
         check_local(target, target.data)
-    if writes_model:
         check_id_room(target)
         check_uv_room(target)
         _check_users(target)

@@ -31,6 +31,7 @@ from ..core import (
 )
 from .arrays import MeshArrays, triangle_areas
 from .chains import are_among
+from .cut_faces import Pairs
 from .flatten import ClothChoice, issue_of_piece, known_stretch, library_marks, limits_of
 from .identity import PieceIdentity, SeamIdentity
 
@@ -204,7 +205,6 @@ def _failure_text(reports: Sequence[ObjectReport]) -> str:
 
 ALIKE = 1e-3  # maximum relative difference of the measures of mirrored pieces, see _measures
 IN_PLACE = 1e-4  # share of a piece's size: maximum distance between a vertex and its mirror image
-Pairs = list[tuple[int, int]]
 
 
 def with_mirror_images(issues: Sequence[Issue], result: FlattenResult, arrays: MeshArrays) -> list[Issue]:

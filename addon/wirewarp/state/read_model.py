@@ -12,6 +12,7 @@ from ..blender.mesh import (
     evaluated_mesh,
     face_starts,
     faces_at_edges,
+    groups_of,
     read_attribute,
     read_uv,
     triangle_corners,
@@ -119,7 +120,6 @@ def _is_same_shape(base: bpy.types.Mesh, seen: bpy.types.Mesh) -> bool:
 LARGEST = 1e18  # largest coordinate, in Blender units
 SAMPLE = 5_000  # maximum number of faces whose regions are read, because reading groups vertex by vertex is slow
 NO_REGIONS = {NO_SEAM, "sharp_face"}  # boolean face attributes that do not name a part of a model
-CARRIED = 0.5  # least weight at which a vertex counts as in the group
 
 
 def object_to_arrays(source: bpy.types.Object, base: MarkedMesh, depsgraph: bpy.types.Depsgraph | None) -> MeshArrays:
@@ -229,15 +229,14 @@ def _groups(source: bpy.types.Object, mesh: bpy.types.Mesh, sample: np.ndarray) 
     """Return a region for each vertex group: the sampled faces whose vertices all belong to the group."""
     if not source.vertex_groups:
         return []
-    groups_of: dict[int, set[int]] = {}
+    groups_at: dict[int, set[int]] = {}
     members: list[list[int]] = [[] for _ in source.vertex_groups]
     for face in sample.tolist():
         corners = mesh.polygons[face].vertices
         for vertex in corners:
-            if vertex not in groups_of:
-                elements = mesh.vertices[vertex].groups
-                groups_of[vertex] = {element.group for element in elements if element.weight >= CARRIED}
-        for group in set.intersection(*(groups_of[vertex] for vertex in corners)):
+            if vertex not in groups_at:
+                groups_at[vertex] = groups_of(mesh.vertices[vertex])
+        for group in set.intersection(*(groups_at[vertex] for vertex in corners)):
             if group < len(members):  # a weight may refer to a group that was removed
                 members[group].append(face)
     named = zip(source.vertex_groups, members, strict=True)

@@ -7,7 +7,7 @@ from typing import Literal
 import bpy
 import numpy as np
 
-from ..blender.mesh import read_attribute
+from ..blender.mesh import groups_of, read_attribute
 from ..issues import ObjectError, object_error
 from ..names import NO_SEAM
 from ..solve.flatten import FlattenChoices
@@ -20,7 +20,6 @@ OTHER_KIND = (
     'The attribute "{}" of mesh "{}" is not of type BOOLEAN, INT8, INT or FLOAT on faces. '
     "Rename or delete it under Object Data > Attributes."
 )
-LEAST_WEIGHT = 0.5  # least weight at which a vertex counts as painted, half of the full strength
 
 
 def read_no_seam(source: bpy.types.Object, modified: bpy.types.Mesh | None = None) -> NoSeam:
@@ -36,10 +35,7 @@ def read_no_seam(source: bpy.types.Object, modified: bpy.types.Mesh | None = Non
         values = np.zeros(len(mesh.polygons))
     vertices = np.zeros(len(mesh.vertices), dtype=bool)
     if group is not None:
-        vertices[:] = [
-            any(each.group == group.index and each.weight >= LEAST_WEIGHT for each in vertex.groups)
-            for vertex in mesh.vertices
-        ]
+        vertices[:] = [group.index in groups_of(vertex) for vertex in mesh.vertices]
     return NoSeam(values > 0, vertices)
 
 
