@@ -5,7 +5,7 @@ python bench/cut_sets.py MESH.obj...
 
 A row has the set with the fewest pieces that need no more than the maximum stretch of plush. If there is no such set,
 the row has the set with the least stretch. *With room* is the number of pieces with room for their allowances. *Bends*
-is the number of vertices inside a seam at which the seam turns sharply.
+is the number of vertices inside a seam at which the outline of a flat piece turns sharply.
 """
 
 import sys
@@ -22,7 +22,7 @@ from wirewarp.pattern import has_room, piece_width
 SOFT = 0.2  # maximum stretch of plush and stable knits
 HEIGHT = 300  # mm of the finished toy, along its largest side
 ALLOWANCE = 6  # mm: 5 mm, the usual allowance of plush, and 1 mm for turning the toy right side out
-BEND = 30  # degrees; a sharper turn of a seam counts as a bend
+BEND = 30  # degrees; a sharper turn of an outline counts as a bend
 SAME_PLACE = 1e-4  # share of the largest side: maximum distance between a vertex and the mirror image of another vertex
 HEAD = ["mesh", "triangles", "pieces", "with room", "strain", "length", "narrowest, mm", "bends", "symmetric", "s"]
 
@@ -51,19 +51,22 @@ def is_symmetric(edges: np.ndarray, images: list[int]) -> bool:
     return mirrored == {frozenset(pair) for pair in edges.tolist()}
 
 
-def num_bends(vertices: np.ndarray, edges: np.ndarray) -> int:
-    """Return the number of vertices inside seams at which the seam turns by more than BEND."""
-    beside: dict[int, list[int]] = {}
-    for a, b in edges.tolist():
-        beside.setdefault(a, []).append(b)
-        beside.setdefault(b, []).append(a)
-    count = 0
-    for vertex, ends in beside.items():
-        if len(ends) == 2:
-            ahead, back = (vertices[end] - vertices[vertex] for end in ends)
-            cosine = -(ahead @ back) / (np.linalg.norm(ahead) * np.linalg.norm(back))
-            count += cosine < np.cos(np.radians(BEND))
-    return count
+def num_bends(pieces: list[wirewarp.Piece], edges: np.ndarray) -> int:
+    """Return the number of vertices inside seams at which an outline of a flat piece turns by more than BEND."""
+    inside = np.flatnonzero(np.bincount(edges.ravel()) == 2)
+    bent: set[int] = set()
+    for piece in pieces:
+        corners = np.array([angles(piece.vertices[np.roll(piece.faces, -k, axis=1)]) for k in range(3)])
+        total = np.bincount(piece.faces.T.ravel(), corners.ravel(), minlength=len(piece.vertices))
+        turns = np.abs(np.pi - total) > np.radians(BEND)
+        bent |= set(piece.source_vertex[turns].tolist())
+    return len(bent.intersection(inside.tolist()))
+
+
+def angles(triangles: np.ndarray) -> np.ndarray:
+    """Return the angle at the first corner of each triangle, in radians. triangles: (m, 3, 2)."""
+    a, b = triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0]
+    return np.arctan2(np.abs(a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]), (a * b).sum(axis=1))
 
 
 def scale_of(mesh: Mesh) -> float:
@@ -109,7 +112,7 @@ def row(name: str, mesh: Mesh, cut: Cut) -> list[str]:
         f"{100 * cut.proposal.strain:.1f}%",
         f"{cut.proposal.length / np.sqrt(area):.2f}",
         f"{width:.1f}",
-        str(num_bends(vertices, cut.seams)),
+        str(num_bends(pieces, cut.seams)),
         "–" if images is None else "yes" if is_symmetric(cut.seams, images) else "no",
         f"{cut.seconds:.0f}",
     ]
