@@ -2,17 +2,20 @@
 """The tests run inside Blender on the installed add-on or extension."""
 
 import itertools
+import subprocess
+import sys
 from types import ModuleType
 
 import bpy
 import numpy as np
 import pytest
 from everything import COMMANDS, use_everything
+from flattening import flatten_fails
 from surfaces import addon_module, bump, grid, join_cube, mark, mark_seam, on_line, read
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    # Tracebacks are short, because longer ones print local variables, and printing a removed Blender object crashes.
+    # Longer tracebacks print local variables, and printing a removed Blender object crashes.
     config.option.tbstyle = "short"
 
 
@@ -34,14 +37,37 @@ def at_once(addon, monkeypatch):
 
 
 @pytest.fixture
+def source():
+    """Return a flattened model of two pieces, to the left and right of x = 0."""
+    target = grid("Bump", bump, seam=on_line(0, 0.0))
+    bpy.ops.object.wirewarp_flatten()
+    return target
+
+
+@pytest.fixture
+def in_another_blender(tmp_path):
+    """Return a function that runs Python code with arguments in another Blender, and returns the finished process."""
+
+    def run(code, *arguments, **how):
+        script = tmp_path / "script.py"
+        script.write_text(code)
+        if bpy.app.binary_path:
+            blender = [bpy.app.binary_path, "--background", "--factory-startup", "--python-exit-code", "1", "--python"]
+        else:  # Blender as a Python module
+            blender = [sys.executable]
+        return subprocess.run([*blender, script, "--", *arguments], capture_output=True, text=True, **how)
+
+    return run
+
+
+@pytest.fixture
 def model():
     """Return a flattened model of two good pieces and a closed piece that fails. A wire ends inside a good piece."""
     target = grid("Bump", bump, size=4)
     join_cube(target)
     mark_seam(target, on_line(0, 0.0))
     mark(target, lambda a, b: on_line(1, 0.0)(a, b) and max(a[0], b[0]) < 0.6, kind="ELASTIC", tolerance=0.05)
-    with pytest.raises(RuntimeError, match="is closed"):
-        bpy.ops.object.wirewarp_flatten(method="WIREWARP_PLUS_PLUS")
+    flatten_fails("is closed", method="WIREWARP_PLUS_PLUS")
     return target
 
 
@@ -50,8 +76,8 @@ def everything_answers(model, addon, tmp_path, capfd):
     """Return a function that damages the file with spoil(), then uses every panel, overlay and command.
 
     The function makes each object active in turn, and damages the file again before each object. in_turn: a mode for
-    each object, repeated; if None, each object is used in both modes. Shapes of models must not change. No traceback
-    may be printed, not even by a handler that Blender calls.
+    each object, repeated; if None, each object is used in both modes. Shapes of models must not change, and no
+    traceback may be printed, not even by a handler that Blender calls.
     """
 
     def shapes():

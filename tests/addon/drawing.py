@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Reads an exported pattern back from its file. This module does not use Blender, because tests/bindings imports it."""
+"""Reads exported SVG patterns. This module does not import bpy, because tests/bindings uses it without Blender."""
 
 import re
 import xml.etree.ElementTree as ElementTree
@@ -18,7 +18,7 @@ class Drawing:
         return next(group for group in self.pieces[piece].findall(f"{SVG}g") if group.get(LABEL) == label)
 
     def lines(self, piece, label):
-        """Return the lines of a layer. The list is empty if the piece has no such layer."""
+        """Return the lines of a layer as points (n,2). The list is empty if the piece has no such layer."""
         layers = [group for group in self.pieces[piece].findall(f"{SVG}g") if group.get(LABEL) == label]
         return [points_of(path) for layer in layers for path in layer.findall(f"{SVG}path")]
 

@@ -9,10 +9,10 @@ from surfaces import read, select_only
 from view_context import view_context
 
 EDGE = {"edge": 0}
-OURS = ("wirewarp_", "source_", "flat_", "piece")  # prefixes of the names of our attributes and properties
+OURS = ("wirewarp_", "source_", "flat_", "piece")  # prefixes of the add-on's attributes and properties
 KINDS = ("SEAM", "WIRE", "OUTLINE", "PIECE", "STRETCH", "EASE", "ISSUE", "HINT")
-MENDS = ("SEAMS", "TOLERANCES", "MODIFIERS", "DISSOLVE", "MERGE", "NORMALS", "SUGGESTION", "APPLY")
-COMMANDS = [  # operators that change marks or pieces come last
+FIXES = ("SEAMS", "TOLERANCES", "MODIFIERS", "DISSOLVE", "MERGE", "NORMALS", "SUGGESTION", "APPLY")
+COMMANDS = [  # Operators that change marks or pieces come last, so that the others meet the damaged data.
     ("object.wirewarp_copy_report", {}),
     ("mesh.wirewarp_select_issues", {}),
     *(("mesh.wirewarp_select_result", {"what": what, "index": 0}) for what in KINDS),
@@ -27,7 +27,7 @@ COMMANDS = [  # operators that change marks or pieces come last
     ("object.wirewarp_choose_suggestion", {"index": 1}),
     ("mesh.wirewarp_take_proposal", {"what": "SEAMS", "issue": 0}),
     ("mesh.wirewarp_take_proposal", {"what": "TOLERANCES", "issue": 0}),
-    *(("object.wirewarp_mend", {"what": what}) for what in MENDS),
+    *(("object.wirewarp_mend", {"what": what}) for what in FIXES),
     ("mesh.wirewarp_grain_wire", EDGE),
     ("mesh.wirewarp_change_wire", EDGE | {"kind": "ELASTIC"}),
     ("mesh.wirewarp_mark", {"kind": "RIGID"}),
@@ -48,7 +48,7 @@ READERS = [
 
 
 class AnyLayout:
-    """Accepts everything that a panel draws, and keeps the texts and operators."""
+    """Accepts everything that a panel draws, and keeps the texts and the names of operators."""
 
     def __init__(self, words, buttons):
         vars(self).update(words=words, buttons=buttons)
@@ -68,7 +68,6 @@ class AnyLayout:
         self.words.append(text)
 
     def menu(self, name, **_):
-        """Draw the menu immediately, as if it were open."""
         kind = getattr(bpy.types, name)
         kind.draw(SimpleNamespace(layout=self), sidebar())
 
@@ -81,7 +80,7 @@ class AnyLayout:
 
 
 def sidebar(width=300):
-    """Return a stand-in for the context of a panel, because Blender has no such context without a window."""
+    """Return a stand-in for the context of a panel. Without a window, Blender has no such context."""
     view, own = view_context(), bpy.context
     names = ("active_object", "selected_objects", "objects_in_mode_unique_data", "tool_settings", "mode")
     system = SimpleNamespace(ui_scale=1.0)
@@ -97,16 +96,15 @@ def sidebar(width=300):
 
 def draw_panels(addon, buttons=None):
     """Draw all visible panels, narrow and wide. Return their texts, and add their operators to `buttons`."""
-    addon.state.drawings.forget()  # otherwise, changes that follow quickly would be drawn late
+    addon.state.drawings.forget()  # otherwise, changes in quick succession would be drawn late
     words, buttons = [], [] if buttons is None else buttons
     for cls in addon.registration.CLASSES:
         if not issubclass(cls, bpy.types.Panel):
             continue
         parts = [vars(base) for base in reversed(cls.__mro__) if base.__module__.startswith(addon.__name__)]
         own = {name: part for each in parts for name, part in each.items() if not name.startswith(("__", "bl_rna"))}
-        panel = type(
-            cls.__name__, (), own | {"layout": AnyLayout(words, buttons)}
-        )()  # a stand-in, because only Blender can create panels
+        # Only Blender can create panels, so a stand-in is drawn.
+        panel = type(cls.__name__, (), own | {"layout": AnyLayout(words, buttons)})()
         for width in (200, 600):
             context = sidebar(width)
             if "poll" not in own or cls.poll(context):
@@ -114,6 +112,13 @@ def draw_panels(addon, buttons=None):
                 if "draw_header_preset" in own:
                     panel.draw_header_preset(context)
     return " ".join(words)
+
+
+def drawn_buttons(addon):
+    """Return the names of the operators in all visible panels, each drawn narrow and wide."""
+    buttons = []
+    draw_panels(addon, buttons)
+    return buttons
 
 
 def draw_overlays(addon, shown_map):
@@ -128,7 +133,7 @@ def draw_overlays(addon, shown_map):
 
 
 def answer(command, **settings):
-    """Call an operator, and return its message, which must not be a traceback."""
+    """Call an operator, and return its result or error as text. A traceback is not allowed."""
     group, name = command.split(".")
     try:
         said = str(getattr(getattr(bpy.ops, group), name)(**settings))
@@ -151,7 +156,7 @@ def stored():
 def _stored_on(target):
     mesh = target.data
     return (
-        # sorted, because Edit Mode may reorder the attributes
+        # Edit Mode may reorder the attributes.
         sorted(_values(each) for each in mesh.attributes if each.name.startswith(OURS)),
         read(mesh.edges, "use_seam", bool).tobytes(),
         [(entry.wire_id, entry.name) for entry in mesh.wirewarp_names],
@@ -174,7 +179,6 @@ def _values(attribute):
 
 
 def place():
-    """Return object, mode and selection of the user."""
     context = bpy.context
     return context.mode, context.active_object, set(context.selected_objects), set(context.objects_in_mode)
 
@@ -182,7 +186,8 @@ def place():
 def call(command, settings, before):
     """Call a command. If it is refused or does nothing, stored data, active object, mode and selection must stay.
 
-    Flatten and repairs may fail in part, so nothing is checked after them. before: stored() before the call.
+    Flatten and repairs may fail for some pieces only, so nothing is checked after them. before: stored() before the
+    call.
     """
     where = place()
     said = answer(command, **settings)
@@ -196,7 +201,7 @@ def call(command, settings, before):
 def use_everything(addon, name, mode, folder, commands):
     """Draw everything with this object active, and call these commands in this mode.
 
-    folder: folder in which the pattern and the .blend file are saved.
+    folder: folder for the pattern and the .blend file.
     """
     shown_map = "STRETCH_COLOR" if mode == "OBJECT" else "WEFT_STRAIN_COLOR"
     for command, settings in [(None, {}), *commands]:
@@ -222,7 +227,7 @@ def use_everything(addon, name, mode, folder, commands):
 
 
 def export_dialog(addon, **settings):
-    """Return the export dialog with these settings. All other settings have their defaults."""
+    """Return a stand-in for the export dialog. Other settings have their defaults."""
     module, properties = addon.export, bpy.ops.object.wirewarp_export.get_rna_type().properties
     defaults = {each.identifier: each.default for each in properties if hasattr(each, "default")}
     defaults["drawn"] = module.operators.ALL_DRAWN

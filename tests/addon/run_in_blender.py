@@ -4,8 +4,8 @@
 blender --background --factory-startup --python-exit-code 1 --python tests/addon/run_in_blender.py -- PYTEST_ARGUMENTS
 python tests/addon/run_in_blender.py -- PYTEST_ARGUMENTS        (a Python with bpy)
 
-BLENDER_USER_RESOURCES (Blender 3.4: BLENDER_USER_SCRIPTS and _CONFIG) should name an empty folder, because the
-installed files stay there.
+BLENDER_USER_RESOURCES (Blender 3.4: BLENDER_USER_SCRIPTS and _CONFIG) should name an empty folder. The installed
+files stay there.
 """
 
 import os
@@ -37,7 +37,7 @@ if measured:
     measured.save()
 sys.stdout.flush()
 sys.stderr.flush()
-if not bpy.app.binary_path:  # when Python ends, bpy could wait forever for one of its threads
+if not bpy.app.binary_path:  # At the end of Python, the module bpy could wait forever for one of its threads.
     shutil.rmtree(bpy.app.tempdir, ignore_errors=True)
     os._exit(int(code))
 sys.exit(int(code))

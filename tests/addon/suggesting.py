@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Functions that several tests of suggested cuts use."""
+"""Searches for cuts, and checks models on which cuts were marked."""
 
 import bpy
 import numpy as np
@@ -15,12 +15,26 @@ def found(addon, source):
 
 
 def choose_smooth(addon, source, kind):
-    """Suggest cuts, choose the first cut that crosses faces, and return it."""
+    """Suggest cuts, and choose and return the first cut that crosses faces."""
     assert SUGGEST[kind]() == {"FINISHED"}
     cuts = found(addon, source).cuts
     index = next(index for index, cut in enumerate(cuts) if not cut.edges)
     bpy.ops.object.wirewarp_choose_suggestion(index=index)
     return cuts[index]
+
+
+def cancel_at(addon, run, share):
+    """Cancel a search after it has reported this share. Return its result and all reported shares."""
+    shares = []
+    try:
+        shares.append(next(run))
+        while shares[-1] < share:
+            shares.append(next(run))
+        shares.append(run.throw(addon.solve.steps.CanceledError()))
+        while True:
+            shares.append(next(run))
+    except StopIteration as end:
+        return end.value, shares
 
 
 def bent_ring(around=20, across=8):
@@ -45,7 +59,7 @@ def needed(addon, source):
 
 
 def are_mirrored(source, edges):
-    """Return whether the edges are their own mirror image across x = 0."""
+    """Return whether the mirror image of the edges across x = 0 is the same set of edges."""
     middles = read(source.data.vertices, "co", np.float32, 3)[np.array(edges)].mean(axis=1).round(4)
     return {tuple(middle) for middle in middles.tolist()} == {(-x, y, z) for x, y, z in middles.tolist()}
 
@@ -55,7 +69,10 @@ def places(source):
 
 
 def add_layers(source):
-    """Add a UV map, materials and shape keys that depend on the place of each element. Add a group with weight 0.5."""
+    """Add a UV map, a vertex group, materials and shape keys for check_layers().
+
+    UV map, materials and shape keys depend on the place of each element. The group has the weight 0.5 everywhere.
+    """
     mesh = source.data
     corners = places(source)[read(mesh.loops, "vertex_index", np.int32)]
     mesh.uv_layers.new(name="Mine").data.foreach_set("uv", corners[:, :2].astype(np.float32).ravel())
@@ -70,7 +87,7 @@ def add_layers(source):
 
 
 def check_layers(source):
-    """Check the layers of add_layers() on all vertices and faces, including new vertices and faces."""
+    """Check that vertices and faces, including new ones, have the values of add_layers() for their places."""
     mesh = source.data
     now = places(source)[read(mesh.loops, "vertex_index", np.int32)]
     assert read(mesh.uv_layers["Mine"].data, "uv", np.float32, 2) == pytest.approx(now[:, :2], abs=1e-6)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Makes small surfaces to flatten, and selects and measures their edges."""
+"""Makes small surfaces to flatten, and selects and marks their edges."""
 
 import math
 import sys
@@ -9,24 +9,27 @@ from types import ModuleType
 import bmesh
 import bpy
 import numpy as np
-import pytest
-from mathutils import Vector
 
-# Names of the legacy add-on, and of the extension in Blender's repository for local files.
+# The legacy add-on and the extension have different module names.
 MODULE_NAMES = ("wirewarp_addon", "bl_ext.user_default.wirewarp")
 
 
 def addon_module() -> ModuleType:
-    """Return the installed add-on."""
     return next(sys.modules[name] for name in MODULE_NAMES if name in sys.modules)
+
+
+def new_object(name: str, data: bpy.types.ID | None = None) -> bpy.types.Object:
+    """Return a new object in the scene. Without data, it is an empty."""
+    target = bpy.data.objects.new(name, data)
+    bpy.context.scene.collection.objects.link(target)
+    return target
 
 
 def make_object(name: str, vertices: list, faces: list, edges: Sequence = ()) -> bpy.types.Object:
     """Return a new mesh object in the scene, active and the only one selected."""
     mesh = bpy.data.meshes.new(name)
     mesh.from_pydata(vertices, edges, faces)
-    target = bpy.data.objects.new(name, mesh)
-    bpy.context.scene.collection.objects.link(target)
+    target = new_object(name, mesh)
     select_only(target)
     return target
 
@@ -43,8 +46,8 @@ def grid(name: str, shape: Callable, size: int = 8, faces: str = "quads", **mark
     """Return a grid at shape(x, y) over the square from -1 to 1, with size by size cells of quads, triangles or n-gons.
 
     Each n-gon is a pair of cells. With n-gons, no three neighboring vertices of the outline may be collinear, because
-    a triangle between them would have zero area. marked: functions that test whether an edge belongs to the `seam` or
-    the `wire`.
+    a triangle between them would have zero area. marked: `seam` or `wire`, each with a function of the ends of an edge
+    that returns whether the edge is marked.
     """
     steps = [2 * i / size - 1 for i in range(size + 1)]
     vertices = [shape(x, y) for y in steps for x in steps]
@@ -85,12 +88,12 @@ def half_cylinder(x: float, y: float) -> tuple[float, float, float]:
 
 
 def on_line(axis: int, value: float) -> Callable:
-    """Return a function that tests whether both ends of an edge have this value on this axis."""
+    """Return a function that returns whether both ends of an edge have this value on this axis."""
     return lambda a, b: abs(a[axis] - value) < 1e-6 and abs(b[axis] - value) < 1e-6
 
 
 def select_edges(target: bpy.types.Object, *lines: Callable) -> None:
-    """Enter Edit Mode, and select the edges whose ends fulfill one of `lines`."""
+    """Enter Edit Mode, and select the edges for which a function of `lines` returns True."""
     select_only(target)
     if target.mode != "EDIT":
         bpy.ops.object.mode_set(mode="EDIT")
@@ -116,60 +119,12 @@ def mark_seam(target: bpy.types.Object, line: Callable) -> None:
     bpy.ops.object.mode_set(mode="OBJECT")
 
 
-def wire_marks(mesh: bpy.types.Mesh) -> dict[tuple[int, float], int]:
-    """Return the number of edges of wires with each id and tolerance."""
-    if "wirewarp_wire" not in mesh.attributes:
-        return {}
-    ids = read(mesh.attributes["wirewarp_wire"].data, "value", np.int32)
-    tolerances = read(mesh.attributes["wirewarp_tolerance"].data, "value", np.float32)
-    keys, counts = np.unique(np.column_stack([ids, tolerances.astype(float)])[ids != 0], axis=0, return_counts=True)
-    return {(int(wire), float(tolerance)): int(count) for (wire, tolerance), count in zip(keys, counts, strict=True)}
-
-
-def flatten(source: bpy.types.Object, **settings: object) -> None:
-    """Select only this object, and flatten it."""
-    select_only(source)
-    bpy.ops.object.wirewarp_flatten(**settings)
-
-
-def flatten_fails(match: str, **settings: object) -> None:
-    """Flatten the selection, which must fail with an error that matches."""
-    with pytest.raises(RuntimeError, match=match):
-        bpy.ops.object.wirewarp_flatten(**settings)
-
-
 def flat_of(source: bpy.types.Object) -> bpy.types.Object:
     return bpy.data.objects[f"{source.name} Flat"]
 
 
-def flat_sources(source: bpy.types.Object) -> np.ndarray:
-    """Return the model's vertex for each flat vertex."""
-    return read(flat_of(source).data.attributes["source_vertex"].data, "value", np.int32)
-
-
-def flat_places(source: bpy.types.Object) -> np.ndarray:
-    """Return positions (n,2) of the flat vertices in the space of the flat object."""
-    return read(flat_of(source).data.vertices, "co", np.float32, 3)[:, :2]
-
-
-def edge_lengths(target: bpy.types.Object) -> np.ndarray:
-    """Return every edge's length in world space, computed in double precision from float32 coordinates."""
-    mesh = target.data
-    linear = np.array(target.matrix_world, dtype=np.float64)[:3, :3]
-    positions = read(mesh.vertices, "co", np.float32, 3).astype(np.float64) @ linear.T
-    a, b = edge_vertices(mesh).T
-    return np.linalg.norm(positions[a] - positions[b], axis=1)
-
-
-def edge_vertices(mesh: bpy.types.Mesh) -> np.ndarray:
-    return read(mesh.edges, "vertices", np.int32, 2)
-
-
-def uv_of(mesh: bpy.types.Mesh, layer: str = "WireWarp") -> np.ndarray:
-    return read(mesh.uv_layers[layer].data, "uv", np.float32, 2)
-
-
 def read(collection: object, name: str, dtype: type, columns: int = 1) -> np.ndarray:
+    """Return a property of all items of one of Blender's collections."""
     values = np.empty(len(collection) * columns, dtype=dtype)
     collection.foreach_get(name, values)
     return values.reshape(-1, columns) if columns > 1 else values
@@ -187,10 +142,3 @@ def tube(name="Tube", sides=16, rows=6, place=0.0, length=3.0):
         for k in range(sides)
     ]
     return make_object(name, vertices, faces)
-
-
-def world_box(target: bpy.types.Object) -> np.ndarray:
-    """Return the lowest and the highest corner (2,2) in the world, seen from above."""
-    bpy.context.view_layer.update()
-    corners = np.array([(target.matrix_world @ Vector(corner))[:2] for corner in target.bound_box])
-    return np.array([corners.min(axis=0), corners.max(axis=0)])

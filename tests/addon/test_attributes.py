@@ -1,14 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Marks are mesh attributes. They stay on their lines as the mesh is copied, joined and edited.
+"""Marks are mesh attributes. They stay on their lines when the mesh is copied, joined and edited.
 
-Foreign attributes with the names of marks are refused.
+Attributes of another type with the name of a mark are refused.
 """
 
 import math
 
 import bpy
 import pytest
-from surfaces import bump, flat_of, grid, mark, mark_seam, on_line, select_edges, select_only, wire_marks
+from flattening import fails, wire_marks
+from surfaces import bump, flat_of, grid, mark, mark_seam, on_line, select_edges, select_only
 
 pytestmark = pytest.mark.api
 
@@ -68,7 +69,7 @@ def test_join_keeps_the_wires_of_both_objects_and_their_names_are_saved(marked, 
     other, foreign = grid("Other", bump), grid("Foreign", bump)
     mark(other, on_line(1, 0.25))
     other.data.wirewarp_names[0].name = "Hip"
-    foreign.data.attributes.new("wirewarp_wire", "FLOAT", "POINT")  # not our attribute, so it is not changed
+    foreign.data.attributes.new("wirewarp_wire", "FLOAT", "POINT")  # not a mark, because marks are integers on edges
     both = wire_marks(marked.data) | wire_marks(other.data)
     select_only(marked, other)
     bpy.ops.object.join()
@@ -88,7 +89,7 @@ def to_triangles_and_back():
     bpy.ops.mesh.tris_convert_to_quads()
 
 
-def everywhere(_a, _b):
+def everywhere(*_):
     return True
 
 
@@ -96,7 +97,7 @@ def between_two_columns(a, b):
     return abs(a.y - b.y) < 1e-6 and abs(a.x + b.x - 0.75) < 1e-6
 
 
-EDITS = {
+EDITS = {  # the line to select, and the edit of the selection
     "subdivided": (everywhere, lambda: bpy.ops.mesh.subdivide(number_cuts=2)),
     "wire alone subdivided": (ALONG, lambda: bpy.ops.mesh.subdivide()),
     "loop cut": (between_two_columns, lambda: bpy.ops.mesh.subdivide_edgering(number_cuts=1)),
@@ -125,28 +126,10 @@ def test_wires_stay_on_their_lines_as_the_mesh_is_edited(marked, how):
     assert found == (WHOLE if how != "dissolved" else {math.inf: pytest.approx(2)})
 
 
-@pytest.mark.parametrize(("levels", "kind"), [(2, "SIMPLE"), (1, "CATMULL_CLARK")])
-def test_subdivision_is_applied(marked, levels, kind):
-    before = wire_marks(marked.data)
-    modifier = marked.modifiers.new("Smooth", "SUBSURF")
-    modifier.levels, modifier.subdivision_type = levels, kind
-    bpy.ops.object.modifier_apply(modifier="Smooth")
-    assert wire_marks(marked.data) == {key: 2**levels * count for key, count in before.items()}
-
-
-def test_a_mirror_is_applied_and_the_copies_are_wires_of_their_own(marked, addon):
-    marked.location.x = 3
-    modifier = marked.modifiers.new("Mirror", "MIRROR")
-    modifier.mirror_object = bpy.data.objects.new("Middle", None)
-    bpy.ops.object.modifier_apply(modifier="Mirror")
-    names = [name for name, _ in addon.state.identities.listed_wires(marked)]
-    assert names == ["Bust", "Bust (2)", "Wire 2", "Wire 2 (2)"]
-
-
 @pytest.mark.parametrize("use_modifiers", [False, True])
 def test_a_copy_of_a_wire_has_the_name_of_its_original(addon, use_modifiers):
-    """The wire ends before the mirror plane, so the other half has a separate copy of the wire."""
     source = grid("Half", lambda x, y: (x + 1, y, 0.2 * x * x))
+    # The wire ends before the mirror plane, so its mirror image is another wire.
     mark(source, lambda a, b: ALONG(a, b) and min(a.x, b.x) > 0.4)
     source.modifiers.new("Other Half", "MIRROR")
     if not use_modifiers:
@@ -177,9 +160,8 @@ def test_a_foreign_attribute_with_our_name_is_refused(name, kind, command):
     source = grid("Bump", bump)
     source.data.attributes.new(name, "FLOAT_VECTOR", "POINT")
     expected = f'attribute "{name}" of mesh "Bump" is not of type {kind}'
-    if name != "wirewarp_allowance":  # only Export reads this attribute
-        with pytest.raises(RuntimeError, match=expected):
-            bpy.ops.object.wirewarp_flatten()
+    if name != "wirewarp_allowance":  # Flatten does not read allowances.
+        fails(bpy.ops.object.wirewarp_flatten, expected)
     select_edges(source, on_line(0, -1.0))
     for operator, settings in command.items():
         with pytest.raises(RuntimeError, match=expected):

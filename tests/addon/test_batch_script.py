@@ -12,33 +12,41 @@ from types import SimpleNamespace
 
 import bmesh
 import bpy
-import numpy as np
 import pytest
+from flattening import edited
 from surfaces import bump, grid, mark, on_line
 
 SCRIPT = Path(__file__).resolve().parents[2] / "python" / "wirewarp" / "command" / "flatten_in_blender.py"
-RUN = "import runpy, sys, bpy; {enable}; runpy.run_path(sys.argv[-2])"
-ENABLE = "bpy.ops.preferences.addon_enable(module={module!r}); bpy.ops.wm.open_mainfile(filepath=sys.argv[-3])"
+RUN = """
+import runpy, sys
+import bpy
+
+module, path, script, _ = sys.argv[-4:]
+bpy.ops.preferences.addon_enable(module=module)
+bpy.ops.wm.open_mainfile(filepath=path)
+runpy.run_path(script)
+"""
 
 
-def run_script(addon, tmp_path, formats, stdin):
-    """Run the script in another Blender on the file that is open here. Return its output folder and exit code."""
-    path = tmp_path / "bag.blend"
-    bpy.ops.wm.save_as_mainfile(filepath=str(path))
-    saved = path.read_bytes()
-    folder = tmp_path / "out"
-    folder.mkdir()
-    job = {"folder": str(folder), "stem": "bag", "formats": formats, "answer": ".answer.json"}
-    expression = RUN.format(enable=ENABLE.format(module=addon.__name__))
-    if bpy.app.binary_path:
-        blender = [bpy.app.binary_path, "--background", "--factory-startup", "--python-exit-code", "1"]
-        command = [*blender, "--python-expr", expression, "--", path, SCRIPT, json.dumps(job)]
-    else:  # Blender as a Python module
-        command = [sys.executable, "-c", expression, path, SCRIPT, json.dumps(job)]
-    done = subprocess.run(command, stdin=stdin, capture_output=True, text=True)
-    print(done.stdout, done.stderr)
-    assert path.read_bytes() == saved
-    return folder, done.returncode
+@pytest.fixture
+def run_script(addon, tmp_path, in_another_blender):
+    """Return a function that runs the script in another Blender on the open file.
+
+    The function returns the output folder and the exit code. stdin: standard input of the other Blender.
+    """
+
+    def run(formats, stdin):
+        path, folder = tmp_path / "bag.blend", tmp_path / "out"
+        bpy.ops.wm.save_as_mainfile(filepath=str(path))
+        saved = path.read_bytes()
+        folder.mkdir()
+        job = {"folder": str(folder), "stem": "bag", "formats": formats, "answer": ".answer.json"}
+        done = in_another_blender(RUN, addon.__name__, path, SCRIPT, json.dumps(job), stdin=stdin)
+        print(done.stdout, done.stderr)
+        assert path.read_bytes() == saved
+        return folder, done.returncode
+
+    return run
 
 
 def checked_answer(folder):
@@ -58,7 +66,7 @@ def answer_of(tmp_path, monkeypatch):
     def run(*formats):
         job = {"folder": str(tmp_path), "stem": "bag", "formats": formats, "answer": ".answer.json"}
         monkeypatch.setattr(sys, "argv", [str(SCRIPT), json.dumps(job)])
-        # read() waits, as if the caller kept the standard input open
+        # read() waits, as if the caller had not closed the standard input.
         monkeypatch.setattr(sys, "stdin", SimpleNamespace(read=Event().wait))
         monkeypatch.setattr(os, "_exit", end)
         with pytest.raises(SystemExit) as ended:
@@ -69,20 +77,20 @@ def answer_of(tmp_path, monkeypatch):
     return run
 
 
-def test_blender_ends_with_the_process_that_started_it(addon, tmp_path):
+def test_blender_ends_with_the_process_that_started_it(run_script):
     mark(grid("Bag", bump), on_line(1, 0.0))
-    folder, code = run_script(addon, tmp_path, ["svg"], subprocess.DEVNULL)
+    folder, code = run_script(["svg"], subprocess.DEVNULL)
     assert code == 1 and not (folder / ".answer.json").exists()
 
 
-def test_marked_models_are_flattened_by_the_settings_in_the_file(addon, tmp_path):
+def test_marked_models_are_flattened_by_the_settings_in_the_file(run_script):
     sheet = grid("Bag", bump)
     mark(sheet, on_line(1, 0.0), kind="ELASTIC", tolerance=0.05)
     grid("Without marks", bump)
     bpy.context.scene.wirewarp.fairness = 0.3
     bpy.context.scene.wirewarp.allowance = 15.0
     is_alive, until_closed = os.pipe()
-    folder, code = run_script(addon, tmp_path, ["svg", "pdf"], is_alive)
+    folder, code = run_script(["svg", "pdf"], is_alive)
     os.close(is_alive)
     os.close(until_closed)
     answer = checked_answer(folder)
@@ -95,8 +103,7 @@ def test_marked_models_are_flattened_by_the_settings_in_the_file(addon, tmp_path
 def test_several_models_have_files_of_their_own(answer_of):
     for name in ("Left/right", "Strap"):
         mark(grid(name, bump), on_line(1, 0.0))
-    answer = answer_of("svg")
-    assert answer["files"] == ["bag-Left_right.svg", "bag-Strap.svg"]
+    assert answer_of("svg")["files"] == ["bag-Left_right.svg", "bag-Strap.svg"]
 
 
 def test_models_whose_patterns_would_be_one_file_are_refused(answer_of):
@@ -108,24 +115,16 @@ def test_models_whose_patterns_would_be_one_file_are_refused(answer_of):
 
 def test_warnings_of_the_export_are_in_the_answer(answer_of):
     sheet = grid("Bag", bump, wire=on_line(1, 0.0))
-    mesh = bmesh.new()
-    mesh.from_mesh(sheet.data)
-    mesh.faces.ensure_lookup_table()
-    # a hole of 250 mm, which allowances of 200 mm fill
-    bmesh.ops.delete(mesh, geom=[mesh.faces[9]], context="FACES_ONLY")
-    mesh.to_mesh(sheet.data)
+    with edited(sheet.data) as edit:  # a hole of 250 mm, which allowances of 200 mm fill
+        bmesh.ops.delete(edit, geom=[edit.faces[9]], context="FACES_ONLY")
     bpy.context.scene.wirewarp.allowance = 200.0
-    answer = answer_of("svg", "pdf")
-    (warning,) = answer["warnings"]  # one warning for both formats
+    (warning,) = answer_of("svg", "pdf")["warnings"]
     assert warning.endswith("the allowance fills 1 of 1 holes, which are not cut.")
 
 
 def test_failed_pieces_are_in_the_report_and_nothing_is_exported(answer_of):
     bpy.ops.mesh.primitive_uv_sphere_add()
-    ball = bpy.context.object
-    seams = np.zeros(len(ball.data.edges), dtype=bool)
-    seams[0] = True
-    ball.data.edges.foreach_set("use_seam", seams)
+    bpy.context.object.data.edges[0].use_seam = True
     answer = answer_of("svg")
     (report,) = answer["report"]["objects"]
     assert (report["ok"], answer["files"]) == (False, [])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""./dev bench takes too long for tests, so only this small run shows whether it still finds the add-on's functions."""
+"""The script of ./dev bench runs on a small mesh. This shows whether it still finds the add-on's functions."""
 
 import json
 import os
@@ -17,7 +17,7 @@ def test_flatten_is_timed_beside_blenders_unwrap(tmp_path, monkeypatch):
     output = tmp_path / "blender.json"
     monkeypatch.setattr(sys, "argv", ["blender", "--", str(output), "200"])
     monkeypatch.setattr(sys, "path", list(sys.path))
-    monkeypatch.delitem(sys.modules, "surfaces")  # the script imports another module with this name
+    monkeypatch.delitem(sys.modules, "surfaces")  # The script imports another module with this name.
     cores = os.sched_getaffinity(0)
     try:
         runpy.run_path(str(SCRIPT))

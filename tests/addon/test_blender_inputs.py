@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Files, scenes and modifiers of any kind lead to correct pieces, or to one sentence with a remedy."""
+"""Linked files, several scenes, scales and modifiers lead to correct pieces, or to one sentence with a remedy."""
 
 import bpy
 import numpy as np
 import pytest
 from everything import answer
-from surfaces import bump, flat_of, grid, mark, on_line, read, select_only, wire_marks
+from flattening import wire_marks
+from surfaces import bump, flat_of, grid, new_object, on_line, read, select_only
 from test_flatten import assert_true_lengths
 
 pytestmark = pytest.mark.api
@@ -15,7 +16,6 @@ WIRE, DONE = on_line(1, 0.0), "{'FINISHED'}"
 
 
 def link(path, kind, name):
-    """Link a data-block from another file."""
     with bpy.data.libraries.load(str(path), link=True) as (_, wanted):
         setattr(wanted, kind, [name])
     return getattr(wanted, kind)[0]
@@ -24,7 +24,7 @@ def link(path, kind, name):
 @pytest.fixture
 def library(tmp_path):
     """Save a file with a flattened model, open an empty file, and return the path of the saved file."""
-    mark(grid("Bump", bump), WIRE)
+    grid("Bump", bump, wire=WIRE)
     bpy.ops.object.wirewarp_flatten()
     path = tmp_path / "library.blend"
     bpy.ops.wm.save_as_mainfile(filepath=str(path))
@@ -59,9 +59,8 @@ def test_linked_objects_must_be_made_local_first(library, addon, kind):
         assert (bpy.context.active_object, set(bpy.context.selected_objects)) == (target, {target, other})
     select_only(target)
     assert refusal in answer(FLATTEN) and refusal in answer(FLATTEN, use_modifiers=True)
-    if kind == "linked":  # an object of this file whose mesh is linked
-        target = bpy.data.objects.new("Own", target.data)
-        bpy.context.scene.collection.objects.link(target)
+    if kind == "linked":
+        target = new_object("Own", target.data)
         select_only(target)
         assert '"Own" is linked from another file' in answer(FLATTEN)
     bpy.ops.object.make_local(type="SELECT_OBDATA")
@@ -71,7 +70,7 @@ def test_linked_objects_must_be_made_local_first(library, addon, kind):
 
 @pytest.mark.parametrize("kind", OF_ANOTHER_FILE)
 def test_a_model_and_pieces_of_another_file_answer(library, everything_answers, kind):
-    bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)  # removes the model of the fixture
+    bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)  # removes the model of everything_answers
 
     def spoil():
         if "Bump" not in bpy.context.scene.objects:
@@ -81,7 +80,7 @@ def test_a_model_and_pieces_of_another_file_answer(library, everything_answers, 
 
 
 def test_pieces_are_written_beside_linked_pieces_of_the_same_name(library):
-    """The linked pieces are in a collection that is also named "WireWarp", and cannot be written."""
+    """Flatten writes into a collection named "WireWarp", but a linked collection with this name cannot change."""
     bpy.context.scene.collection.children.link(link(library, "collections", "WireWarp"))
     source = grid("Bump", bump)
     for _ in range(2):
@@ -93,9 +92,7 @@ def test_pieces_are_written_beside_linked_pieces_of_the_same_name(library):
 
 
 def test_a_linked_scene_is_refused(library):
-    linked = link(library, "scenes", "Scene")
-    window = bpy.context.window_manager.windows[0]
-    window.scene = linked
+    bpy.context.window_manager.windows[0].scene = link(library, "scenes", "Scene")
     assert answer(FLATTEN).count("is linked from another file") == 1
 
 
@@ -113,7 +110,6 @@ def test_pieces_in_a_second_scene_have_one_collection_there():
 
 
 def test_hidden_faces_are_flattened_too():
-    """Faces hidden in Edit Mode are visible in Object Mode."""
     source = grid("Bump", bump)
     source.data.polygons.foreach_set("hide", [index < 20 for index in range(64)])
     assert answer(FLATTEN) == DONE
@@ -127,8 +123,7 @@ def test_lengths_are_true_at_any_scale_and_under_a_shearing_parent(scale):
     source.scale = scale
     assert answer(FLATTEN) == DONE
     assert_true_lengths(source, WIRE, tolerance=1e-5)
-    parent = bpy.data.objects.new("Parent", None)
-    bpy.context.scene.collection.objects.link(parent)
+    parent = new_object("Parent")
     parent.scale, source.rotation_euler.z, source.parent = (2, 1, 1), 0.7, parent
     bpy.context.view_layer.update()
     assert answer(FLATTEN) == DONE
@@ -161,6 +156,18 @@ def notes_after(addon, source, **settings):
     return [note.text for note in addon.state.reports.last_report(source).notes]
 
 
+def message_after(addon, source):
+    bpy.ops.object.wirewarp_flatten()
+    return addon.solve.report.run_message([addon.state.reports.last_report(source)], {})
+
+
+def ignored_after(addon, source):
+    """Flatten, and return what the warning says was ignored. The warning must not say that lengths are exact."""
+    level, text = message_after(addon, source)
+    assert level == "WARNING" and "Lengths are exact" not in text
+    return text.removesuffix(" were ignored, so sizes differ from what you see.")
+
+
 def test_ignored_modifiers_and_shape_keys_are_reported(addon):
     source = grid("Bump", bump)
     source.shape_key_add(name="Basis")
@@ -177,32 +184,18 @@ def test_ignored_modifiers_and_shape_keys_are_reported(addon):
     assert ignored_after(addon, source) == "Modifiers and shape keys"
 
 
-def ignored_after(addon, source):
-    """Flatten, and return what the warning says was ignored. The message must not say that lengths are exact."""
-    bpy.ops.object.wirewarp_flatten()
-    level, text = addon.solve.report.run_message([addon.state.reports.last_report(source)], {})
-    assert level == "WARNING" and "Lengths are exact" not in text
-    return text.removesuffix(" were ignored, so sizes differ from what you see.")
-
-
 def test_modifiers_that_change_nothing_are_not_reported(addon):
-    """An armature at rest and an Edge Split modifier do not change the shape, so lengths are exact."""
     source = grid("Bump", bump)
     bpy.ops.object.armature_add()
     armature = bpy.context.object
     source.vertex_groups.new(name=armature.data.bones[0].name).add(range(81), 1.0, "REPLACE")
     source.modifiers.new("Armature", "ARMATURE").object = armature
     select_only(source)
-    assert "Lengths are exact" in message_after(addon, source)
+    assert "Lengths are exact" in message_after(addon, source)[1]
     source.modifiers.new("Split", "EDGE_SPLIT").split_angle = 0
-    assert "Lengths are exact" in message_after(addon, source)
+    assert "Lengths are exact" in message_after(addon, source)[1]
     armature.pose.bones[0].location.y = 0.5
     assert ignored_after(addon, source) == "Modifiers"
-
-
-def message_after(addon, source):
-    bpy.ops.object.wirewarp_flatten()
-    return addon.solve.report.run_message([addon.state.reports.last_report(source)], {})[1]
 
 
 def test_shape_keys_are_flattened_with_the_modifiers():

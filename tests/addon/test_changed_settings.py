@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The panel and the export name each setting that has changed after the pieces were made."""
 
-import math
 from unittest.mock import MagicMock
 
 import bpy
 import pytest
 from everything import draw_panels
-from surfaces import bump, flat_of, flatten_fails, grid, on_line
+from flattening import flatten_fails
+from surfaces import bump, flat_of, grid, half_cylinder, on_line
 
 SENTENCE = "Settings changed after Flatten: {}. Flatten again to use them."
 
@@ -20,16 +20,14 @@ def source():
 
 
 def test_settings_of_the_methods_of_the_paper_are_under_advanced(addon):
-    """Above Flatten there are only settings that everybody has to enter."""
-
     def drawn(part):
         layout = MagicMock()
         addon.ui.settings.draw_settings(layout, bpy.context.scene.wirewarp, part)
         return {call.args[1] for call in layout.row.return_value.prop.call_args_list}
 
-    bpy.context.scene.wirewarp.cloth = "CUSTOM"  # this fabric has the most settings
+    bpy.context.scene.wirewarp.cloth = "CUSTOM"
     front, main, advanced = map(drawn, addon.state.settings.PARTS)
-    assert front == {"cloth", "gives_across", "gives_along"}
+    assert front == {"cloth", "gives_across", "gives_along"}  # only settings that everybody has to enter
     assert advanced == {"thickness", "surface", "method", "node_weight"}
     everything = set(addon.state.settings.FlattenSettings.__annotations__)
     assert front | main | advanced == everything and len(front) + len(main) + len(advanced) == len(everything)
@@ -38,7 +36,7 @@ def test_settings_of_the_methods_of_the_paper_are_under_advanced(addon):
 
 
 def give(addon, source, **settings):
-    """Change settings of the panel. Return the sentence that names settings changed after the run."""
+    """Change settings of the panel. Return the sentence that names settings changed since the run."""
     for name, value in settings.items():
         setattr(bpy.context.scene.wirewarp, name, value)
     report = addon.state.reports.pieces_report(source)
@@ -76,7 +74,7 @@ def test_settings_that_would_change_the_pieces_are_named(addon, source, settings
     assert SENTENCE.format(names) in draw_panels(addon)
     bpy.ops.object.wirewarp_export_svg(filepath=str(tmp_path / "pattern.svg"))
     printed = capfd.readouterr().out
-    # a note, not a warning, because the pieces are still good
+    # The pieces are still good, so this is not a warning.
     assert SENTENCE.format(names) in printed and "Warning" not in printed
     bpy.ops.object.wirewarp_flatten(**settings)
     assert give(addon, source) == ""
@@ -99,7 +97,7 @@ def test_a_setting_for_one_run_is_not_an_error_and_failures_do_not_mention_setti
     source.data.vertices[6].co.z = float("nan")
     flatten_fails(".")
     assert "Not flattened" in draw_panels(addon)
-    assert "Settings changed" not in draw_panels(addon)  # not mentioned, because flattening again would not help
+    assert "Settings changed" not in draw_panels(addon)  # Flattening again would not help.
 
 
 def test_another_grain_wire_is_named(addon, source):
@@ -107,7 +105,7 @@ def test_another_grain_wire_is_named(addon, source):
     assert give(addon, source) == SENTENCE.format("Grain Wire")
     bpy.ops.object.wirewarp_flatten()
     assert give(addon, source) == ""
-    bpy.ops.object.wirewarp_flatten(orientation="UP")  # this run does not use the grain wire
+    bpy.ops.object.wirewarp_flatten(orientation="UP")  # This run does not use the grain wire.
     assert give(addon, source, orientation="WIRE") == SENTENCE.format("Upright")
 
 
@@ -129,16 +127,10 @@ def test_overlapping_pieces_are_named_at_the_export(source, tmp_path, capfd):
 
 
 def test_a_run_that_failed_with_the_settings_need_not_be_repeated(addon):
-    """The failed run used the settings of the panel, although the existing pieces were made with other settings."""
-    source = grid("Half Tube", half_tube, size=4)
+    source = grid("Half Tube", half_cylinder, size=4)
     source.modifiers.new("Whole", "MIRROR").use_axis = (False, False, True)
     bpy.ops.object.wirewarp_flatten()
     bpy.context.scene.wirewarp.use_modifiers = True
     assert SENTENCE.format("Modifiers") in draw_panels(addon)
     flatten_fails("mark a seam", use_modifiers=True)
     assert "Settings changed" not in draw_panels(addon)
-
-
-def half_tube(x, y):
-    angle = math.pi * (x + 1) / 2
-    return (math.cos(angle), y, math.sin(angle))

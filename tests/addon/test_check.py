@@ -7,7 +7,8 @@ import bmesh
 import bpy
 import numpy as np
 import pytest
-from surfaces import bump, flat_of, grid, make_object, on_line, read, select_only, wire_marks
+from flattening import flatten_fails, wire_marks
+from surfaces import bump, flat_of, grid, make_object, on_line, read, select_only
 
 pytestmark = pytest.mark.api
 
@@ -32,7 +33,6 @@ def faulty(kind):
 
 
 def repair(kind):
-    """Repair only this kind of fault."""
     return CHECK(**{each.lower(): each == kind for each in KINDS})
 
 
@@ -46,7 +46,7 @@ def test_each_kind_is_found_and_repaired(addon, kind, capfd):
     target, count = faulty(kind)
     assert counts(addon, target)[kind] == count
     before = counts(addon, target)
-    assert repair("LOOSE" if kind != "LOOSE" else "MERGE") == {"FINISHED"}  # the repair of another kind changes nothing
+    assert repair("LOOSE" if kind != "LOOSE" else "MERGE") == {"FINISHED"}  # the repair of another kind
     assert counts(addon, target) == before
     assert repair(kind) == {"FINISHED"}
     assert kind not in counts(addon, target)
@@ -69,33 +69,19 @@ def test_a_fault_is_shown_and_all_repairs_leave_a_model_that_flattens(addon, kin
 
 def block(size, missing=()):
     """Return a block of size[k] cells along axis k, with walls between the cells. missing: cells to omit."""
-    edit, faces, vertices = bmesh.new(), set(), {}
-    for cell in set(itertools.product(range(size[0]), range(size[1]), range(size[2]))) - set(missing):
+    faces = {}  # corners of each face, keyed by their set, so that a wall between two cells is one face
+    for cell in set(itertools.product(*map(range, size))) - set(missing):
         for axis, end in itertools.product(range(3), (0, 1)):
-            across = [other for other in range(3) if other != axis]
-            corners = []
-            for steps in ((0, 0), (1, 0), (1, 1), (0, 1)):
-                corner = list(cell)
-                corner[axis] += end
-                for other, step in zip(across, steps, strict=True):
-                    corner[other] += step
-                corners.append(tuple(corner))
-            if frozenset(corners) not in faces:
-                faces.add(frozenset(corners))
-                edit.faces.new([vertex_at(edit, vertices, each) for each in corners])
-    target, _ = faulty("LOOSE")
-    edit.to_mesh(target.data)
-    edit.free()
-    return target
+            corners = np.array([cell] * 4)
+            corners[:, axis] += end
+            corners[:, [other for other in range(3) if other != axis]] += [(0, 0), (1, 0), (1, 1), (0, 1)]
+            places = [tuple(corner) for corner in corners.tolist()]
+            faces[frozenset(places)] = places
+    vertices = sorted(frozenset().union(*faces))
+    return make_object("Block", vertices, [[vertices.index(each) for each in places] for places in faces.values()])
 
 
-def vertex_at(edit, vertices, place):
-    if place not in vertices:
-        vertices[place] = edit.verts.new(place)
-    return vertices[place]
-
-
-# two missing cells: a cave from the left side to the middle, in which each wall faces another wall
+# Without these two cells, the block has a cave from its left side to its middle. Each wall of the cave faces another.
 CAVE = ((0, 1, 1), (1, 1, 1))
 
 
@@ -107,15 +93,14 @@ def test_walls_inside_are_found_but_no_face_that_is_seen_from_outside(addon, siz
     target = block(size, missing)
     shell = len(target.data.polygons) - inside
     assert counts(addon, target)["INTERIOR"] == inside
-    assert CHECK() == {"FINISHED"}  # not removed unless requested
+    assert CHECK() == {"FINISHED"}  # By default, walls inside are not removed.
     assert counts(addon, target)["INTERIOR"] == inside
     repair("INTERIOR")
     assert len(target.data.polygons) == shell
 
 
 def test_after_a_merge_only_faces_with_the_same_vertices_are_duplicates(addon):
-    """Two squares remain two faces after their corners are merged."""
-    target, _ = faulty("MERGE")
+    target, _ = faulty("MERGE")  # two squares
     assert addon.blender.faults.repair_faults(target.data, ["MERGE", "DUPLICATES"]) == {"MERGE": 2}
     assert len(target.data.polygons) == 2
 
@@ -153,8 +138,7 @@ def test_a_good_model_does_not_change(addon):
 
 def test_duplicate_faces_have_check_and_repair_as_the_next_step(addon):
     target, _ = faulty("DUPLICATES")
-    with pytest.raises(RuntimeError, match="same"):
-        bpy.ops.object.wirewarp_flatten()
+    flatten_fails("same")
     step = addon.report_panel.next_step.next_step(addon.state.reports.last_report(target), [])
     assert step.operator == "object.wirewarp_check"
     CHECK()
@@ -164,7 +148,7 @@ def test_duplicate_faces_have_check_and_repair_as_the_next_step(addon):
 
 @pytest.mark.parametrize(("shift", "apart", "merged"), [(1000.0, 0.005, 0), (1000.0, 0.00012, 2), (0.0, 1e-5, 2)])
 def test_the_merge_distance_depends_on_the_size_and_not_on_the_place_of_the_model(addon, shift, apart, merged):
-    """A gap separates two squares of side 1. Each square has two vertices at the gap."""
+    """Two squares of side 1 have a gap of this width between them, with two vertices of each square beside the gap."""
     corners = [(0, 0), (1, 0), (1, 1), (0, 1)]
     left, right = ([(shift + x + dx, y, 0.0) for x, y in corners] for dx in (0.0, 1.0 + apart))
     source = make_object("Squares", left + right, [(0, 1, 2, 3), (4, 5, 6, 7)])

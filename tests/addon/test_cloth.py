@@ -7,19 +7,15 @@ import bpy
 import numpy as np
 import pytest
 from everything import draw_panels
-from surfaces import bump, flat_of, flat_places, flat_sources, grid, half_cylinder, on_line, read
+from flattening import flat_places, flat_sources
+from surfaces import bump, flat_of, grid, half_cylinder, on_line, read
 
 THREADS = ("weft_strain", "warp_strain", "shear_angle")
 
 
 @pytest.fixture
 def source():
-    """Return one piece of triangles with a wire along its middle."""
     return grid("Bump", bump, faces="triangles", wire=on_line(0, 0.0))
-
-
-def last_report(addon, source):
-    return addon.state.reports.last_report(source)
 
 
 def test_a_piece_for_a_fabric_has_the_shape_that_the_library_returns(source, addon):
@@ -33,7 +29,7 @@ def test_a_piece_for_a_fabric_has_the_shape_that_the_library_returns(source, add
     wire = library.Wire([4 + 9 * k for k in range(9)])
     options = library.Options(cloth="denim", orientation="up")
     (piece,) = library.flatten(vertices, faces, wires=[wire], options=options).pieces
-    (entry,) = last_report(addon, source).pieces
+    (entry,) = addon.state.reports.last_report(source).pieces
     assert entry.arap_energy == pytest.approx(piece.metrics.arap_energy, rel=1e-6)
     of_flat = read(flat_of(source).data.attributes["source_face"].data, "value", np.int32)
     for name in THREADS:
@@ -46,19 +42,15 @@ def test_a_piece_for_a_fabric_has_the_shape_that_the_library_returns(source, add
 
 def test_maps_of_threads_need_a_fabric(source, addon):
     bpy.ops.object.wirewarp_flatten(cloth="WOVEN")
-    flat = flat_of(source).data
-    for color_map in addon.solve.maps.CLOTH_MAPS:
-        assert color_map.attribute in flat.color_attributes
-        assert color_map.attribute in addon.state.record.read_record(flat).ranges
+    flat, names = flat_of(source).data, {color_map.attribute for color_map in addon.solve.maps.CLOTH_MAPS}
+    assert names <= set(flat.color_attributes.keys()) and names <= set(addon.state.record.read_record(flat).ranges)
     bpy.ops.object.wirewarp_flatten()
-    assert not {*THREADS, *(color_map.attribute for color_map in addon.solve.maps.CLOTH_MAPS)} & {
-        *flat.attributes.keys()
-    }
+    assert not (names | set(THREADS)) & set(flat.attributes.keys())
 
 
 def test_a_fabric_that_does_not_stretch_enough_is_reported_with_the_place(source, addon, capfd):
     bpy.ops.object.wirewarp_flatten(cloth="WOVEN", gives_across=1.0, gives_along=1.0)
-    report = last_report(addon, source)
+    report = addon.state.reports.last_report(source)
     (piece,), (hint,) = report.pieces, [each for each in report.hints if each.code == "beyond_cloth"]
     threads = piece.threads
     assert threads.over and max(threads.across, threads.along) > 0.01
@@ -72,10 +64,10 @@ def test_a_fabric_that_does_not_stretch_enough_is_reported_with_the_place(source
 
 
 def grain(source):
-    """Return the angle of the middle wire in the flat piece, in degrees counterclockwise from upright."""
+    """Return the angle of the middle wire in the flat piece, in degrees from upright, counterclockwise, modulo 180."""
     sources = flat_sources(source).tolist()
     along = flat_places(source)[sources.index(4 + 9 * 8)] - flat_places(source)[sources.index(4)]
-    return math.degrees(math.atan2(-along[0], along[1]))
+    return math.degrees(math.atan2(-along[0], along[1])) % 180
 
 
 def test_the_grain_angle_turns_the_grain_wire(source, addon, capfd):
@@ -84,28 +76,22 @@ def test_the_grain_angle_turns_the_grain_wire(source, addon, capfd):
     ((_, wire),) = addon.state.identities.listed_wires(source)
     bpy.ops.mesh.wirewarp_grain_wire(edge=wire.edges[0])
     bpy.ops.object.wirewarp_flatten(cloth="WOVEN")
-    assert grain(source) % 180 == pytest.approx(0, abs=1e-3) or grain(source) % 180 == pytest.approx(180, abs=1e-3)
+    assert min(grain(source), 180 - grain(source)) == pytest.approx(0, abs=1e-3)
     bpy.ops.object.wirewarp_flatten(cloth="WOVEN", grain_angle=math.radians(45))
-    assert grain(source) % 180 == pytest.approx(45, abs=1e-3)
-
-
-def box(source):
-    """Return width and height of the flat piece."""
-    return np.ptp(flat_places(source), axis=0)
+    assert grain(source) == pytest.approx(45, abs=1e-3)
 
 
 def test_stretched_fabric_is_cut_smaller(addon):
-    """For a half cylinder with the grain along its axis, the width is divided by 1.2 and the height by 1.1."""
     target = grid("Half", half_cylinder, size=16, wire=on_line(0, 0.0))
     bpy.ops.object.wirewarp_flatten(orientation="UP", cloth="SWIM")
     ((_, wire),) = addon.state.identities.listed_wires(target)
     bpy.ops.mesh.wirewarp_grain_wire(edge=wire.edges[0])
     bpy.ops.object.wirewarp_flatten(cloth="SWIM", keep_places=False)
-    plain = box(target)
+    plain = np.ptp(flat_places(target), axis=0)
     bpy.ops.object.wirewarp_flatten(cloth="SWIM", worn_across=20.0, worn_along=10.0, keep_places=False)
-    assert box(target) == pytest.approx(plain / (1.2, 1.1), rel=1e-5)
-    report = last_report(addon, target)
+    assert np.ptp(flat_places(target), axis=0) == pytest.approx(plain / (1.2, 1.1), rel=1e-5)
+    report = addon.state.reports.last_report(target)
     (piece,) = report.pieces
     assert report.ok and all(chain.ok for chain in (*piece.outline, *piece.wires))
     assert piece.threads.across == pytest.approx(0.2, abs=1e-4)
-    assert not piece.threads.over  # not over the limit, because the stretch is intended
+    assert not piece.threads.over  # The stretch is intended.

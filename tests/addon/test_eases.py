@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Elastic and eased seams and outlines are marked, flattened, cleared again, and reported with their lengths."""
+"""Eases of seams, outlines and wires are marked, flattened, cleared again, and reported with their lengths."""
 
 import csv
 import io
 
-import bmesh
 import bpy
 import numpy as np
 import pytest
 from everything import draw_panels
+from flattening import fails, flatten_fails
 from surfaces import flat_of, grid, mark, mark_seam, on_line, read, select_edges, select_only
 from two_sided import HEM, SEAM, ease, lengths, made, select_side, shares, two_pieces
 
@@ -35,13 +35,12 @@ def test_clearing_removes_every_ease(source):
     bpy.ops.object.wirewarp_flatten()
     assert shares(source) == pytest.approx([0.0, 0.0], abs=1e-5)
     select_edges(source, SEAM)
-    with pytest.raises(RuntimeError, match="none of the selected edges has an ease"):
-        bpy.ops.mesh.wirewarp_ease(sides="NONE")
+    fails(bpy.ops.mesh.wirewarp_ease, "none of the selected edges has an ease", sides="NONE")
 
 
 def test_clearing_a_wire_removes_its_ease(source):
     ease(source, SEAM, sides="ALL", ease_percent=2.0)
-    mark(source, SEAM, kind="ELASTIC", tolerance=0.01)  # marks the same wire again
+    mark(source, SEAM, kind="ELASTIC", tolerance=0.01)
     assert set(read(source.data.attributes["wirewarp_ease"].data, "value", np.float32)) == {0, np.float32(0.02)}
     select_edges(source, SEAM)
     bpy.ops.mesh.wirewarp_clear()
@@ -87,22 +86,16 @@ def test_an_ease_of_edges_without_a_wire_is_reported(source, addon):
     assert addon.state.reports.last_report(source).notes == []
 
 
-def select_all_edges(*targets):
-    select_only(*targets)
-    bpy.ops.object.mode_set(mode="EDIT")
-    bpy.context.tool_settings.mesh_select_mode = (False, True, False)
-    bpy.ops.mesh.select_all(action="SELECT")
-
-
 @pytest.mark.parametrize("sides", ["ALL", "ONE"])
 def test_neither_of_two_objects_is_marked_if_one_is_refused(source, sides):
-    """The outline of the small object is 40 mm long, and the outline of the large object 800 mm."""
-    small = grid("Small", lambda x, y: (0.05 * x + 3, 0.05 * y, 0), size=1)
-    large = grid("Large", lambda x, y: (x + 6, y, 0), size=1)
+    small = grid("Small", lambda x, y: (0.05 * x + 3, 0.05 * y, 0), size=1)  # an outline of 40 mm
+    large = grid("Large", lambda x, y: (x + 6, y, 0), size=1)  # an outline of 800 mm
     for targets in ((large, small), (small, large)):
-        select_all_edges(*targets)
-        with pytest.raises(RuntimeError, match="has no length left"):
-            bpy.ops.mesh.wirewarp_ease(sides=sides, ease_unit="LENGTH", ease_length=-50.0)
+        select_only(*targets)
+        bpy.ops.object.mode_set(mode="EDIT")
+        bpy.context.tool_settings.mesh_select_mode = (False, True, False)
+        bpy.ops.mesh.select_all(action="SELECT")
+        fails(bpy.ops.mesh.wirewarp_ease, "has no length left", sides=sides, ease_unit="LENGTH", ease_length=-50.0)
         bpy.ops.object.mode_set(mode="OBJECT")
         assert not any(name.startswith("wirewarp") for target in targets for name, _ in target.data.attributes.items())
 
@@ -113,27 +106,16 @@ def test_edges_without_a_side_are_left_out_and_counted(source, capfd):
     assert "1 line eased: +5%" in (text := capfd.readouterr().out) and "8 selected edges were left out" in text
     bpy.ops.object.mode_set(mode="OBJECT")
     select_edges(source, on_line(1, 0.0))
-    with pytest.raises(RuntimeError, match="select edges on a seam or outline"):
-        bpy.ops.mesh.wirewarp_ease(sides="ONE", ease_percent=5.0)
-
-
-def test_one_side_or_the_other_is_eased(source):
-    ease(source, SEAM, sides="ONE", ease_percent=5.0)
-    bpy.ops.object.wirewarp_flatten()
-    one = shares(source)
-    assert sorted(one) == pytest.approx([0.0, 0.05], abs=1e-5)
-    ease(source, SEAM, sides="OTHER", ease_percent=5.0)
-    bpy.ops.object.wirewarp_flatten()
-    assert shares(source) == pytest.approx(one[::-1], abs=1e-5)
+    fails(bpy.ops.mesh.wirewarp_ease, "select edges on a seam or outline", sides="ONE", ease_percent=5.0)
 
 
 def test_one_side_is_the_side_of_the_smaller_piece_on_all_seams(addon):
-    """The directions of the edges do not matter. They differ between lines, for example on two armholes."""
     source = grid("Body and two sleeves", lambda x, y: (x, y, 0))
     seams = {x: on_line(0, x) for x in (-0.5, 0.5)}
     for seam in seams.values():
         mark_seam(source, seam)
     ease(source, lambda a, b: any(seam(a, b) for seam in seams.values()), sides="ONE", ease_percent=5.0)
+    # The directions of the edges differ between the two seams, and must not matter.
     eased = np.flatnonzero(addon.state.allowances.SIDE_EASES.read(source.data))
     faces = np.repeat(np.arange(len(source.data.polygons)), [len(face.loop_indices) for face in source.data.polygons])
     middles = [source.data.polygons[face].center.x for face in faces[eased]]
@@ -158,43 +140,21 @@ def test_a_line_with_both_sides_cleared_on_flat_pieces_counts_once(source, capfd
     assert "Ease cleared on 1 line\n" in capfd.readouterr().out
 
 
-def test_an_ease_that_was_copied_to_the_other_side_is_reported_until_it_is_marked_again(addon):
-    """Half a model is mirrored, and its eased edge becomes a seam."""
-    half = grid("Half", lambda x, y: (x + 1, y, 0))
-    ease(half, SEAM, sides="ONE", ease_percent=5.0)
-    edit = bmesh.new()
-    edit.from_mesh(half.data)
-    copies = bmesh.ops.duplicate(edit, geom=[*edit.verts, *edit.edges, *edit.faces])["geom"]
-    for vertex in (each for each in copies if isinstance(each, bmesh.types.BMVert)):
-        vertex.co.x *= -1
-    bmesh.ops.reverse_faces(edit, faces=[each for each in copies if isinstance(each, bmesh.types.BMFace)])
-    bmesh.ops.remove_doubles(edit, verts=edit.verts, dist=1e-4)
-    edit.to_mesh(half.data)
-    edit.free()
-    mark_seam(half, SEAM)
-    with pytest.raises(RuntimeError, match='The side of the ease is unknown on 8 edges of "Half", because faces'):
-        bpy.ops.object.wirewarp_flatten()
-    (issue,) = addon.state.reports.last_report(half).issues
-    assert len(issue.edges) == 8
-    ease(half, SEAM, sides="ONE", ease_percent=5.0)
-    assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
-    assert sorted(shares(half)) == pytest.approx([0.0, 0.05], abs=1e-5)
-
-
-def test_an_ease_of_one_side_at_a_mirror_reports_what_to_do(addon):
-    """Each face at the middle meets its mirror image, which is a face of its own only after the modifier is applied."""
+def test_an_ease_of_one_side_at_a_mirror_is_unknown_until_it_is_marked_again(addon):
+    """The side of an ease is a face. The modifier copies this face to the other side of the mirror plane."""
     half = grid("Half", lambda x, y: (x + 1, y, 0), seam=SEAM)
     half.modifiers.new("Mirror", "MIRROR")
-    ease(half, SEAM, sides="ONE", ease_percent=5.0)
-    with pytest.raises(RuntimeError, match="8 edges .*copied.*Apply the modifiers and mark the ease again, or mark"):
-        bpy.ops.object.wirewarp_flatten(use_modifiers=True)
-    (issue,) = addon.state.reports.last_report(half).issues
-    assert (issue.code, len(issue.edges)) == ("side_unknown", 8)
-    ease(half, SEAM, sides="NONE")
     ease(half, SEAM, sides="ALL", ease_percent=5.0)
     assert bpy.ops.object.wirewarp_flatten(use_modifiers=True) == {"FINISHED"}
-    bpy.ops.object.modifier_apply(modifier="Mirror")
     ease(half, SEAM, sides="ALL", ease_percent=0.0)
+    ease(half, SEAM, sides="ONE", ease_percent=5.0)
+    flatten_fails("8 edges .*copied.*Apply the modifiers and mark the ease again, or mark", use_modifiers=True)
+    (issue,) = addon.state.reports.last_report(half).issues
+    assert (issue.code, len(issue.edges)) == ("side_unknown", 8)
+    bpy.ops.object.modifier_apply(modifier="Mirror")
+    flatten_fails('The side of the ease is unknown on 8 edges of "Half", because faces')
+    (issue,) = addon.state.reports.last_report(half).issues
+    assert len(issue.edges) == 8
     ease(half, SEAM, sides="ONE", ease_percent=5.0)
     assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
     assert sorted(shares(half)) == pytest.approx([0.0, 0.05], abs=1e-5)
@@ -205,11 +165,9 @@ def test_an_ease_without_a_side_names_its_edges(source, addon):
     select_edges(source, lambda a, b: SEAM(a, b) and a.y + b.y > 1)
     bpy.ops.mesh.mark_seam(clear=True)
     bpy.ops.object.mode_set(mode="OBJECT")
-    with pytest.raises(RuntimeError, match="An ease names"):
-        bpy.ops.object.wirewarp_flatten()
+    flatten_fails("An ease names")
     (issue,) = addon.state.reports.last_report(source).issues
-    assert issue.code == "ease_without_side"
-    assert len(issue.edges) == 2
+    assert (issue.code, len(issue.edges)) == ("ease_without_side", 2)
 
 
 def arrow(addon, target):
@@ -219,16 +177,19 @@ def arrow(addon, target):
     return tail, tip, [name.texts for name in lines.names]
 
 
-def test_an_arrow_points_into_the_side_that_is_longer(source, addon):
+def test_one_side_or_the_other_is_eased_and_an_arrow_points_into_it(source, addon):
+    eased = {}
     for sides in ("ONE", "OTHER"):
         ease(source, SEAM, sides=sides, ease_percent=5.0)
         bpy.ops.object.wirewarp_flatten()
-        left, right = shares(source)
+        left, right = eased[sides] = shares(source)
         tail, tip, texts = arrow(addon, source)
         assert tail[0] == pytest.approx(0.0, abs=1e-6) and (tip[0] > 0) == (right > left)
         assert ("+5%",) in texts
         *_, texts = arrow(addon, flat_of(source))
         assert ("+5%",) in texts
+    assert sorted(eased["ONE"]) == pytest.approx([0.0, 0.05], abs=1e-5)
+    assert eased["OTHER"] == pytest.approx(eased["ONE"][::-1], abs=1e-5)
     ease(source, SEAM, sides="NONE")
     lines = addon.overlay.objects.marked_lines(source, bpy.context.evaluated_depsgraph_get())
     assert "ease" not in lines.places
@@ -245,8 +206,7 @@ def test_an_arrow_points_into_the_side_that_is_longer(source, addon):
 def test_on_flat_pieces_only_one_side_that_is_selected_is_eased(source, side, sides, said):
     bpy.ops.object.wirewarp_flatten()
     select_side(source, side)
-    with pytest.raises(RuntimeError, match=said):
-        bpy.ops.mesh.wirewarp_ease(sides=sides, ease_percent=5.0)
+    fails(bpy.ops.mesh.wirewarp_ease, said, sides=sides, ease_percent=5.0)
     assert "wirewarp_side_ratio" not in source.data.attributes
 
 
@@ -266,14 +226,13 @@ def test_an_impossible_ease_names_its_wire_or_its_edges(source, addon, name, dom
     for row, edge in enumerate(edges):
         if HEM(*(source.data.vertices[vertex].co for vertex in source.data.edges[edge].vertices)):
             values[row].value = value
-    with pytest.raises(RuntimeError, match=said):
-        bpy.ops.object.wirewarp_flatten()
+    flatten_fails(said)
     (issue,) = addon.state.reports.last_report(source).issues
     assert len(issue.edges) == 8
 
 
 def eases_of(addon, report, kind):
-    """Return the target eases of the lines of this kind in the table for spreadsheets, in percent."""
+    """Return the intended eases of the lines of this kind in the table for spreadsheets, in percent."""
     text = addon.core.report_csv(report, addon.blender.objects.length_text(bpy.context.scene))
     lines = csv.DictReader(io.StringIO(text))
     return [float(line["Asked ease (%)"]) for line in lines if line["Kind"] == kind]
@@ -297,20 +256,20 @@ def test_an_eased_outline_has_its_target_length(source, addon):
 
 @pytest.mark.parametrize(("percent", "longer", "how"), [(5.0, 0.05, "ease"), (-40.0, 0.4, "gather")])
 def test_panel_and_paper_say_which_side_is_longer_and_what_to_do(source, addon, percent, longer, how):
-    """The panel and the paper name the longer side, even if it is longer only because the other side is cut shorter."""
     settings = bpy.context.scene.unit_settings
-    settings.length_unit, settings.scale_length = "MILLIMETERS", 0.5  # edges long enough for the text
+    settings.length_unit, settings.scale_length = "MILLIMETERS", 0.5  # so that the text has room on the pattern
     ease(source, SEAM, sides="ONE", ease_percent=percent)
     bpy.ops.object.wirewarp_flatten()
     (row,) = addon.state.reports.last_report(source).tables.seams
     units = addon.blender.objects.length_text(bpy.context.scene)
     left, right = shares(source)
-    side = "Top Right" if left > right else "Top Left"  # the wearer's left is at +x
+    # The wearer's left is at +x. An ease of -40% makes the eased side shorter, so that the other side is named.
+    side = "Top Right" if left > right else "Top Left"
     spatial, *_ = lengths(source, SEAM)
     text = f"{side} {units.rough(longer * spatial)} longer, {how} between notches"
     assert addon.report_panel.panel.longer_sides(row.sides, units, 0.5) == [text]
     assert text in draw_panels(addon)
-    assert abs(addon.core.largest_difference([row])) < 1e-6  # no unintended difference
+    assert abs(addon.core.largest_difference([row])) < 1e-6  # Intended differences do not count.
     pieces = made(addon, addon.export.read.read_pattern(bpy.context.scene, source)).pieces
     noted = [piece.name for piece in pieces for line in piece.of_role("sew") if f"longer, {how} between" in line.note]
     assert noted == [side]
@@ -321,5 +280,5 @@ def test_the_list_of_seams_shows_the_change_of_all_sides(source, addon):
     bpy.ops.object.wirewarp_flatten()
     (row,) = addon.state.reports.last_report(source).tables.seams
     left, right = shares(source)
-    assert left == pytest.approx(right, abs=1e-5) and 1e-4 < abs(left) <= 0.03 + 1e-6  # both sides have the same length
+    assert left == pytest.approx(right, abs=1e-5) and 1e-4 < abs(left) <= 0.03 + 1e-6
     assert row.note.endswith(f"; {addon.core.ease_text(left)} on all sides")

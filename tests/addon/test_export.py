@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Pattern files have the lengths of the model, are described before the export, and are never half written.
 
-Pieces edited by hand are refused. test_pattern_parts.py tests the data that the export reads, and tests/bindings how
+Pieces edited by hand are refused. test_pattern_parts.py tests the data that the export reads. tests/bindings tests how
 patterns are drawn.
 """
 
@@ -13,12 +13,14 @@ import numpy as np
 import pytest
 from drawing import Drawing, steps
 from everything import export_dialog
+from flattening import edge_lengths, edge_vertices, edited, fails
 from mathutils import Matrix
-from surfaces import bump, edge_lengths, edge_vertices, flat_of, grid, mark_seam, on_line, read, select_only
+from surfaces import bump, flat_of, grid, new_object, on_line, read, select_only
 from two_sided import two_pieces
 
 SEAM = on_line(0, 0.0)
-ROUNDED = 5e-4  # millimeters: ten times the error of four decimals, or of Blender's coordinates around 1000 mm
+# millimeters; ten times the error of four decimals, or of single precision for coordinates of about 1000 mm
+ROUNDED = 5e-4
 
 
 @pytest.fixture
@@ -38,8 +40,7 @@ def export(tmp_path, name="a.svg", **settings):
 
 def export_fails(match, tmp_path, name="refused.svg", **settings):
     path = tmp_path / name
-    with pytest.raises(RuntimeError, match=match):
-        bpy.ops.object.wirewarp_export(filepath=str(path), **settings)
+    fails(bpy.ops.object.wirewarp_export, match, filepath=str(path), **settings)
     assert not path.exists()
 
 
@@ -68,9 +69,7 @@ def test_every_edge_of_every_outline_is_as_long_as_on_the_model(source, tmp_path
 
 
 def test_a_seam_of_one_edge_inside_a_piece_opens_nothing(tmp_path):
-    """Suggested sets of seams may contain a seam of one edge."""
-    target = grid("Bump", bump, size=4)
-    mark_seam(target, lambda a, b: sorted((a[0], b[0])) == [0.0, 0.5] and a[1] == b[1] == 0.0)
+    target = grid("Bump", bump, size=4, seam=lambda a, b: sorted((a[0], b[0])) == [0.0, 0.5] and a[1] == b[1] == 0.0)
     assert sum(edge.use_seam for edge in target.data.edges) == 1
     bpy.ops.object.wirewarp_flatten()
     drawing = Drawing(export(tmp_path, "a.svg"))
@@ -127,16 +126,10 @@ def test_a_piece_too_large_for_the_roll_is_reported_and_the_file_stays(source, t
 
 def test_imperial_scenes_show_sizes_in_inches(source, tmp_path, capfd):
     bpy.context.scene.unit_settings.system = "IMPERIAL"
-    bpy.context.scene.unit_settings.scale_length = 0.1
     root = Drawing(export(tmp_path)).root
     width, height = (float(root.get(side)[:-2]) for side in ("width", "height"))
     said = f"2 pieces on {width:.0f} × {height:.0f} mm ({width / 25.4:.1f} × {height / 25.4:.1f} in)."
     assert said in capfd.readouterr().out
-
-
-def test_an_impossible_report_file_is_refused_before_the_pattern_is_written(source, tmp_path):
-    said = r'Cannot write ".*none/warnings\.json": there is no folder'
-    export_fails(said, tmp_path, report_path=str(tmp_path / "none" / "warnings.json"))
 
 
 def test_a_report_file_that_fails_at_the_end_keeps_the_pattern(source, tmp_path, addon, monkeypatch, capfd):
@@ -144,7 +137,7 @@ def test_a_report_file_that_fails_at_the_end_keeps_the_pattern(source, tmp_path,
         raise OSError(28, "No space left on device")
 
     monkeypatch.setattr(addon.core.pattern.files, "replaced_file", full)
-    # the export finishes, although its report file cannot be written
+    # The export succeeds, although its report file cannot be written.
     export(tmp_path, report_path=str(tmp_path / "warnings.json"))
     said = capfd.readouterr().out
     assert 'warnings.json": No space left on device.' in said and "2 pieces on" in said
@@ -167,8 +160,7 @@ def test_the_first_of_many_overlapping_pieces_are_named(addon):
 def test_pieces_that_are_scaled_as_a_whole_are_refused(source, tmp_path, scale, by_parent):
     scaled = flat_of(source)
     if by_parent:
-        scaled = flat_of(source).parent = bpy.data.objects.new("Table", None)
-        bpy.context.scene.collection.objects.link(scaled)
+        scaled = flat_of(source).parent = new_object("Table")
     scaled.scale = scale
     export_fails('"Bump Flat" or its parent is scaled or mirrored.*scale "Bump" and flatten', tmp_path)
     scaled.scale, scaled.rotation_euler = (1, 1, 1), (0.1, 0.2, 0.3)
@@ -190,24 +182,24 @@ def test_models_without_pieces_or_with_changes_are_refused(source, tmp_path):
     source.data.vertices[40].co.z += 0.1
     export_fails('"Bump" has changed since it was flattened. Flatten it again', tmp_path)
     source.data.vertices[40].co.z -= 0.1
+    report_path = str(tmp_path / "none" / "warnings.json")
+    export_fails(r'Cannot write ".*none/warnings\.json": there is no folder', tmp_path, report_path=report_path)
     export_fails("choose 1 mm or more, or 0 for none", tmp_path, notch_spacing=0.001)
     export_fails(r'Cannot write ".*none.pattern\.svg": there is no folder ".*none"\.', tmp_path, "none/pattern.svg")
     with pytest.raises(RuntimeError, match='Cannot write "//pattern.svg": "//" is the folder of the Blender file'):
         bpy.ops.object.wirewarp_export(filepath="//pattern.svg")
     flat = flat_of(source).data
-    flat.attributes.remove(flat.attributes["flat_length"])  # pieces of earlier versions of WireWarp lack this attribute
+    flat.attributes.remove(flat.attributes["flat_length"])  # as in pieces of earlier versions of WireWarp
     export_fails('Flatten "Bump" again', tmp_path)
     bpy.data.objects.remove(flat_of(source))
     export_fails('"Bump" has no flat pieces. Flatten it first', tmp_path)
 
 
 def move_a_vertex(edit):
-    edit.verts.ensure_lookup_table()
     edit.verts[7].co.x += 0.01
 
 
 def delete_a_face(edit):
-    edit.faces.ensure_lookup_table()
     bmesh.ops.delete(edit, geom=edit.faces[:1], context="FACES")
 
 
@@ -216,12 +208,11 @@ def tilt(edit):
 
 
 def forge_a_piece(edit):
-    edit.faces.ensure_lookup_table()
     edit.faces[0][edit.faces.layers.int["piece"]] = -5
 
 
 def rip(edit):
-    """Cut the piece along a line of edges, without moving anything."""
+    """Cut a piece along two edges in a row."""
     inner = next(edge for edge in edit.edges if all(len(vertex.link_faces) == 4 for vertex in edge.verts))
     following = next(
         edge
@@ -232,7 +223,7 @@ def rip(edit):
 
 
 def merge_by_distance(edit):
-    """Merge both sides of the seam after moving one onto the other."""
+    """Move a piece so that a vertex of the seam meets its copy on the other piece, and merge equal places."""
     piece = edit.faces.layers.int["piece"]
     source_vertex = edit.verts.layers.int["source_vertex"]
     sides = [{v[source_vertex]: v for face in edit.faces if face[piece] == k for v in face.verts} for k in (0, 1)]
@@ -254,18 +245,15 @@ def mirror_a_piece(edit):
     "change", [move_a_vertex, delete_a_face, tilt, forge_a_piece, rip, merge_by_distance, mirror_a_piece]
 )
 def test_pieces_edited_by_hand_are_not_trusted(source, tmp_path, change):
-    edit = bmesh.new()
-    edit.from_mesh(flat_of(source).data)
-    change(edit)
-    edit.to_mesh(flat_of(source).data)
-    edit.free()
+    with edited(flat_of(source).data) as edit:
+        change(edit)
     export_fails('The pieces in "Bump Flat" were edited by hand', tmp_path)
 
 
 def test_a_seam_that_is_missing_on_the_pieces_is_reported(source, tmp_path):
     sources = flat_of(source).data.attributes["source_vertex"].data
     numbers = read(sources, "value", np.int32)
-    # a vertex inside the seam, of which each piece has a copy
+    # Each of the two pieces has a copy of this vertex of the seam.
     inside = np.flatnonzero(np.bincount(numbers) == 2)[3]
     sources[int(np.flatnonzero(numbers == inside)[0])].value = 0
     export_fails("edited by hand, and a seam of the model is missing on them. Flatten the model again", tmp_path)

@@ -9,7 +9,8 @@ import bpy
 import numpy as np
 import pytest
 from drawing import Drawing
-from surfaces import bump, flat_of, flatten_fails, grid, make_object, mark, on_line, read, select_only, uv_of
+from flattening import fails, flatten_fails, uv_of
+from surfaces import bump, flat_of, grid, make_object, mark, on_line, read, select_only
 
 CUBE = (
     [(x, y, z) for z in (0, 1) for y in (0, 1) for x in (0, 1)],
@@ -22,7 +23,7 @@ def cube(name="Cube"):
 
 
 def bump_and_cube():
-    """Return one object of two components: one can be flattened, the other is closed."""
+    """Return a model with two parts. One can be flattened, the other is closed."""
     source = grid("Both", bump)
     other = cube()
     select_only(source, other)
@@ -44,26 +45,18 @@ def test_other_pieces_are_written_if_one_is_bad(tmp_path):
     assert (entry["ok"], entry["flat_object"]) == (False, "Both Flat")
 
 
-def test_without_a_good_piece_only_the_report_is_written(tmp_path):
-    source = cube()
-    flatten_fails("Error: Cube: ", report_path=str(tmp_path / "report.json"))
-    assert "wirewarp_report" not in source and [*bpy.data.objects] == [source] and not source.data.uv_layers
-    report = json.loads((tmp_path / "report.json").read_text())
-    assert not report["ok"]
-    assert report["objects"][0]["issues"][0]["code"] == "closed_chart"
-
-
-def test_other_objects_are_flattened_if_one_fails():
+def test_other_objects_are_flattened_if_one_fails_and_only_the_report_file_names_it(tmp_path):
     good, bad = grid("Good", bump), cube("Bad")
     select_only(good, bad)
-    flatten_fails("Error: Bad: ")
+    flatten_fails("Error: Bad: ", report_path=str(tmp_path / "report.json"))
     assert len(flat_of(good).data.polygons) == 64
-    assert "wirewarp_report" not in bad and not bad.data.uv_layers
+    assert "wirewarp_report" not in bad and not bad.data.uv_layers and "Bad Flat" not in bpy.data.objects
+    report = json.loads((tmp_path / "report.json").read_text())
+    (entry,) = (each for each in report["objects"] if each["object"] == "Bad")
+    assert not report["ok"] and entry["issues"][0]["code"] == "closed_chart"
 
 
 def test_select_issues_selects_the_elements_of_the_error():
-    """The elements are the edges of a wire with an invalid tolerance, or whole faces."""
-
     def selected(elements):
         bpy.ops.mesh.wirewarp_select_issues()
         assert bpy.context.mode == "EDIT_MESH"
@@ -83,21 +76,19 @@ def test_select_issues_selects_the_elements_of_the_error():
 
 def test_select_issues_without_issues_selects_nothing():
     grid("Bump", bump)
-    with pytest.raises(RuntimeError, match="has not been flattened yet"):
-        bpy.ops.mesh.wirewarp_select_issues()
+    fails(bpy.ops.mesh.wirewarp_select_issues, "has not been flattened yet")
     bpy.ops.object.wirewarp_flatten()
     assert bpy.ops.mesh.wirewarp_select_issues() == {"CANCELLED"}
     bpy.ops.object.mode_set(mode="EDIT")
     bpy.ops.mesh.select_all(action="SELECT")
     bpy.ops.mesh.subdivide()
-    with pytest.raises(RuntimeError, match='"Bump" has changed since it was flattened'):
-        bpy.ops.mesh.wirewarp_select_issues()
+    fails(bpy.ops.mesh.wirewarp_select_issues, '"Bump" has changed since it was flattened')
 
 
 def test_flipped_and_overlapping_faces_are_counted_and_selected_as_faces(addon):
-    """Three triangles are flipped and two overlap. Each face of the grid has two triangles."""
     source = grid("Bump", bump)
     arrays = addon.state.read_model.object_to_arrays(source, addon.state.marked_mesh.marked_mesh(source), None)
+    # Triangles 10 and 11 are face 5 of the grid, and triangle 12 is a half of face 6. Triangles 20 and 21 are face 10.
     arguments = {"num_overlapping": 2, "has_wires": False}
     flips = {"faces": [10, 11, 12], "has_layout": True, "arguments": arguments}
     error = addon.core.library().FlattenError("flipped_faces", "The library's sentence.", **flips)
@@ -112,9 +103,9 @@ def test_flipped_and_overlapping_faces_are_counted_and_selected_as_faces(addon):
 
 @pytest.fixture
 def half_failed():
-    """Return an object of two pieces after a run of WireWarping.
+    """Return a model of two pieces after a run of WireWarping.
 
-    One piece is flattened. The other is a spike, so steep that a cross of rigid wires makes WireWarping flip faces.
+    One piece is good. The other is a steep spike, on which a cross of rigid wires makes WireWarping flip faces.
     """
     target, other = grid("Both", bump), grid("Spike", lambda x, y: (x + 3, y, 2 * (1 - x * x) * (1 - y * y)))
     mark(other, on_line(0, 3.0), on_line(1, 0.0))
@@ -151,8 +142,7 @@ def test_only_the_failed_piece_is_red_and_materials_of_the_user_stay(half_failed
 
 def test_failed_pieces_are_written_only_on_request(half_failed, tmp_path):
     path = tmp_path / "pattern.svg"
-    with pytest.raises(RuntimeError, match="Failed: Top Left. The report names the faults"):
-        bpy.ops.object.wirewarp_export_svg(filepath=str(path))
+    fails(bpy.ops.object.wirewarp_export_svg, "Failed: Top Left. The report names the faults", filepath=str(path))
     assert not path.exists()
     bpy.ops.object.wirewarp_export_svg(filepath=str(path), failed_pieces=True)
     assert set(Drawing(path).pieces) == {"Top Left", "Top Right"}

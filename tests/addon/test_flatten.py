@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Flatten writes correct data, and lengths are exact."""
+"""Flatten writes pieces, attributes and UV map of a model. Outlines and wires have exact lengths."""
 
 import math
 
@@ -7,24 +7,20 @@ import bmesh
 import bpy
 import numpy as np
 import pytest
+from flattening import edge_lengths, edge_vertices, flat_places, flat_sources, flatten, uv_of, wire_marks, world_box
 from surfaces import (
     bump,
-    edge_lengths,
-    edge_vertices,
     flat_of,
-    flat_sources,
-    flatten,
     grid,
     half_cylinder,
     mark,
     mark_seam,
+    new_object,
     on_line,
     read,
     round_bump,
     select_edges,
     select_only,
-    uv_of,
-    wire_marks,
 )
 
 pytestmark = pytest.mark.api
@@ -34,7 +30,7 @@ FLOAT32 = 2e-6  # relative tolerance for coordinates of about 1 and edges of abo
 
 
 def lengths_by_source(source):
-    """Return (flat length, 3D length) of every edge of the flat object."""
+    """Return two arrays with the length of each flat edge: in the pieces, and on the model."""
     flat = flat_of(source).data
     pairs = np.sort(flat_sources(source)[edge_vertices(flat)], axis=1)
     known = {
@@ -45,7 +41,7 @@ def lengths_by_source(source):
 
 
 def on_outline_and_wires(source, *lines):
-    """Return two masks of the flat object's edges: edges on the outline, and edges on these lines of the source."""
+    """Return two masks of the flat edges: edges on the outline, and edges on these lines of the model."""
     flat = flat_of(source).data
     use = np.bincount(read(flat.loops, "edge_index", np.int32), minlength=len(flat.edges))
     places = read(source.data.vertices, "co", np.float32, 3)[flat_sources(source)][edge_vertices(flat)]
@@ -62,52 +58,58 @@ def assert_true_lengths(source, *lines, tolerance=FLOAT32):
 
 @pytest.mark.parametrize("faces", ["quads", "triangles", "ngons"])
 def test_outline_and_wire_keep_their_lengths(faces):
-    source = grid("Bump", round_bump, faces=faces)
     wire = on_line(1, 0.0)
-    mark(source, wire)
+    source = grid("Bump", round_bump, faces=faces, wire=wire)
     assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
     assert_true_lengths(source, wire)
     uv, vertices = uv_of(source.data), read(source.data.loops, "vertex_index", np.int32)
-    assert len(np.unique(np.column_stack([vertices, uv]), axis=0)) == len(source.data.vertices)  # one UV each
+    assert len(np.unique(np.column_stack([vertices, uv]), axis=0)) == len(
+        source.data.vertices
+    )  # one UV for each vertex
     assert len(flat_of(source).data.polygons) == len(source.data.polygons)
     assert len(flat_of(source).data.edges) == len(source.data.edges)
 
 
 def test_the_uv_map_is_active_and_in_the_unit_square_and_has_a_scale():
-    source = grid("Bump", bump)
+    source = grid("Bump", bump, seam=on_line(0, 0.0))
     source.data.uv_layers.new(name="Mine")
-    mark_seam(source, on_line(0, 0.0))
     bpy.ops.object.wirewarp_flatten()
     assert source.data.uv_layers.active.name == "WireWarp"
     uv = uv_of(source.data)
-    assert uv.min() == 0
-    assert uv.max() == 1
-    loops = read(flat_of(source).data.loops, "vertex_index", np.int32)
-    flat = read(flat_of(source).data.vertices, "co", np.float32, 3)[loops][:, :2]
+    assert (uv.min(), uv.max()) == (0, 1)
+    flat = flat_places(source)[read(flat_of(source).data.loops, "vertex_index", np.int32)]
     scale = source.data["wirewarp_uv_scale"]
     assert uv * scale == pytest.approx(flat - flat.min(axis=0), abs=1e-6 * scale)
 
 
-def test_the_flat_object_lies_in_its_own_plane_in_the_collection_and_faces_up():
+def test_the_flat_object_lies_in_its_own_plane_in_the_collection_and_the_model_stays():
     source = grid("Bump", bump)
+    before = read(source.data.vertices, "co", np.float32, 3)
     bpy.ops.object.wirewarp_flatten()
+    assert np.array_equal(read(source.data.vertices, "co", np.float32, 3), before)
+    assert (bpy.context.active_object, bpy.context.selected_objects) == (source, [source])
     flat = flat_of(source)
     assert [collection.name for collection in flat.users_collection] == ["WireWarp"]
     assert np.all(read(flat.data.vertices, "co", np.float32, 3)[:, 2] == 0)
     assert np.all(read(flat.data.polygons, "normal", np.float32, 3)[:, 2] > 0.99)
     assert tuple(flat.scale) == (1, 1, 1)
-    assert not flat.data.validate()
+    kinds = {a.name: (a.domain, a.data_type) for a in flat.data.attributes if not a.name.startswith(".")}
+    assert kinds["source_vertex"] == ("POINT", "INT")
+    assert kinds["arap_energy"] == kinds["aspect_ratio"] == ("FACE", "FLOAT")
+    assert kinds["length_variation"] == ("EDGE", "FLOAT")
+    assert {f"{name}_color" for name in ("arap_energy", "aspect_ratio", "length_variation")} <= kinds.keys()
 
 
-# The seam is a full cut, a dart, or one edge inside the piece. The two sides of such an edge have the same ends, so
-# Blender makes one edge of them.
+# The seam is a full cut, a dart, or one edge inside the piece. In the last case, both sides of the seam have the same
+# ends, so Blender makes one edge of them.
 @pytest.mark.parametrize("reach", [(-2.0, 2.0), (-2.0, 0.4), (-0.1, 0.4)])
 @pytest.mark.parametrize(("faces", "scale"), [("quads", -1.0), ("ngons", 1.0)])
 def test_the_edges_of_the_flat_object_are_those_that_blender_finds(reach, faces, scale):
-    source = grid("Bump", round_bump, faces=faces)
+    def seam(a, b):
+        return on_line(0, 0.0)(a, b) and reach[0] <= min(a[1], b[1]) and max(a[1], b[1]) <= reach[1]
+
+    source = grid("Bump", round_bump, faces=faces, seam=seam)
     source.scale.x = scale
-    low, high = reach
-    mark_seam(source, lambda a, b: on_line(0, 0.0)(a, b) and low <= min(a[1], b[1]) and max(a[1], b[1]) <= high)
     bpy.ops.object.wirewarp_flatten()
     flat = flat_of(source).data
     other = bpy.data.meshes.new("Other")
@@ -121,21 +123,6 @@ def test_the_edges_of_the_flat_object_are_those_that_blender_finds(reach, faces,
     assert variation == pytest.approx(np.abs(flat_length - space) / space, abs=1e-5)
 
 
-def test_attributes_of_the_flat_object():
-    source = grid("Bump", bump)
-    before = read(source.data.vertices, "co", np.float32, 3)
-    bpy.ops.object.wirewarp_flatten()
-    assert np.array_equal(read(source.data.vertices, "co", np.float32, 3), before)
-    assert (bpy.context.active_object, bpy.context.selected_objects) == (source, [source])
-    flat = flat_of(source).data
-    kinds = {a.name: (a.domain, a.data_type) for a in flat.attributes if not a.name.startswith(".")}
-    assert kinds["source_vertex"] == ("POINT", "INT")
-    assert kinds["arap_energy"] == kinds["aspect_ratio"] == ("FACE", "FLOAT")
-    assert kinds["length_variation"] == ("EDGE", "FLOAT")
-    for name in ("arap_energy_color", "aspect_ratio_color", "length_variation_color"):
-        assert name in flat.color_attributes
-
-
 def test_the_flat_pieces_carry_the_seams_and_wires_of_the_model():
     source = grid("Bump", bump, seam=on_line(0, 0.0), wire=on_line(1, 0.0))
     mark(source, on_line(1, 0.5), kind="ELASTIC", tolerance=0.02)
@@ -145,7 +132,7 @@ def test_the_flat_pieces_carry_the_seams_and_wires_of_the_model():
     places = read(source.data.vertices, "co", np.float32, 3)[flat_sources(source)][edge_vertices(flat)]
     on = {value: np.array([on_line(1, value)(a, b) for a, b in places]) for value in (0.0, 0.5)}
     seam = np.array([on_line(0, 0.0)(a, b) for a, b in places])
-    assert seam.sum() == 16  # both sides of the seam
+    assert seam.sum() == 16
     assert np.array_equal(read(flat.edges, "use_seam", bool), seam)
     assert np.array_equal(read(flat.edges, "use_edge_sharp", bool), on[0.0] | on[0.5])
     assert wire_marks(flat) == wire_marks(source.data)
@@ -156,18 +143,14 @@ def test_the_flat_pieces_carry_the_seams_and_wires_of_the_model():
 
 
 def corner(x, y):
-    """Return a point of a half cylinder with one corner cut off, to distinguish left and right.
-
-    Seen from outside, this corner is at +x, +y.
-    """
+    """Return a point of a half cylinder whose corner at +x, +y is cut off, to distinguish left and right."""
     return half_cylinder(x, y * (1 if x < 0.9 or y < 0 else 0.5))
 
 
 @pytest.mark.parametrize("scale", [(1, 1, 1), (-1, 1, 1), (1, 1, -1), (-1, -1, -1)])
 def test_pieces_come_out_as_seen_from_outside(scale):
-    """Three corners have the same orientation in the flat piece as on the model seen from outside.
-
-    A negative scale reverses this orientation.
+    """Three corners have the same orientation in the flat piece as on the model seen from outside. A negative scale
+    reverses this orientation.
     """
     source = grid("Corner", corner)
     source.scale = scale
@@ -204,27 +187,24 @@ def test_a_second_run_replaces_pieces_and_a_copy_gets_its_own():
 
 
 def test_several_objects_are_flattened_and_others_ignored():
-    first, second = grid("First", bump), grid("Second", half_cylinder)
-    camera = bpy.data.objects.new("Camera", bpy.data.cameras.new("Camera"))
-    bpy.context.scene.collection.objects.link(camera)
-    bpy.ops.object.select_all(action="SELECT")
-    bpy.ops.object.wirewarp_flatten()
-    bpy.ops.object.select_all(action="SELECT")  # selects the flat objects, too
-    bpy.ops.object.wirewarp_flatten()
+    models = [grid("First", bump), grid("Second", half_cylinder)]
+    new_object("Camera", bpy.data.cameras.new("Camera"))
+    for _ in range(2):
+        bpy.ops.object.select_all(action="SELECT")  # The second time, this selects the flat objects, too.
+        bpy.ops.object.wirewarp_flatten()
     assert sorted(o.name for o in bpy.data.objects if o.name.endswith("Flat")) == ["First Flat", "Second Flat"]
-    boxes = [[(flat_of(o).matrix_world @ v.co).x for v in flat_of(o).data.vertices] for o in (first, second)]
-    assert max(boxes[0]) < min(boxes[1]) or max(boxes[1]) < min(boxes[0])
+    (low, high), (other_low, other_high) = (world_box(flat_of(model))[:, 0] for model in models)
+    assert high < other_low or other_high < low
 
 
 def test_a_run_in_edit_mode_uses_the_edits_and_stays_in_edit_mode():
-    """The second run, in Object Mode, writes the same data as the run in Edit Mode."""
     source = grid("Bump", bump)
     select_edges(source, on_line(1, 0.0))
     bpy.ops.mesh.wirewarp_mark()
     bpy.ops.mesh.mark_seam(clear=False)
     edit = bmesh.from_edit_mesh(source.data)
     assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
-    assert edit.is_valid and bpy.context.mode == "EDIT_MESH"  # Blender frees this mesh when Edit Mode ends
+    assert edit.is_valid and bpy.context.mode == "EDIT_MESH"  # The end of Edit Mode would make the mesh invalid.
     bpy.ops.object.mode_set(mode="OBJECT")
     assert len(flat_of(source).data.vertices) == len(source.data.vertices) + 9
     assert sum(read(source.data.edges, "select", bool)) == 8
@@ -235,6 +215,7 @@ def test_a_run_in_edit_mode_uses_the_edits_and_stays_in_edit_mode():
 
     arrays, *others = written()
     assert [np.count_nonzero(each) for each in arrays[:2]] == [64, 8]
+    # In Object Mode, a run writes the same data.
     bpy.ops.object.wirewarp_flatten()
     arrays_after, *others_after = written()
     assert others == others_after
@@ -266,7 +247,7 @@ def test_only_pieces_that_changed_are_solved_again(addon):
 
     assert [reused_pieces(), reused_pieces()] == [0, 2]
     before = uv_of(source.data)
-    mark(source, on_line(0, 0.5))  # a wire in one of the two pieces
+    mark(source, on_line(0, 0.5))
     assert reused_pieces() == 1
     mark(source, on_line(0, -0.5))
     source.scale.x = 1.1

@@ -16,7 +16,7 @@ def cloud():
 
 
 def on_screen(points, axes, middle, distance, across, upward, is_perspective):
-    """Return the positions of points on the screen, across and upward. The view ranges from -1 to 1."""
+    """Return the positions of points on the screen, across and upward, from -1 to 1 inside the view."""
     x, y, z = ((points - middle) @ axes).T
     depth = distance - z if is_perspective else distance
     assert np.all(depth > 0)
@@ -29,12 +29,11 @@ def on_screen(points, axes, middle, distance, across, upward, is_perspective):
 def test_the_points_fill_one_direction_and_are_central_in_both(
     addon, cloud, is_perspective, across, upward, covered, above
 ):
-    """The margin is the same on both sides, although some points are much nearer to the eye than others."""
     points, axes = cloud
     framing = addon.blender.views
     middle, distance = framing.fit(points, framing.Projection(axes, across, upward, is_perspective, covered, above))
     x, y = on_screen(points, axes, middle, distance, across, upward, is_perspective)
-    x, y = (x + covered) / (1 - covered), (y + above) / (1 - above)  # the visible part is from -1 to 1
+    x, y = (x + covered) / (1 - covered), (y + above) / (1 - above)  # from -1 to 1 in the visible part
     assert max(x.max(), y.max()) == pytest.approx(1 / framing.MARGIN)
     longer = x if np.ptp(x) > np.ptp(y) else y
     assert (longer.min(), longer.max()) == pytest.approx((-1 / framing.MARGIN, 1 / framing.MARGIN))
@@ -44,7 +43,7 @@ def test_the_points_fill_one_direction_and_are_central_in_both(
 
 @pytest.mark.parametrize(("legend", "covered"), [(90.0, 2 * 180), (600.0, 600)])
 def test_places_are_shown_beside_the_legend_and_the_sidebar(addon, monkeypatch, legend, covered):
-    """The legend is assumed to be as wide as last drawn, and at least 180 pixels wide at interface scale 1."""
+    """The legend covers the width with which it was last drawn, and at least 180 pixels at interface scale 1."""
     views = addon.blender.views
     monkeypatch.setattr(views, "_legend_width", 0.0)
     views.note_legend(legend)
@@ -56,7 +55,7 @@ def test_places_are_shown_beside_the_legend_and_the_sidebar(addon, monkeypatch, 
 
 @pytest.mark.parametrize(("overlaps", "headers"), [(True, 26 + 30), (False, 0)])
 def test_places_are_shown_below_headers_and_texts(addon, overlaps, headers):
-    """A header at the bottom does not count, because it covers nothing at the top."""
+    """The texts cover 50 pixels at interface scale 1. Only headers at the top count."""
     system = SimpleNamespace(ui_scale=2.0, use_region_overlap=overlaps)
     context = SimpleNamespace(preferences=SimpleNamespace(system=system))
     heights = [("HEADER", "TOP", 26), ("TOOL_HEADER", "TOP", 30), ("HEADER", "BOTTOM", 26), ("UI", "RIGHT", 700)]

@@ -3,20 +3,18 @@
 
 import math
 
-import bmesh
 import bpy
 import numpy as np
 import pytest
-from surfaces import bump, flat_of, flatten, flatten_fails, grid, make_object, on_line, select_edges
+from flattening import edited, flatten, flatten_fails
+from surfaces import bump, flat_of, grid, make_object, on_line, select_edges
 
 
 def hints(addon, source, code):
-    """Return the hints with this code in the last report."""
     return [hint for hint in addon.state.reports.last_report(source).hints if hint.code == code]
 
 
 def test_places_with_equal_strain_are_one_hint(addon):
-    """Two equal domes have equal strain."""
     target = grid("Domes", lambda x, y: (x, y, 0.3 * math.exp(-((abs(x) - 0.5) ** 2 + y * y) / 0.05)), size=32)
     flatten(target)
     (hint,) = addon.state.reports.last_report(target).hints
@@ -26,7 +24,7 @@ def test_places_with_equal_strain_are_one_hint(addon):
 
 
 def disc(count):
-    """Return a ring of quads around a regular polygon. Each quad has two corners on the rim."""
+    """Return a regular polygon of `count` corners, surrounded by a ring of quads with two corners each on the rim."""
     angles = [2 * math.pi * k / count for k in range(count)]
     points = [(r * math.cos(a), r * math.sin(a), 0.0) for r in (0.5, 1.0) for a in angles]
     faces = [(k, count + k, count + (k + 1) % count, (k + 1) % count) for k in range(count)] + [tuple(range(count))]
@@ -53,9 +51,8 @@ def test_a_modifier_smooths_the_outline_and_both_sides_of_a_seam(addon):
 
 @pytest.mark.api
 def test_the_shortening_of_outlines_is_reported_and_levels_are_limited(addon, capfd):
-    """Subdivision replaces the twelve sides by the B-spline of their corners.
-
-    The B-spline is almost a circle. Its radius is (4 + 2 cos 30°) / 6 times the radius of the twelve corners.
+    """Subdivision replaces the twelve sides by the B-spline of their corners. This B-spline is almost a circle, and its
+    radius is (4 + 2 cos 30°) / 6 times the radius of the corners.
     """
     source = disc(12)
     bpy.ops.object.wirewarp_flatten()
@@ -70,7 +67,6 @@ def test_the_shortening_of_outlines_is_reported_and_levels_are_limited(addon, ca
 
 
 def split(source, line):
-    """Split the mesh along a line, so that each side has its own vertices."""
     select_edges(source, line)
     bpy.ops.mesh.edge_split()
     bpy.ops.object.mode_set(mode="OBJECT")
@@ -79,7 +75,7 @@ def split(source, line):
 @pytest.mark.parametrize(
     ("line", "count"),
     [
-        (on_line(0, 0.0), 16),  # a gap from edge to edge makes two pieces
+        (on_line(0, 0.0), 16),  # a gap that divides the model
         (lambda a, b: on_line(0, 0.0)(a, b) and max(a.y, b.y) < 0.1, 8),  # a slit of four edges
     ],
 )
@@ -89,7 +85,7 @@ def test_overlapping_edges_are_reported_until_they_are_merged(addon, line, count
     flatten(source)
     (hint,) = hints(addon, source, "torn")
     report = addon.state.reports.last_report(source)
-    assert hint.short == f"{count} edges" and report.notes == []  # only a hint, because the gap may be intended
+    assert hint.short == f"{count} edges" and report.notes == []  # The gap may be intended, so it is only a hint.
     bpy.ops.mesh.wirewarp_select_result(what="HINT", index=report.hints.index(hint))
     bpy.ops.object.mode_set(mode="OBJECT")
     chosen = [[source.data.vertices[end].co for end in edge.vertices] for edge in source.data.edges if edge.select]
@@ -104,12 +100,9 @@ def test_overlapping_edges_are_reported_until_they_are_merged(addon, line, count
 def test_separate_panels_are_not_tears(addon):
     source = grid("Bump", bump)
     split(source, on_line(0, 0.0))
-    edit = bmesh.new()
-    edit.from_mesh(source.data)
-    for vertex in {vertex for face in edit.faces if face.calc_center_median().x > 0 for vertex in face.verts}:
-        vertex.co.x += 1e-3
-    edit.to_mesh(source.data)
-    edit.free()
+    with edited(source.data) as edit:
+        for vertex in {vertex for face in edit.faces if face.calc_center_median().x > 0 for vertex in face.verts}:
+            vertex.co.x += 1e-3
     flatten(source)
     assert hints(addon, source, "torn") == []
 

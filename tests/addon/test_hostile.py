@@ -12,11 +12,12 @@ from types import SimpleNamespace
 import bpy
 import pytest
 from everything import COMMANDS, READERS, answer, draw_panels
-from surfaces import addon_module, bump, flat_of, grid, select_only
+from surfaces import addon_module, bump, flat_of, grid, new_object, select_only
 
 NAN = math.nan
 NAMES = addon_module().names
-# One attribute of each type and domain, and one for each check before a write. WORST has a case for the wires.
+# Together, OF_MODEL and OF_PIECES have an attribute of each type and domain, and each attribute that the add-on checks
+# before it writes. WORST has a case for wires.
 OF_MODEL = (
     *(NAMES.TOLERANCE, NAMES.EASED_SIDE, NAMES.SIDE_EASE, NAMES.ALLOWANCE, NAMES.FACE, NAMES.PIECE, NAMES.SEAM),
     NAMES.Attribute(NAMES.NO_SEAM, "FLOAT", "FACE"),
@@ -86,16 +87,13 @@ def store(model, first):
         places += [(model, "wirewarp_pieces"), (model, "wirewarp_active_piece")]
         places += [(model.data, "wirewarp_names"), (model.data, "wirewarp_grain")]
     for number, (owner, name) in enumerate(places, start=first):
-        if name in owner:  # removed first, because a property keeps its type
+        if name in owner:  # An existing property would keep its type.
             del owner[name]
         owner[name] = VALUES[number % len(VALUES)]
 
 
-def new_object(name, data=None):
-    """Return the object of this name; create it if necessary."""
-    if name not in bpy.data.objects:
-        bpy.context.scene.collection.objects.link(bpy.data.objects.new(name, data))
-    return bpy.data.objects[name]
+def empty():
+    return bpy.data.objects.get("Empty") or new_object("Empty")
 
 
 def other_model():
@@ -128,11 +126,11 @@ CASES = {
     "lists that are too long and double": lengthen_lists,
     "lists that are empty": clear_lists,
     "a seal of another type": lambda model: model.__setitem__("wirewarp_report_seal", [1.5, 2.5]),
-    "pieces of an empty": lambda model: setattr(flat_of(model), "wirewarp_source", new_object("Empty")),
+    "pieces of an empty": lambda model: setattr(flat_of(model), "wirewarp_source", empty()),
     "pieces of themselves": lambda model: setattr(flat_of(model), "wirewarp_source", flat_of(model)),
     "pieces of another model": lambda model: setattr(flat_of(model), "wirewarp_source", other_model()),
     "a model of its pieces": lambda model: setattr(model, "wirewarp_source", flat_of(model)),
-    "an empty claims the model": lambda model: setattr(new_object("Empty"), "wirewarp_source", model),
+    "an empty claims the model": lambda model: setattr(empty(), "wirewarp_source", model),
     "pieces that are a curve": lambda model: convert(flat_of(model), "CURVE"),
     "a model that is a curve": lambda model: convert(model, "CURVE"),
     "pieces with the mesh of the model": lambda model: setattr(flat_of(model), "data", model.data),
@@ -146,7 +144,7 @@ CASES = {
     "other values in every property": lambda model: store(model, 0),
     "lists and texts in every property": lambda model: store(model, 3),
 }
-# Attributes with odd indices are stored on other elements. Attributes with even indices get another type.
+# By turns, an attribute gets another type or is on other elements of the mesh.
 for number, attribute in enumerate((*OF_MODEL, *OF_PIECES)):
     other = "POINT" if attribute.domain == "CORNER" else "CORNER"
     kind = (attribute.data_type, other) if number % 2 else ("STRING", attribute.domain)
@@ -157,12 +155,12 @@ for number, attribute in enumerate((*OF_MODEL, *OF_PIECES)):
 
 @pytest.mark.parametrize("case", CASES)
 def test_every_reader_of_damaged_data_works_or_is_refused(model, everything_answers, case):
-    # The modes alternate after two cases, because the two kinds of faults of attributes alternate after each case.
+    # The modes alternate after two cases. Otherwise, each of the two faults of attributes would have only one mode.
     modes = ("OBJECT", "EDIT") if list(CASES).index(case) // 2 % 2 else ("EDIT", "OBJECT")
     everything_answers(lambda: CASES[case](model), READERS, modes)
 
 
-# the two cases that depend on Blender's interface
+# cases that depend on Blender's Python interface
 OF_BLENDER = ("a model with another mesh", "wires that are text")
 
 
@@ -172,8 +170,6 @@ def test_every_command_works_or_is_refused(model, everything_answers, case):
 
 
 def edited(**entries):
-    """Return a function that replaces entries in the text of a report."""
-
     def edit(text):
         return json.dumps(json.loads(text) | entries)
 

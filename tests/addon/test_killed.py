@@ -2,12 +2,11 @@
 """After Blender is killed during a run, the saved file opens unchanged, and no files are left beside it."""
 
 import signal
-import subprocess
-import sys
 
 import bpy
 import pytest
-from surfaces import bump, flat_of, grid, mark, on_line, wire_marks
+from flattening import wire_marks
+from surfaces import bump, flat_of, grid, mark, on_line
 
 SCRIPT = """
 import os, signal, sys
@@ -20,21 +19,19 @@ addon = sys.modules[module]
 
 
 def die(*_):
-    os.kill(os.getpid(), getattr(signal, "SIGKILL", signal.SIGTERM))  # on Windows, SIGTERM is as abrupt
+    os.kill(os.getpid(), getattr(signal, "SIGKILL", signal.SIGTERM))  # On Windows, SIGTERM is as abrupt.
 
 
 if where == "solve":
     addon.solve.steps.time.sleep = die  # between two checks of the solver's progress
-else:  # after the flat object was written, before its report
+else:  # after the flat object, before its report
     addon.flatten.write.show_where_shown = die
 bpy.ops.object.wirewarp_flatten(report_path=path + ".json")
 """
 
 
 @pytest.mark.parametrize("where", ["solve", "write"])
-def test_the_file_saved_before_is_whole(addon, tmp_path, where):
-    script = tmp_path / "flatten.py"
-    script.write_text(SCRIPT)
+def test_the_file_saved_before_is_whole(addon, in_another_blender, tmp_path, where):
     folder = tmp_path / "files"
     folder.mkdir()
     path = folder / "bump.blend"
@@ -43,11 +40,7 @@ def test_the_file_saved_before_is_whole(addon, tmp_path, where):
     marks = wire_marks(source.data)
     bpy.ops.wm.save_as_mainfile(filepath=str(path))
     saved = path.read_bytes()
-    if bpy.app.binary_path:
-        blender = [bpy.app.binary_path, "--background", "--factory-startup", "--python", script, "--"]
-    else:  # Blender as a Python module
-        blender = [sys.executable, script, "--"]
-    done = subprocess.run([*blender, path, addon.__name__, where], capture_output=True, text=True)
+    done = in_another_blender(SCRIPT, path, addon.__name__, where)
     killed = -signal.SIGKILL if hasattr(signal, "SIGKILL") else signal.SIGTERM
     assert done.returncode == killed, done.stdout + done.stderr
     assert [file.name for file in folder.iterdir()] == ["bump.blend"]

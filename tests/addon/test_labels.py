@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Texts on flat pieces do not hide the pieces. They name the pieces that seams join, and arrows show the grain."""
+"""Texts on flat pieces do not hide the pieces, and seams name the pieces that they join. Arrows show the grain."""
 
 import math
 
 import bpy
 import numpy as np
 import pytest
+from flattening import flatten
 from mathutils import Matrix
-from surfaces import bump, flat_of, flatten, grid, mark, on_line
+from surfaces import bump, flat_of, grid, mark, on_line
 from two_sided import made
 from view_context import look
 
@@ -19,7 +20,7 @@ def size_of(text):
 
 
 def label(addon, *texts, at=(100, 100), room=200.0, piece=1, box=None, selected=False):
-    """Return a placed name. box: outermost points of its piece, or two opposite corners of a rectangle."""
+    """Return a name to be placed. box: outermost points of its piece, or two opposite corners of a rectangle."""
     points = np.array([at], dtype=float)
     around = None if box is None else np.array(box, dtype=float)
     if box is not None and len(box) == 2:
@@ -40,7 +41,7 @@ def test_labels_hide_at_most_a_quarter_of_a_piece(addon):
     area = (6 * LETTER + 2 * 3) * (HEIGHT + 2 * 3)
     assert len(few) == int(0.25 * 80**2 / area) == 2
     assert written(addon, *names(10.0)) == []
-    other = [label(addon, "Seam 20", at=(400, 100), room=80.0, piece=2)]  # a label on a piece with enough room
+    other = [label(addon, "Seam 20", at=(400, 100), room=80.0, piece=2)]  # on another piece
     assert written(addon, *names(80.0), *other) == [*few, "Seam 20"]
 
 
@@ -58,7 +59,7 @@ def test_the_name_of_a_small_piece_is_beside_it_and_not_on_another_piece(addon):
 
 
 def test_the_name_beside_a_slanted_piece_touches_it(addon):
-    """The name is at the lowest point, not below the middle of the box around the piece."""
+    """The name is below the lowest point of the piece. If another piece is there, the name is above the highest."""
     slanted = label(addon, "Left sleeve", at=(200, 200), room=20.0, box=[(100, 90), (110, 80), (300, 310), (290, 320)])
     (below,) = addon.overlay.screen.arrange([slanted], size_of)
     assert below.left + size_of("Left sleeve")[0] / 2 == 110 and 0 < 80 - (below.base + HEIGHT) < HEIGHT
@@ -76,7 +77,7 @@ def test_the_outermost_vertices_of_a_piece_are_around_it(addon):
 
 
 def test_a_name_at_the_edge_is_not_hidden_by_the_toolbar(addon):
-    """The sidebar does not hide names either. Names of points that are hidden stay at their points."""
+    """Only names whose points are visible are moved away from the toolbar on the left and the sidebar on the right."""
     span, (width, _) = (50.0, 300.0), size_of("Seam 4")
     places = [(60, 100), (295, 100), (20, 100), (175, 100)]
     written = addon.overlay.screen.arrange([label(addon, "Seam 4", at=place) for place in places], size_of, span)
@@ -123,14 +124,14 @@ def test_names_hide_at_most_a_quarter_of_a_model_that_is_far_away(addon):
         return addon.overlay.screen.arrange(names.values(), size_of)
 
     assert len(written_from(1.5)) == 7
-    side = 2 * 400 / 10  # 400 pixels for each unit at distance 1
+    side = 2 * 400 / 10  # pixels; at distance 1, a unit has 400 pixels
     area = (6 * LETTER + 2 * 3) * (HEIGHT + 2 * 3)
     assert len(written_from(10.0)) == int(0.25 * side**2 / area) == 2
-    assert len(written_from(0.5)) > 2  # the view shows only a part of the sheet
+    assert len(written_from(0.5)) > 2  # The view shows only a part of the sheet.
 
 
 def arrows(addon, source, kind):
-    """Return vectors (k,2) from the tail of each arrow to its tip."""
+    """Return the vector (k,2) of each arrow from its tail to its tip."""
     corners = drawn(addon, flat_of(source)).places.get(kind, np.empty((0, 3))).reshape(-1, 6, 3)
     return corners[:, 1, :2] - corners[:, 0, :2]
 
@@ -148,7 +149,7 @@ def test_an_upright_grain_arrow_lies_inside_every_piece(addon, source):
     outline = np.concatenate([lines["seam"], lines["outline"]])
     for corners in lines["default grain"].reshape(2, -1, 3):
         assert np.linalg.norm(outline[:, None] - corners, axis=2).min() > 0.05
-        level = outline[np.abs(outline[:, 1] - corners[1, 1]) < 0.3]  # parts of the outline at the height of the tip
+        level = outline[np.abs(outline[:, 1] - corners[1, 1]) < 0.3]  # at the height of the arrow's tip
         assert level[:, 0].min() < corners[1, 0] < level[:, 0].max()
 
 
@@ -167,7 +168,7 @@ def test_arrows_turn_with_their_pieces_and_so_does_the_grain_on_paper(addon, sou
         (line,) = piece.of_role("grain")
         way = line.points[1] - line.points[0]
         assert math.degrees(math.atan2(way[1], way[0])) == pytest.approx(120, abs=0.1)
-    flatten(source)  # pieces stay rotated
+    flatten(source)  # The pieces stay rotated.
     assert angles(addon, source) == pytest.approx([120, 120], abs=0.1)
 
 
@@ -182,7 +183,7 @@ def test_pieces_whose_record_was_changed_or_that_are_gone_have_no_arrows(addon, 
 
 
 def test_a_flat_object_seen_edge_on_and_a_thin_strap_have_room_for_names(addon):
-    """Half of the length of a piece seen edge-on is room for names. Its visible area would leave no room."""
+    """Names may be as wide as half of the visible length, because the visible area of these objects is almost 0."""
     strap = grid("Strap", lambda x, y: (x, 0.01 * y, 0.0), wire=on_line(1, 0.0))
     sheet = grid("Sheet", lambda x, y: (x, y, 0.0), wire=on_line(1, 1.0))
     for target, eye in ((strap, (0, 0, 10)), (sheet, (0, 10, 0))):

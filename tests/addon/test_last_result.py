@@ -8,7 +8,8 @@ import bpy
 import numpy as np
 import pytest
 from everything import answer, draw_panels
-from surfaces import bump, flat_of, flatten_fails, grid, on_line, read, select_only, uv_of
+from flattening import flatten_fails, raise_vertex, uv_of
+from surfaces import bump, flat_of, grid, read, select_only
 from test_failures import cube
 
 pytestmark = pytest.mark.api
@@ -16,16 +17,8 @@ pytestmark = pytest.mark.api
 READY, AGAIN = "Ready to cut", '"Bump" has no flat pieces. Flatten it again'
 
 
-@pytest.fixture
-def source():
-    """Return a flattened model of two pieces."""
-    target = grid("Bump", bump, size=4, seam=on_line(0, 0.0))
-    bpy.ops.object.wirewarp_flatten()
-    return target
-
-
 def fail(source):
-    """Flatten the model with a damaged vertex, which must fail, and restore the vertex."""
+    """Flatten the model with a damaged vertex, and restore the vertex."""
     place = source.data.vertices[0].co.copy()
     source.data.vertices[0].co.x = float("nan")
     flatten_fails("not numbers, or far")
@@ -40,7 +33,7 @@ def export(tmp_path):
 def test_a_failed_run_keeps_the_report_of_the_pieces(source, addon, tmp_path):
     uv = uv_of(source.data)
     fail(source)
-    assert np.array_equal(uv_of(source.data), uv) and len(flat_of(source).data.polygons) == 16
+    assert np.array_equal(uv_of(source.data), uv) and len(flat_of(source).data.polygons) == 64
     assert not addon.state.reports.last_report(source).ok
     assert addon.state.reports.pieces_report(source).ok
     words = draw_panels(addon)
@@ -51,7 +44,7 @@ def test_a_failed_run_keeps_the_report_of_the_pieces(source, addon, tmp_path):
     bpy.ops.object.mode_set(mode="OBJECT")
     assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
     assert addon.state.reports.last_report(source).ok
-    fail(source)  # the report of this failure is not saved in the file
+    fail(source)  # Blender files do not contain reports of failures.
     bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "failed.blend"))
     bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "failed.blend"))
     assert addon.state.reports.last_report(bpy.data.objects["Bump"]).ok
@@ -74,18 +67,17 @@ def test_after_undo_of_a_run_the_failure_before_it_is_the_last_result(source, ad
     last, stored = addon.state.reports.last_report, source["wirewarp_report"]
     fail(source)
     assert not last(source).ok
-    source.data.vertices[0].co.z += 0.1
-    source.data.update()
+    raise_vertex(source)
     bpy.ops.object.wirewarp_flatten()
     assert last(source).ok and source["wirewarp_report"] != stored
-    source["wirewarp_report"], later = stored, source["wirewarp_report"]  # as undo does; redo is below
+    source["wirewarp_report"], later = stored, source["wirewarp_report"]  # as undo does
     assert not last(source).ok
-    source["wirewarp_report"] = later
+    source["wirewarp_report"] = later  # as redo does
     assert last(source).ok
 
 
 def test_the_panel_does_not_say_that_the_model_changed_right_after_a_run(source, addon, monkeypatch):
-    """Results of slow checks are kept for a while. This clock advances by a tenth of a second each time it is read."""
+    """The panel keeps results of slow checks for a while. This clock advances by 0.1 s each time it is read."""
     ticks = count()
     monkeypatch.setattr(addon.state.drawings, "time", SimpleNamespace(monotonic=lambda: next(ticks) / 10))
     addon.state.drawings.forget()
@@ -94,9 +86,7 @@ def test_the_panel_does_not_say_that_the_model_changed_right_after_a_run(source,
         return addon.ui.settings.has_changed_since(source, addon.state.reports.last_report(source))
 
     assert not has_changed()
-    source.data.vertices[0].co.z += 0.1
-    source.data.update()
-    bpy.context.view_layer.update()
+    raise_vertex(source)
     assert any(has_changed() for _ in range(50))
     bpy.ops.object.wirewarp_flatten()
     assert not has_changed()
@@ -120,15 +110,14 @@ def test_shape_keys_and_groups_of_earlier_pieces_are_gone(source):
     flat.vertex_groups.new(name="piece")
     source.data.vertices[0].co.x -= 1
     bpy.ops.object.wirewarp_flatten()
-    assert flat.data.shape_keys is None
-    assert "piece" in flat.data.attributes
+    assert flat.data.shape_keys is None and "piece" in flat.data.attributes
     places = read(flat.data.vertices, "co", np.float32, 3)
     shown = flat.evaluated_get(bpy.context.evaluated_depsgraph_get()).data
     assert np.array_equal(read(shown.vertices, "co", np.float32, 3), places)
 
 
 def test_export_notices_a_change_that_blender_was_not_notified_of(source, tmp_path, addon):
-    assert READY in draw_panels(addon)  # the panel keeps this verdict, but the export checks again
+    assert READY in draw_panels(addon)  # The panel keeps this verdict, but the export checks again.
     places = read(source.data.vertices, "co", np.float32, 3)
     source.data.vertices.foreach_set("co", (2 * places).ravel())
     assert '"Bump" has changed since it was flattened' in export(tmp_path)
@@ -143,8 +132,7 @@ def test_deleted_pieces_are_not_ready_to_cut(source, addon, tmp_path):
     select_only(source)
     bpy.data.objects.remove(flat_of(source))
     words = draw_panels(addon)
-    assert AGAIN in words
-    assert READY not in words
+    assert AGAIN in words and READY not in words
     assert "no flat pieces" in export(tmp_path)
 
 
@@ -153,8 +141,7 @@ def test_a_copy_of_the_pieces_is_distinguished_from_them(source, addon, tmp_path
     bpy.ops.object.duplicate()
     copy = bpy.context.active_object
     sentence = '"Bump Flat.001" is a copy or a part of earlier pieces. Use "Bump Flat"'
-    assert sentence in draw_panels(addon)
-    assert sentence in export(tmp_path)
+    assert sentence in draw_panels(addon) and sentence in export(tmp_path)
     select_only(source)
     assert export(tmp_path) == "{'FINISHED'}"
     bpy.ops.object.wirewarp_flatten()
@@ -169,5 +156,4 @@ def test_the_longest_name_leaves_room_for_the_suffix_of_its_pieces():
     bpy.ops.object.wirewarp_flatten()
     bpy.ops.object.wirewarp_flatten()
     (flat,) = [each for each in bpy.data.objects if each.wirewarp_source == source]
-    assert flat.name.startswith("ää")
-    assert flat.name.endswith("ä Flat")
+    assert flat.name.startswith("ää") and flat.name.endswith("ä Flat")

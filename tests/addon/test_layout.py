@@ -4,34 +4,15 @@
 import bpy
 import numpy as np
 import pytest
-from surfaces import (
-    bump,
-    edge_vertices,
-    flat_of,
-    flat_places,
-    flat_sources,
-    flatten,
-    grid,
-    half_cylinder,
-    mark,
-    mark_seam,
-    on_line,
-    read,
-    select_edges,
-    select_only,
-    world_box,
-)
+from flattening import edge_vertices, flat_places, flat_sources, flatten, world_box
+from surfaces import bump, flat_of, grid, half_cylinder, mark, mark_seam, on_line, read, select_edges, select_only
 from two_sided import select_side
 
 
-def difference(source, a, b):
-    """Return the vector on the flat piece between two vertices of the model."""
-    sources = flat_sources(source).tolist()
-    return flat_places(source)[sources.index(b)] - flat_places(source)[sources.index(a)]
-
-
 def direction_of(source, a, b):
-    along = difference(source, a, b)
+    """Return the unit vector on the flat piece between two vertices of the model."""
+    sources = flat_sources(source).tolist()
+    along = flat_places(source)[sources.index(b)] - flat_places(source)[sources.index(a)]
     return along / np.linalg.norm(along)
 
 
@@ -54,22 +35,26 @@ def test_one_row_is_on_a_line():
     boxes = boxes_of(source)
     assert len(boxes) == 4 and [box[0][1] for box in boxes] == pytest.approx([0] * 4, abs=1e-6)
     assert all(left[1][0] < right[0][0] for left, right in zip(boxes[:-1], boxes[1:], strict=True))
-    flatten(source)  # another layout moves the pieces, even with Keep Places
+    flatten(source)  # With another layout, pieces move, even with Keep Places.
     assert np.ptp(flat_places(source)[:, 0]) < 1.6 * np.ptp(flat_places(source)[:, 1])
 
 
-def two_wires():
+def two_wires(rotation=(0, 0, 0)):
     """Return a half cylinder with two wires: one along x at y = 0.5, and one along y at x = 0."""
     source = grid("Half Cylinder", half_cylinder, wire=on_line(1, 0.5))
     mark(source, on_line(0, 0.0))
+    source.rotation_euler = rotation
     return source
+
+
+UPRIGHT = (np.pi / 2, 0, 0)  # With this rotation, the model's y axis points up.
 
 
 ALONG_X, ALONG_Y = (54, 62), (4, 76)  # end vertices of the wires; each row of the grid has 9 vertices
 
 
 def edge_of_wire(source, ends):
-    """Return the index of the wire's edge at the first of its ends."""
+    """Return the index of the wire's edge that ends at the first vertex of `ends`."""
     ids = read(source.data.attributes["wirewarp_wire"].data, "value", np.int32)
     return next(
         row for row, pair in enumerate(edge_vertices(source.data).tolist()) if ends[0] in pair and ids[row] != 0
@@ -111,9 +96,8 @@ def test_either_a_wire_or_its_copy_can_be_the_grain_wire(mode):
 
 
 def test_pieces_without_the_grain_wire_are_upright_as_on_the_model():
-    """If the grain wire is on the front, another wire, for example along the waist, must not rotate the back."""
-    source = two_wires()
-    source.rotation_euler = (np.pi / 2, 0, 0)  # the model's y axis points up
+    """For example, a grain wire on the front must not rotate the back."""
+    source = two_wires(UPRIGHT)
     bpy.ops.object.mode_set(mode="EDIT")
     bpy.ops.mesh.select_all(action="SELECT")
     bpy.ops.mesh.duplicate_move(TRANSFORM_OT_translate={"value": (0, 5, 0)})
@@ -128,7 +112,7 @@ def test_pieces_without_the_grain_wire_are_upright_as_on_the_model():
 def test_a_missing_grain_wire_has_no_effect():
     source = two_wires()
     with pytest.raises(RuntimeError):
-        bpy.ops.mesh.wirewarp_grain_wire(edge=0)  # this edge is not on a wire
+        bpy.ops.mesh.wirewarp_grain_wire(edge=0)
     assert source.data.wirewarp_grain == 0
     source.data.wirewarp_grain = 12345
     flatten(source)
@@ -136,17 +120,16 @@ def test_a_missing_grain_wire_has_no_effect():
 
 
 def test_without_a_grain_wire_pieces_are_upright_as_on_the_model():
-    source = two_wires()
-    source.rotation_euler = (np.pi / 2, 0, 0)  # the model's y axis points up
+    source = two_wires(UPRIGHT)
     flatten(source)
     assert direction_of(source, *ALONG_Y)[1] == pytest.approx(1, abs=1e-4)
-    source.rotation_euler = (np.pi / 2, np.pi / 2, 0)  # x points down, and does so in the pieces, too
+    source.rotation_euler = (np.pi / 2, np.pi / 2, 0)  # Now, the x axis points down.
     flatten(source, keep_places=False)
     assert direction_of(source, *ALONG_X)[1] == pytest.approx(-1, abs=1e-4)
 
 
 def test_pieces_of_models_flattened_together_are_at_one_height_and_not_under_a_model():
-    """A tall model is on the right of a small one. A third model is above the place where the first pieces would be."""
+    """A third model hovers above the place where the pieces of the first model would be."""
     models = [grid(name, bump) for name in ("Left", "Tall", "Hovering")]
     for model, place in zip(models, [(0, 0, 0), (7, 0, -1), (3.5, 0, 4)], strict=True):
         model.location = place
@@ -161,35 +144,32 @@ def test_pieces_of_models_flattened_together_are_at_one_height_and_not_under_a_m
 
 
 def gap_of_two(size, meters, mark_widths=lambda _: None):
-    """Return the space between two pieces in meters, for a gap of 50 mm. mark_widths: marks allowances on the model."""
+    """Return the distance of two pieces in meters, for a gap of 50 mm. mark_widths: marks allowances on the model."""
     bpy.context.scene.unit_settings.scale_length = meters
     source = grid("Plane", lambda x, y: (size * x, size * y, 0), seam=on_line(0, 0.0))
     mark_widths(source)
     flatten(source, spacing=50.0)
     (low, high), (other_low, other_high) = boxes_of(source)
-    apart = np.maximum(other_low - high, low - other_high).max()
-    return apart * meters
+    return np.maximum(other_low - high, low - other_high).max() * meters
 
 
 @pytest.mark.parametrize(("size", "meters"), [(0.5, 1.0), (4.0, 1.0), (500.0, 0.001)])
 def test_the_gap_is_a_length_whatever_the_size_of_the_pieces_and_the_unit(size, meters):
-    """The gap is the distance between cutting lines, which are 10 mm outside the pieces here."""
+    """The gap is between cutting lines, which are 10 mm outside the pieces here."""
     assert gap_of_two(size, meters) == pytest.approx(0.05 + 2 * 0.01, abs=1e-5)
 
 
 def mark_everywhere(source):
-    """Mark an allowance of 40 mm on all edges."""
     widths = source.data.attributes.new("wirewarp_allowance", "FLOAT", "EDGE")
     widths.data.foreach_set("value", np.full(len(source.data.edges), 0.04, dtype=np.float32))
 
 
 def mark_one_side(source):
-    """Mark an allowance of 40 mm on one side of the seam."""
     flatten(source, spacing=50.0)
     select_side(source, -1)
     assert bpy.ops.mesh.wirewarp_allowance(kind="WIDTH", width=40.0) == {"FINISHED"}
     bpy.ops.object.mode_set(mode="OBJECT")
-    bpy.data.objects.remove(flat_of(source))  # otherwise its pieces would keep their places
+    bpy.data.objects.remove(flat_of(source))  # Otherwise, pieces would keep their places.
     select_only(source)
 
 
@@ -200,7 +180,7 @@ def mark_one_side_and_clear_it(source):
     bpy.ops.object.mode_set(mode="OBJECT")
 
 
-def mark_what_is_no_seam_any_more(source):
+def mark_a_former_seam(source):
     select_edges(source, on_line(1, 0.0))
     bpy.ops.mesh.mark_seam()
     assert bpy.ops.mesh.wirewarp_allowance(kind="WIDTH", width=40.0) == {"FINISHED"}
@@ -214,10 +194,11 @@ def mark_what_is_no_seam_any_more(source):
         (mark_everywhere, 0.04),
         (mark_one_side, 0.04),
         (mark_one_side_and_clear_it, 0.01),
-        (mark_what_is_no_seam_any_more, 0.01),
+        (mark_a_former_seam, 0.01),
     ],
 )
 def test_the_gap_counts_from_the_widest_allowance_on_an_outline(mark_widths, widest):
+    """widest: meters."""
     assert gap_of_two(0.5, 1.0, mark_widths) == pytest.approx(0.05 + 2 * widest, abs=1e-5)
 
 

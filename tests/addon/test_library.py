@@ -7,37 +7,24 @@ import shutil
 import sys
 from pathlib import Path
 from types import SimpleNamespace
+from unittest.mock import MagicMock
 
 import bpy
 import pytest
+from flattening import flatten_fails
 from surfaces import bump, grid
 
 
-class LabelsOnly:
-    """A panel's layout that keeps only labels."""
-
-    def __init__(self):
-        self.text = ""
-
-    def column(self, align):
-        return self
-
-    def label(self, text, icon):
-        self.text += f"{text} "
-
-
 def panel_text():
-    layout = LabelsOnly()
-    region = SimpleNamespace(width=300)
-    preferences = SimpleNamespace(system=SimpleNamespace(ui_scale=1.0))
-    context = SimpleNamespace(region=region, preferences=preferences)
+    layout, preferences = MagicMock(), SimpleNamespace(system=SimpleNamespace(ui_scale=1.0))
+    context = SimpleNamespace(region=SimpleNamespace(width=300), preferences=preferences)
     bpy.types.VIEW3D_PT_wirewarp_problem.draw(SimpleNamespace(layout=layout), context)
-    return layout.text
+    return " ".join(call.kwargs["text"] for call in layout.column.return_value.label.call_args_list)
 
 
 @pytest.fixture
 def library_copy(addon, tmp_path, monkeypatch):
-    """Copy the library, and yield its folder. When the add-on registers again, it uses this copy."""
+    """Yield the folder of a copy of the library. When the add-on registers again, it uses this copy."""
     installed = Path(addon.core.library().__file__).parent
     name = addon.core.library().__name__
     copy = tmp_path / "wirewarp"
@@ -62,14 +49,13 @@ def module_in(folder):
 def check_sentence(addon, sentence):
     """Register the add-on again, and check that the panel and the error of Flatten contain the sentence.
 
-    Nothing but this panel and operator may be registered. sentence: a regular expression.
+    No other panel and no other operator may be registered. sentence: a regular expression.
     """
     addon.unregister()
     addon.register()
     assert re.search(sentence, panel_text())
     grid("Bump", bump)
-    with pytest.raises(RuntimeError, match=sentence):
-        bpy.ops.object.wirewarp_flatten()
+    flatten_fails(sentence)
     assert not hasattr(bpy.types.Scene, "wirewarp")
     assert [name for name in dir(bpy.types) if "wirewarp" in name and hasattr(bpy.types, name)] == [
         "OBJECT_OT_wirewarp_flatten",
@@ -81,7 +67,7 @@ def check_sentence(addon, sentence):
 
 def test_no_library(addon, library_copy, monkeypatch):
     shutil.rmtree(library_copy)
-    # The extension's own library is on the path, too, and would be found instead of the copy.
+    # Without the copy, the extension's own library would be found on the path.
     monkeypatch.setattr(sys, "path", [folder for folder in sys.path if not Path(folder, "wirewarp").is_dir()])
     check_sentence(addon, "library is not installed beside the add-on. Remove WireWarp, restart Blender, and install")
 
@@ -124,8 +110,8 @@ def test_a_library_that_cannot_be_used(addon, library_copy, capfd, case):
     content, sentence = SPOILED[case]
     (library_copy / "__init__.py").write_text(content)
     check_sentence(addon, sentence)
-    if content.startswith("raise"):  # the console shows the cause
-        assert content.strip() in capfd.readouterr().err
+    if content.startswith("raise"):
+        assert content.strip() in capfd.readouterr().err  # The console shows the cause.
 
 
 @pytest.mark.parametrize("content", [b"", b"\x7fELF", b"not a library " * 1000])

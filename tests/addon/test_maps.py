@@ -6,20 +6,8 @@ import math
 import bpy
 import numpy as np
 import pytest
-from surfaces import (
-    bump,
-    edge_vertices,
-    flat_of,
-    flat_places,
-    flat_sources,
-    grid,
-    half_cylinder,
-    mark,
-    on_line,
-    read,
-    select_edges,
-    uv_of,
-)
+from flattening import edge_vertices, flat_places, flat_sources, uv_of
+from surfaces import bump, flat_of, grid, half_cylinder, mark, on_line, read, select_edges
 
 pytestmark = pytest.mark.api
 
@@ -34,7 +22,7 @@ def source():
 
 
 def measured(addon, source):
-    """Return the library's measures of the written UV map."""
+    """Return the library's measures of the UV map."""
     mesh = source.data
     faces = read(mesh.loops, "vertex_index", np.int32).reshape(-1, 3)
     edges = edge_vertices(mesh)
@@ -66,7 +54,7 @@ def test_the_maps_are_the_librarys_measures(source, addon):
     for name, measure in (("arap_energy", "arap"), ("aspect_ratio", "aspect_ratio")):
         expected = by_source_face(pieces, measure)
         of_flat = expected[read(flat.attributes["source_face"].data, "value", np.int32)]
-        rounding = 1e-3 * np.ptp(expected)  # the UV map has single precision
+        rounding = 1e-3 * np.ptp(expected)  # because the UV map has single precision
         assert attribute(flat, name) == pytest.approx(of_flat, rel=0, abs=rounding)
     expected = {}
     for piece in pieces:
@@ -86,15 +74,15 @@ def variations(source):
 
 
 def test_thick_material_that_unfolds_changes_no_length(addon):
-    """WireWarp flattens the surface in the middle of the thickness, so lengths are compared with lengths there."""
+    """WireWarp flattens the surface in the middle of the thickness, and compares flat lengths with lengths there."""
     bpy.context.scene.unit_settings.scale_length = 0.1
     target = grid("Half", half_cylinder, size=16)
     bpy.ops.object.wirewarp_flatten(thickness=20.0)
     values, _ = variations(target)
     assert values == pytest.approx(0, abs=1e-6)
-    # Half of the angle that a face spans, in radians, and half of the thickness, in Blender units. The vertices at both
-    # ends move along the normal of their only face, so the end faces are narrower.
-    half_turn, middle = math.pi / 32, 0.1
+    half_turn = math.pi / 32  # half of the angle that a face spans
+    middle = 0.1  # half of the thickness, in Blender units
+    # The vertices at both ends move along the normal of their only face, so the end faces are narrower than the others.
     width = 16 * 2 * math.sin(half_turn) * (1 + middle) - 2 * middle * math.sin(half_turn)
     assert np.ptp(flat_places(target), axis=0).max() == pytest.approx(width, rel=1e-3)
     report = addon.state.reports.last_report(target)
@@ -103,7 +91,7 @@ def test_thick_material_that_unfolds_changes_no_length(addon):
 
 
 def test_lines_with_their_target_length_have_no_change(addon):
-    """Ease changes the target length of a line. If fabric is worn stretched, its stretch changes all target lengths."""
+    """Worn stretch changes the target lengths of all lines. An ease changes the target length of its line."""
     target = grid("Half", half_cylinder, size=16, faces="triangles")
     bpy.ops.object.wirewarp_flatten(cloth="SWIM", worn_across=20.0, worn_along=20.0, orientation="UP")
     values, _ = variations(target)
@@ -141,7 +129,7 @@ def assert_printed(source):
 
 def test_pieces_have_the_materials_and_the_maps_of_their_model():
     source = printed()
-    for _ in range(2):  # the second run does not add the maps again
+    for _ in range(2):
         bpy.ops.object.wirewarp_flatten()
         flat = flat_of(source).data
         assert [material.name for material in flat.materials] == ["Stripes", "Dots"]
@@ -151,6 +139,6 @@ def test_pieces_have_the_materials_and_the_maps_of_their_model():
     places = read(flat.vertices, "co", np.float32, 3)[read(flat.loops, "vertex_index", np.int32), :2]
     size = np.ptp(places, axis=0).max()
     uv = read(flat.uv_layers["WireWarp"].data, "uv", np.float32, 2)
-    assert np.allclose(uv, (places - places.min(axis=0)) / size, atol=1e-6)  # the map shows the shape of the pieces
+    assert np.allclose(uv, (places - places.min(axis=0)) / size, atol=1e-6)
     bpy.ops.object.wirewarp_flatten(use_modifiers=True)
     assert_printed(source)

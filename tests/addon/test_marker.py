@@ -16,7 +16,7 @@ CLOTH = {"arrangement": "MARKER", "cloth_width": 400.0, "gap": 4.0, "grain": "BO
 
 @pytest.fixture
 def source(at_once):
-    """Return a flattened model of two pieces of about 230 x 115 mm. Drawings are updated immediately."""
+    """Return a flattened model of two pieces of about 230 by 115 mm. Drawings are updated immediately."""
     target = two_pieces()
     bpy.ops.object.wirewarp_flatten()
     return target

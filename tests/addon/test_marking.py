@@ -6,7 +6,8 @@ import math
 import bmesh
 import bpy
 import pytest
-from surfaces import bump, flat_of, grid, mark, on_line, select_edges, select_only, wire_marks
+from flattening import edited, fails, wire_marks
+from surfaces import bump, flat_of, grid, mark, on_line, select_edges, select_only
 
 pytestmark = pytest.mark.api
 
@@ -21,8 +22,8 @@ def names(target):
     ("kind", "tolerance", "line"),
     [
         ("RIGID", 0, EAST_WEST),
-        ("ELASTIC", 0.05, NORTH_SOUTH),  # a seam
-        ("SUPER_ELASTIC", math.inf, on_line(1, 1.0)),  # the outline
+        ("ELASTIC", 0.05, NORTH_SOUTH),  # on a seam
+        ("SUPER_ELASTIC", math.inf, on_line(1, 1.0)),  # on the outline
     ],
 )
 def test_a_line_becomes_one_wire_of_its_kind(kind, tolerance, line):
@@ -48,7 +49,7 @@ def test_without_selected_edges_edit_mode_stays(name):
 @pytest.mark.parametrize("at_once", [True, False])
 def test_crossing_lines_are_two_wires_however_they_are_marked(at_once):
     target = grid("Bump", bump)
-    target.scale.z = 0  # marking works at any scale, even 0
+    target.scale.z = 0
     for lines in [(EAST_WEST, NORTH_SOUTH)] if at_once else [(EAST_WEST,), (NORTH_SOUTH,)]:
         mark(target, *lines)
     assert list(wire_marks(target.data).values()) == [8, 8]
@@ -122,28 +123,17 @@ def test_all_or_none_of_several_objects_are_marked(operator):
 def test_edges_that_cannot_be_marked_are_reported(lines, settings, said):
     target = grid("Bump", bump)
     select_edges(target, *lines)
-    with pytest.raises(RuntimeError, match=said):
-        bpy.ops.mesh.wirewarp_mark(**settings)
+    fails(bpy.ops.mesh.wirewarp_mark, said, **settings)
     bpy.ops.object.mode_set(mode="OBJECT")
     assert wire_marks(target.data) == {}
 
 
-def grid_with_a_loose_edge():
-    target = grid("Bump", bump)
-    count = len(target.data.vertices)
-    target.data.vertices.add(2)
-    target.data.vertices[count].co, target.data.vertices[count + 1].co = (3, 0, 0), (4, 0, 0)
-    target.data.edges.add(1)
-    target.data.edges[-1].vertices = (count, count + 1)
-    target.data.update()
-    return target
-
-
 def test_an_edge_without_a_face_is_not_marked_and_a_marked_one_is_ignored(addon):
-    target = grid_with_a_loose_edge()
+    target = grid("Bump", bump)
+    with edited(target.data) as edit:
+        edit.edges.new([edit.verts.new((x, 0, 0)) for x in (3, 4)])
     select_edges(target, EAST_WEST)
-    with pytest.raises(RuntimeError, match='1 selected edge of "Bump" has no face.*Delete Loose'):
-        bpy.ops.mesh.wirewarp_mark()
+    fails(bpy.ops.mesh.wirewarp_mark, '1 selected edge of "Bump" has no face.*Delete Loose')
     bpy.ops.object.mode_set(mode="OBJECT")
     assert wire_marks(target.data) == {}
     mark(target, lambda a, b: EAST_WEST(a, b) and a.x < 2)
@@ -167,14 +157,13 @@ def test_marks_of_models_are_refused_on_flat_pieces(command):
         getattr(bpy.ops.mesh, f"wirewarp_{command}")()
     assert wire_marks(flat.data) == before
     bpy.ops.object.mode_set(mode="OBJECT")
-    select_only(source, flat)  # the pieces are selected together with the model
+    select_only(source, flat)
     bpy.ops.object.mode_set(mode="EDIT")
-    with pytest.raises(RuntimeError, match="Leave Edit Mode of the flat pieces first"):
-        bpy.ops.mesh.wirewarp_mark()
+    fails(bpy.ops.mesh.wirewarp_mark, "Leave Edit Mode of the flat pieces first")
 
 
 def test_mark_this_model_starts_with_nothing_selected(addon):
-    """All edges of an imported model are selected. Such a selection is cleared, but the user's selection is kept."""
+    """After an import, all edges are selected. Mark This Model clears such a selection, but keeps other selections."""
     source = grid("Bump", bump, size=4)
     bpy.ops.object.mode_set(mode="EDIT")
     bpy.ops.mesh.select_all(action="SELECT")
@@ -183,12 +172,11 @@ def test_mark_this_model_starts_with_nothing_selected(addon):
     assert bpy.ops.object.wirewarp_mark_model() == {"FINISHED"}
     assert source.mode == "EDIT" and tuple(bpy.context.tool_settings.mesh_select_mode) == (False, True, False)
     assert not any(edge.select for edge in bmesh.from_edit_mesh(source.data).edges)
-    bmesh.from_edit_mesh(source.data).edges.ensure_lookup_table()
-    bmesh.from_edit_mesh(source.data).edges[3].select = True
     bpy.ops.object.mode_set(mode="OBJECT")
+    source.data.edges[3].select = True
     bpy.ops.object.wirewarp_mark_model()
     chosen = [edge.index for edge in bmesh.from_edit_mesh(source.data).edges if edge.select]
-    assert chosen == [3]  # the user's selection does not change
+    assert chosen == [3]
     assert not addon.marks.mark_operators.has_every_edge(source.data)
     assert bpy.ops.mesh.wirewarp_mark_seam() == {"FINISHED"}
     bpy.ops.object.mode_set(mode="OBJECT")

@@ -25,7 +25,7 @@ READERS = {
 
 @pytest.fixture(params=["OBJECT", "EDIT", "no faces", "nothing"])
 def mesh(addon, request):
-    """Yield the current mesh. In Edit Mode, it has changes that Blender has not yet written to the object's mesh."""
+    """Yield the current mesh. In Edit Mode, it has changes that the mesh of the object does not have yet."""
     target = grid("Bump", round_bump, faces="ngons", seam=on_line(0, 0.0))
     if request.param == "EDIT":
         select_edges(target, on_line(1, 0.0))
@@ -73,7 +73,7 @@ def test_in_edit_mode_the_current_mesh_has_all_edits(addon):
     assert seams.tolist() == [edge.seam for edge in edit.edges]
     assert seams.sum() == 8
     assert marks.are_wires.sum() == 16
-    assert not target.data.attributes["wirewarp_wire"].data  # empty in Edit Mode, so current_mesh() is needed
+    assert not target.data.attributes["wirewarp_wire"].data  # In Edit Mode, only current_mesh() has the values.
 
 
 def test_a_run_in_edit_mode_copies_the_mesh_once_to_read_it_and_once_to_check_it(addon, monkeypatch):
@@ -98,12 +98,12 @@ def test_a_run_in_edit_mode_copies_the_mesh_once_to_read_it_and_once_to_check_it
     edit.verts[0].co.z += 1
     with pytest.raises(addon.issues.ObjectError, match="changed during the run"):
         reading.check_current(bpy.context, models, settings)
-    with addon.blender.mesh.current_mesh(target) as mesh:  # the earlier copies are outdated and not used
+    with addon.blender.mesh.current_mesh(target) as mesh:
         assert mesh.vertices[0].co.z == edit.verts[0].co.z
 
 
 def test_shape_keys_outlive_reading_in_edit_mode(addon):
-    """The copy for reading shares the shape keys of the mesh, which must stay when the copy is removed."""
+    """The copy for reading and the mesh have the same shape keys. These must stay when the copy is removed."""
     target = grid("Bump", round_bump)
     target.shape_key_add(name="Basis")
     target.shape_key_add(name="Taller").data[40].co.z += 1
@@ -127,7 +127,7 @@ def test_kept_normals_do_not_change_how_bent_quads_are_split(addon):
 
     def triangles(name, keeps_normals):
         source = make_object(name, corners, quads)
-        if keeps_normals and hasattr(source.data, "calc_normals"):  # later versions of Blender do not keep normals
+        if keeps_normals and hasattr(source.data, "calc_normals"):  # Later versions of Blender keep no normals.
             source.data.calc_normals()
             assert len(source.data.polygon_normals) == len(quads)
         marked = addon.state.marked_mesh.marked_mesh(source)

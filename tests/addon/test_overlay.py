@@ -8,21 +8,9 @@ import bpy
 import numpy as np
 import pytest
 from everything import sidebar
+from flattening import flatten_fails, notify, raise_vertex
 from mathutils import Vector
-from surfaces import (
-    bump,
-    flat_of,
-    flatten_fails,
-    grid,
-    make_object,
-    mark,
-    mark_seam,
-    on_line,
-    read,
-    select_edges,
-    select_only,
-    tube,
-)
+from surfaces import bump, flat_of, grid, make_object, mark, mark_seam, on_line, read, select_edges, select_only, tube
 from view_context import look, view_context
 
 pytestmark = pytest.mark.api
@@ -32,7 +20,7 @@ SEAM, RIGID, ELASTIC, FREE = on_line(0, 0.0), on_line(1, 0.0), on_line(1, 0.5), 
 
 @pytest.fixture
 def source():
-    """Return a model of two pieces with one wire of each kind. A negative scale mirrors the model."""
+    """Return a flattened, mirrored model of two pieces with one wire of each kind."""
     target = grid("Bump", bump)
     target.scale = (-1, 1, 2)
     mark_seam(target, SEAM)
@@ -53,7 +41,6 @@ def lines_of(addon, target):
 
 
 def edges_of(lines):
-    """Return the number of edges of each kind."""
     return {kind: len(places) // 2 for kind, places in lines.places.items()}
 
 
@@ -77,7 +64,7 @@ def test_edit_mode_shows_the_same_lines_and_names(addon, source, flat):
     bpy.ops.object.mode_set(mode="EDIT")
     bpy.ops.mesh.select_all(action="DESELECT")
     during = lines_of(addon, target)
-    before.places.pop("default grain", None)  # arrows and names of pieces are drawn in Object Mode only
+    before.places.pop("default grain", None)  # Arrows and names of pieces are drawn in Object Mode only.
     assert during.places.keys() == before.places.keys()
     for kind, places in before.places.items():
         assert np.array_equal(during.places[kind], places)
@@ -89,13 +76,13 @@ def test_an_object_with_the_same_mesh_shows_its_lines_in_edit_mode(addon, source
     before = lines_of(addon, source)
     select_only(source)
     bpy.ops.object.duplicate(linked=True)
-    twin = bpy.context.active_object
+    other = bpy.context.active_object
     select_only(source)
     bpy.ops.object.mode_set(mode="EDIT")
-    assert (twin.mode, source.mode) == ("OBJECT", "EDIT")
-    assert edges_of(lines_of(addon, twin)).items() >= edges_of(before).items()
+    assert (other.mode, source.mode) == ("OBJECT", "EDIT")
+    assert edges_of(lines_of(addon, other)).items() >= edges_of(before).items()
     shown = {drawing.target: drawing for drawing in addon.overlay.shown.drawings(view_context())}
-    assert (shown[twin].failures, shown[twin].surface) == (None, None)
+    assert (shown[other].failures, shown[other].surface) == (None, None)
 
 
 def test_names_are_those_of_the_report_and_are_on_their_lines(addon, source):
@@ -107,20 +94,20 @@ def test_names_are_those_of_the_report_and_are_on_their_lines(addon, source):
     name = next(name for name in lines.names if name.texts == ("Waist",))
     for place in name.places:
         assert np.linalg.norm(lines.places["rigid"] - place, axis=1).min() < 0.25
-    assert abs(name.places[0][0]) < 0.3  # the best place is near the middle
-    assert min(name.places[:, 0]) < -0.5 < 0.5 < max(name.places[:, 0])  # other places are farther along, on both sides
+    assert abs(name.places[0][0]) < 0.3
+    assert min(name.places[:, 0]) < -0.5 < 0.5 < max(name.places[:, 0])
     assert name.normals[0][2] > 0.9
 
 
 def test_edges_with_their_own_allowance_are_seen_on_the_model(addon, source):
     assert "allowance" not in lines_of(addon, source).places
-    select_edges(source, on_line(0, 0.0))  # the seam
+    select_edges(source, SEAM)
     bpy.ops.mesh.wirewarp_allowance(kind="HEM")
     lines = lines_of(addon, source)
     assert np.array_equal(lines.places["allowance"], lines.places["seam"])
     bpy.ops.object.mode_set(mode="OBJECT")
     bpy.ops.object.wirewarp_flatten()
-    assert "allowance" not in lines_of(addon, flat_of(source)).places  # the cutting line shows the allowance
+    assert "allowance" not in lines_of(addon, flat_of(source)).places  # Flat pieces have cutting lines instead.
     assert addon.overlay.lines.STYLES["allowance"].width > 1.5 * addon.overlay.lines.STYLES["seam"].width
 
 
@@ -128,7 +115,7 @@ def test_selected_edges_are_seen_on_their_lines(addon, source):
     select_edges(source, on_line(1, 0.0))
     lines = lines_of(addon, source)
     assert len(lines.places["selected"]) == len(lines.places["rigid"])
-    assert list(addon.overlay.lines.STYLES)[-1] == "selected"  # drawn last, over wider lines
+    assert list(addon.overlay.lines.STYLES)[-1] == "selected"  # so that it is drawn last, over wider lines
     width_of = {kind: style.width for kind, style in addon.overlay.lines.STYLES.items()}
     assert all(width_of["selected"] < 0.6 * width_of[kind] for kind in ("outline", "seam", "free", "elastic", "rigid"))
     bpy.ops.mesh.select_all(action="DESELECT")
@@ -136,13 +123,11 @@ def test_selected_edges_are_seen_on_their_lines(addon, source):
     bpy.ops.object.mode_set(mode="OBJECT")
     source.modifiers.new("Smooth", "SUBSURF").levels = 1
     bpy.context.view_layer.update()
-    assert edges_of(lines_of(addon, source))["rigid"] == 16  # lines follow the visible modifiers
+    assert edges_of(lines_of(addon, source))["rigid"] == 16  # The visible modifier halves edges.
 
 
 def test_seams_of_a_changed_model_keep_their_names_without_the_joined_pieces(addon, source):
-    source.data.vertices[40].co.z += 0.1
-    source.data.update()
-    bpy.context.view_layer.update()
+    raise_vertex(source)
     for mode in ("OBJECT", "EDIT"):
         select_only(source)
         bpy.ops.object.mode_set(mode=mode)
@@ -175,12 +160,12 @@ def test_a_face_has_the_color_of_its_flat_face(addon, source):
         assert color == pytest.approx(on_model[sources[face]], abs=1e-6)
     source.modifiers.new("Smooth", "SUBSURF").levels = 1
     bpy.context.view_layer.update()
-    assert surface_of(addon, source, color_map) is None  # the flat pieces belong to the base mesh
+    assert surface_of(addon, source, color_map) is None  # The pieces were made without the modifier.
     bpy.ops.object.wirewarp_flatten(use_modifiers=True)
     assert len(surface_of(addon, source, color_map).places) == 3 * 2 * 4 * 64
     source.modifiers.clear()
     bpy.context.view_layer.update()
-    assert surface_of(addon, source, color_map) is None  # the model has changed
+    assert surface_of(addon, source, color_map) is None  # The pieces were made with the modifier.
     assert surface_of(addon, flat, color_map) is not None
 
 
@@ -188,14 +173,13 @@ def test_every_map_can_be_shown(addon, source):
     items = bpy.context.scene.wirewarp.bl_rna.properties["shown_map"].enum_items
     wanted = {item.identifier for item in items if item.identifier != "NONE"}
     assert wanted == {each.attribute.upper() for each in addon.solve.maps.COLOR_MAPS}
-    bpy.ops.object.wirewarp_flatten(cloth="WOVEN")  # some maps need a fabric
+    bpy.ops.object.wirewarp_flatten(cloth="WOVEN")
     for color_map in addon.solve.maps.COLOR_MAPS:
         assert surface_of(addon, source, color_map).colors.shape == (3 * 128, 4)
 
 
 def test_only_models_and_pieces_are_drawn_with_the_chosen_layers(addon, source):
-    grid("Bystander", bump)
-    mark_seam(bpy.data.objects["Bystander"], SEAM)
+    grid("Bystander", bump, seam=SEAM)
     drawings, settings = addon.overlay.shown.drawings, bpy.context.scene.wirewarp
     shown = list(drawings(view_context()))
     assert {drawing.target for drawing in shown} == {source, flat_of(source)}
@@ -218,14 +202,13 @@ def test_names_are_written_where_their_lines_are_seen(addon, source, perspective
     assert np.ptp(above["Waist"].points[:, 0]) > 80
     assert np.ptp(above["Waist"].points[:, 1]) < 1
     (reach,) = (name.reach for name in lines_of(addon, source).names if name.texts == ("Waist",))
-    # 100 pixels per unit at a distance of 4 units from the eye
-    assert above["Waist"].reach == pytest.approx(100 * reach, rel=0.03)
-    assert look(addon, source, (10, 0, -4.4), (10, 0, 0), perspective) == {}  # the back of the surface
-    assert look(addon, source, (10, 0, 4.4), (10, 0, 9), perspective) == {}  # behind the eye
-    assert look(addon, source, (10, 0, 150), (10, 0, 0), perspective) == {}  # clipped
+    assert above["Waist"].reach == pytest.approx(100 * reach, rel=0.03)  # 100 pixels per unit at this distance
+    assert look(addon, source, (10, 0, -4.4), (10, 0, 0), perspective) == {}  # from behind the surface
+    assert look(addon, source, (10, 0, 4.4), (10, 0, 9), perspective) == {}  # in the other direction
+    assert look(addon, source, (10, 0, 150), (10, 0, 0), perspective) == {}  # from too far away, so it is clipped
     right = 12 if perspective else 14.3
     aside = look(addon, source, (right, 0, 1.5), (right, 0, 0), perspective)
-    assert len(aside["Waist"].points) < len(above["Waist"].points)  # only points inside the region remain
+    assert len(aside["Waist"].points) < len(above["Waist"].points)  # without points outside of the region
     assert np.all((aside["Waist"].points >= 0) & (aside["Waist"].points <= (800, 600)))
 
 
@@ -235,7 +218,6 @@ def test_names_behind_another_part_of_the_model_are_not_written(addon, perspecti
     source = grid("Low", lambda x, y: (x, y, 0.0), wire=on_line(1, 0.0))
     high = grid("High", lambda x, y: (3 * x, 3 * y, 1.0))
     select_only(source, high)
-    bpy.context.view_layer.objects.active = source
     bpy.ops.object.join()
     bpy.context.view_layer.update()
     assert "Wire 1" not in look(addon, source, (0, 0, 4), (0, 0, 0), perspective)
@@ -247,16 +229,6 @@ def test_names_behind_another_part_of_the_model_are_not_written(addon, perspecti
         face.hide_set(face.calc_center_median().z > 0.5)
     bmesh.update_edit_mesh(source.data)
     bpy.context.view_layer.update()
-    assert "Wire 1" in look(addon, source, (0, 0, 4), (0, 0, 0), perspective)
-    bpy.ops.mesh.reveal()
-    bpy.ops.object.mode_set(mode="OBJECT")
-    edit = bmesh.new()
-    edit.from_mesh(source.data)
-    bmesh.ops.delete(edit, geom=[vertex for vertex in edit.verts if vertex.co.z > 0.5], context="VERTS")
-    edit.to_mesh(source.data)
-    edit.free()
-    bpy.context.view_layer.update()
-    addon.state.drawings.forget()
     assert "Wire 1" in look(addon, source, (0, 0, 4), (0, 0, 0), perspective)
 
 
@@ -274,7 +246,7 @@ def test_all_names_of_the_piece_that_is_chosen_in_the_list_are_written(addon):
 
 @pytest.fixture
 def notes(addon):
-    """Return a function that returns the notes about a map. of: function of the overlay that makes these notes."""
+    """Return a function that shows a map and calls `of`, a function of the overlay that returns notes or a value."""
 
     def notes_of(shown_map, of="missing_maps"):
         addon.state.drawings.forget()
@@ -288,20 +260,17 @@ def notes(addon):
 def test_a_map_shows_its_figure_or_why_it_is_missing(addon, source, notes):
     needed = max(piece.needed for piece in addon.state.reports.last_report(source).pieces)
     figure = f"99% of the area: up to {addon.core.percent_text(needed)} in the worst direction"
-    assert notes("STRETCH_COLOR", "map_notes") == [figure]  # the verdict's figure, which no other map has
+    assert notes("STRETCH_COLOR", "map_notes") == [figure]
     assert notes("LENGTH_VARIATION_COLOR", "map_notes") == []
     assert notes("STRETCH_COLOR") == []
     assert notes("WEFT_STRAIN_COLOR") == ["No fabric was chosen: no map"]
-    source.data.vertices[40].co.z += 0.1
-    source.data.update()
-    bpy.context.view_layer.update()
+    raise_vertex(source)
     assert notes("STRETCH_COLOR") == ["Model changed: flatten again"]
     mark(grid("New", bump), RIGID)
     assert notes("STRETCH_COLOR") == ["Not flattened: no map", "Model changed: flatten again"]
 
 
 def test_the_legend_shows_the_figures_of_the_piece_list_and_no_others(addon, source, notes):
-    """Extreme values of single faces beside the verdict's figure would be a second number for the same strain."""
     bpy.ops.object.wirewarp_flatten(cloth="JERSEY")
     threads = [piece.threads for piece in addon.state.reports.last_report(source).pieces]
     across, along, shear = (max(getattr(each, way) for each in threads) for way in ("across", "along", "shear"))
@@ -313,7 +282,7 @@ def test_the_legend_shows_the_figures_of_the_piece_list_and_no_others(addon, sou
     }
     for shown_map, figure in figures.items():
         assert notes(shown_map, "map_notes") == [f"99% of the area: up to {figure}"]
-        assert notes(shown_map, "highest_value") is None
+        assert notes(shown_map, "highest_value") is None  # It would be a second figure for the same strain.
     assert notes("LENGTH_VARIATION_COLOR", "highest_value") > 0
 
 
@@ -324,7 +293,7 @@ def test_edit_mode_of_flat_pieces_is_not_a_change(source, notes):
     bpy.ops.object.mode_set(mode="OBJECT")
     bpy.context.view_layer.objects.active = source
     bpy.ops.object.mode_set(mode="EDIT")
-    assert notes("STRETCH_COLOR") == []  # no note, because the flat pieces show the map
+    assert notes("STRETCH_COLOR") == []  # The flat pieces show the map.
 
 
 def test_failed_elements_are_drawn_on_model_pieces_and_map(addon, notes):
@@ -334,14 +303,13 @@ def test_failed_elements_are_drawn_on_model_pieces_and_map(addon, notes):
     faces = {face for issue in addon.state.reports.last_report(source).issues for face in issue.faces}
     (in_map,) = addon.overlay.shown.uv_drawings(sidebar())
     for found in (*map(addon.overlay.failures.failures, (source, flat_of(source))), in_map.failures):
-        assert len(found.triangles) == 3 * 2 * len(faces)  # each quad has two triangles of three corners
+        assert len(found.triangles) == 3 * 2 * len(faces)  # corners of two triangles for each quad
         assert len(found.lines["failed"]) > 0
     centers = addon.overlay.failures.failures(source).triangles.reshape(-1, 6, 3).mean(axis=1)
     expected = [source.data.polygons[face].center for face in sorted(faces)]
     assert np.linalg.norm(centers[:, :2] - np.array(expected)[:, :2], axis=1).max() < 0.1
-    source.data.vertices[0].co = source.data.vertices[1].co  # invalid input is drawn with edges only
-    source.data.update()
-    bpy.context.view_layer.update()
+    source.data.vertices[0].co = source.data.vertices[1].co  # Invalid input is drawn with edges only.
+    notify(source)
     flatten_fails("no area")
     assert addon.overlay.failures.failures(source).lines.keys() == {"failed"}
     other = grid("Wide", bump, size=4)
@@ -349,14 +317,14 @@ def test_failed_elements_are_drawn_on_model_pieces_and_map(addon, notes):
     flatten_fails("Wide: ")
     bpy.data.objects.remove(flat_of(source))
     bpy.data.objects.remove(source)
-    assert notes("STRETCH_COLOR") == ["Not flattened: no map"]  # the model has not changed since the run
+    assert notes("STRETCH_COLOR") == ["Not flattened: no map"]  # The model has not changed since the run.
 
 
 def test_a_failed_piece_has_lines_around_it_and_none_inside(addon):
     bpy.ops.mesh.primitive_cylinder_add(vertices=12, end_fill_type="NOTHING")
     tube = bpy.context.active_object
     flatten_fails("tube")
-    assert "failed" not in addon.overlay.failures.failures(tube).lines  # a tube alone has not failed, but needs a cut
+    assert "failed" not in addon.overlay.failures.failures(tube).lines  # A tube alone only needs a cut.
     select_only(tube, grid("Bump", bump))
     bpy.ops.object.join()
     flatten_fails("tube")
@@ -366,14 +334,13 @@ def test_a_failed_piece_has_lines_around_it_and_none_inside(addon):
     drawn = found.lines["failed"].reshape(-1, 2, 3)
     around = np.abs(drawn[:, 0, 2] - drawn[:, 1, 2]) < 1e-6
     assert around.sum() == 2 * 12
-    assert (~around).sum() <= len(issue.vertices)  # only the places of the issue are red
+    assert (~around).sum() <= len(issue.vertices)
 
 
 def test_a_closed_model_has_not_failed_but_a_closed_piece_beside_a_good_one_is_in_the_legend(addon):
-    """The proposed slit of the closed piece is not drawn, because no button below Flatten marks it."""
+    """The proposed slit of the closed model is not drawn, because no button below Flatten marks it."""
     corners = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
     source = make_object("Closed", corners, [(0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)])
-    # there is nothing to draw, because the model has no marks
     assert list(addon.overlay.shown.drawings(view_context())) == []
     flatten_fails("is closed")
     (drawing,) = addon.overlay.shown.drawings(view_context())
@@ -395,5 +362,5 @@ def test_proposed_seams_are_drawn_while_a_button_marks_them(addon):
     assert sorted(map(tuple, drawn.tolist())) == sorted(ends)
     bpy.ops.object.mode_set(mode="EDIT")
     assert np.array_equal(addon.overlay.failures.failures(source).lines["proposed"], drawn)
-    assert bpy.ops.object.wirewarp_suggest_seams() == {"FINISHED"}  # the button now marks the suggested cuts
+    assert bpy.ops.object.wirewarp_suggest_seams() == {"FINISHED"}  # Now the button marks the suggested cuts instead.
     assert "proposed" not in addon.overlay.failures.failures(source).lines

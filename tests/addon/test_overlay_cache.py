@@ -5,7 +5,8 @@ from types import SimpleNamespace
 
 import bpy
 import pytest
-from surfaces import bump, flat_of, flatten_fails, grid, mark, on_line, select_edges
+from flattening import flatten_fails
+from surfaces import bump, flat_of, grid, mark, new_object, on_line, select_edges
 from view_context import view_context
 
 SEAM, RIGID, ELASTIC, FREE = on_line(0, 0.0), on_line(1, 0.0), on_line(1, 0.5), on_line(1, -0.5)
@@ -22,7 +23,7 @@ def source():
 
 
 def drawn(addon):
-    """Return the drawings, keyed by the object over which they are drawn."""
+    """Return the drawings, keyed by their objects."""
     bpy.context.view_layer.update()
     return {drawing.target: drawing for drawing in addon.overlay.shown.drawings(view_context())}
 
@@ -44,7 +45,6 @@ def test_nothing_is_built_again_until_something_changes(addon, source, at_once):
 
 
 def test_allowances_are_computed_again_only_if_they_change(addon, source, at_once, monkeypatch):
-    """Allowances take longest to compute, and other data of the model change far more often."""
     shown, laid = addon.overlay.shown, []
     cut_lines = shown.cut_lines
     monkeypatch.setattr(shown, "cut_lines", lambda *given, **more: laid.append(given) or cut_lines(*given, **more))
@@ -70,7 +70,7 @@ def test_in_edit_mode_marks_are_seen_at_once_and_a_selection_builds_nothing_new(
     assert rigid_edges(first) == 8 + rigid_edges(seen) == 16
     select_edges(source, on_line(1, 0.25), on_line(1, -0.25))
     assert drawn(addon)[source].lines is first
-    bpy.ops.mesh.select_all(action="SELECT")  # selects all edges, including marked ones
+    bpy.ops.mesh.select_all(action="SELECT")
     marked = drawn(addon)[source].lines
     assert all(marked.places[kind] is first.places[kind] for kind in set(first.places) - {"selected"})
     assert len(marked.places["selected"]) > len(first.places["selected"])
@@ -105,18 +105,19 @@ def test_batches_are_sent_once_until_marks_change(addon, source, at_once, monkey
             batches.draw_lines(drawing.target, "", drawing.lines, drawing.failures, 1.0, batches.Layer.LINES)
         return len(gpu.sent)
 
-    # for model and pieces: five kinds of lines, and the dashes of two kinds; for pieces also arrows and cutting lines
+    # The model and the pieces have five kinds of lines each. Two of these kinds are dashed, and dashes need a second
+    # batch. The pieces also have arrows and cutting lines.
     sent = 2 * (5 + 2) + 2
     assert redraw() == sent
     before = gpu.drawn
     assert redraw() == 0
     assert gpu.drawn == 2 * before == 2 * sent
     mark(source, on_line(1, 0.25))
-    assert redraw() == 1  # the rigid wires of the model
+    assert redraw() == 1
 
 
 class Timers:
-    """Replaces bpy.app.timers, because real timers would keep the module bpy from closing."""
+    """Replaces bpy.app.timers, because a real timer would keep the module bpy from closing."""
 
     def __init__(self):
         self.running = {}
@@ -147,7 +148,10 @@ def clock(addon, monkeypatch):
 
 
 def slowly(addon, clock, owner, seconds, source=None):
-    """Return a function that builds a version in this many seconds, and a list of the versions that were built."""
+    """Return a function that draws a version, and a list of the versions that were built.
+
+    Building a version takes this many seconds. If a version is not built, the function returns an earlier version.
+    """
     built = []
 
     def build(version):
@@ -169,20 +173,19 @@ def test_a_build_is_not_repeated_at_once(addon, source, timers, clock):
     assert drawing(2) == 2
     clock.now += 10
     timers.running.clear()
-    assert drawing(3) == 2  # version 2 was slow, so the screen is redrawn first
+    assert drawing(3) == 2  # Building was slow, so the screen is first redrawn with version 2.
     assert timers.running == {addon.blender.views.redraw_views: pytest.approx(0.01)}
     clock.now += 0.01
-    assert drawing(4) == 4  # but data that change with every redraw are still built
+    assert drawing(4) == 4  # Even if each redraw has a new version, some versions are built.
 
 
 @pytest.mark.parametrize("of_pieces", [False, True])
 def test_slow_drawings_wait_in_edit_mode_until_the_user_pauses(addon, source, timers, clock, of_pieces):
-    """Drawings over the pieces of the edited model wait, too."""
     drawing, built = slowly(addon, clock, flat_of(source) if of_pieces else source, 0.25, source)
     assert drawing(0) == 0
     clock.now += 10
     select_edges(source, RIGID)
-    for version in range(1, 100):  # versions follow one another as if vertices were dragged
+    for version in range(1, 100):  # as if vertices were dragged
         assert drawing(version) == 0
         clock.now += 0.05
     clock.now += 0.16
@@ -191,7 +194,7 @@ def test_slow_drawings_wait_in_edit_mode_until_the_user_pauses(addon, source, ti
 
 
 def handlers_of(addon):
-    """Return the number of our functions in each of Blender's lists of handlers."""
+    """Return the number of the add-on's functions in each of Blender's lists of handlers."""
     kinds = {name: getattr(bpy.app.handlers, name) for name in dir(bpy.app.handlers)}
     return {
         name: sum(handler.__module__.startswith(addon.__name__) for handler in handlers)
@@ -222,9 +225,8 @@ def test_handlers_and_timers_are_removed_with_the_add_on(addon, timers, monkeypa
     addon.unregister()
     try:
         with monkeypatch.context() as patch:
-            patch.setattr(
-                addon.overlay, "_HANDLERS", [(space, draw, stage) for _, draw, stage in addon.overlay._HANDLERS]
-            )
+            handlers = [(space, draw, stage) for draw, stage in zip(draws, stages, strict=True)]
+            patch.setattr(addon.overlay, "_HANDLERS", handlers)
             addon.register()
             assert len(space.drawn) == len(spaces)
             addon.state.drawings._redraw_in(60.0)
@@ -238,7 +240,6 @@ def test_handlers_and_timers_are_removed_with_the_add_on(addon, timers, monkeypa
 
 
 def test_data_of_removed_objects_is_freed(addon, source):
-    """Arrays and batches of large models must not stay in memory. Renaming an object frees nothing."""
     drawn(addon)
     flat = flat_of(source)
     states = [addon.state.memory.state_of(each) for each in (source, source.data, flat, flat.data)]
@@ -260,17 +261,17 @@ OTHERS = 300
 
 @pytest.fixture
 def among_others():
-    target = grid("Bump", bump)
-    mesh = bpy.data.meshes.new("Other")
+    """Return a model in a scene with many objects that WireWarp does not use."""
+    target, mesh = grid("Bump", bump), bpy.data.meshes.new("Other")
     for number in range(OTHERS):
-        bpy.context.scene.collection.objects.link(bpy.data.objects.new(f"Other {number}", mesh))
+        new_object(f"Other {number}", mesh)
     bpy.context.view_layer.update()
     return target
 
 
 @pytest.fixture
 def asked(addon, monkeypatch):
-    """Return a list of names. Whenever an object is checked for our data, its name is added to the list."""
+    """Return a list that gets the name of each object that is checked for data of WireWarp."""
     names = []
     ask = addon.overlay.shown.concerns_us
     monkeypatch.setattr(addon.overlay.shown, "concerns_us", lambda each: names.append(each.name) or ask(each))
@@ -307,7 +308,7 @@ def test_marking_flattening_renaming_and_removing_are_noticed(addon, among_other
     assert names_drawn(addon) == {"Sleeve"}
     source.data.vertices[0].co.x = float("nan")
     flatten_fails("not numbers, or far")
-    assert names_drawn(addon) == {"Sleeve", "Bump"}  # the model has a report now
+    assert names_drawn(addon) == {"Sleeve", "Bump"}  # because the model now has a report
     bpy.data.objects.remove(among_others)
     source.hide_set(True)
     assert names_drawn(addon) == set()

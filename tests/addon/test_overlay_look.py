@@ -6,7 +6,8 @@ from itertools import combinations
 import numpy as np
 import pytest
 
-# Matrices for linear RGB as seen by people who lack one kind of cone (Machado, Oliveira, Fernandes 2009, severity 1).
+# Matrices that change linear RGB to colors as seen by people who lack one kind of cone (Machado, Oliveira, Fernandes
+# 2009, severity 1).
 VISIONS = {
     "normal": np.eye(3),
     "protanopia": [[0.152286, 1.052583, -0.204868], [0.114503, 0.786281, 0.099216], [-0.003882, -0.048116, 1.051998]],
@@ -32,11 +33,11 @@ def test_everybody_distinguishes_the_lines(addon, vision):
     styles = addon.overlay.lines.STYLES
     for (first, a), (second, b) in combinations(styles.items(), 2):
         if "grain" in first + second or {"page", "ease"} & {first, second}:
-            continue  # grain and ease have arrows, and pages have names in their corners
+            continue  # Grain and ease have arrows, and pages have names in their corners.
         if {first, second} == {"cut", "allowance"}:
-            continue  # cutting lines are on flat pieces, and marked allowances on models
+            continue  # Cutting lines are on flat pieces only, and marked allowances on models only.
         distance = np.linalg.norm(lab(a.color, vision) - lab(b.color, vision))
-        assert distance > 30, (first, second)  # colors side by side are distinguishable if they differ by at least 2.3
+        assert distance > 30, (first, second)  # For colors side by side, 2.3 would suffice.
 
 
 def test_kinds_of_wires_are_distinguished_without_color(addon):
@@ -80,7 +81,7 @@ def test_equal_steps_of_a_map_are_distinguished_and_in_order(addon, vision):
         steps = color_map.colors(np.linspace(color_map.low, color_map.high, 9))
         seen = np.array([lab(color[:3], vision) for color in surfaces.screen_colors(steps)])
         assert np.linalg.norm(np.diff(seen, axis=0), axis=1).min() > 5
-        lightness = seen[:, 0] if color_map.low >= 0 else seen[4:, 0]  # only the warm half of a map with two halves
+        lightness = seen[:, 0] if color_map.low >= 0 else seen[4:, 0]  # of values from 0 upward
         assert np.all(np.diff(lightness) < 0)
         if color_map.low < 0:
             assert np.all(np.diff(seen[:5, 0]) > 0)
@@ -134,9 +135,9 @@ def test_the_legend_is_in_the_first_corner_where_it_covers_no_line(addon):
         return screen.free_corner(corners, box, np.array(lines, dtype=float).reshape(-1, 2, 2))
 
     assert place() == place(beside) == place(upright) == corners[0]
-    assert place(across) == corners[1]  # the line crosses the box, although neither end is inside
+    assert place(across) == corners[1]  # This line crosses the box, although both of its ends are outside.
     assert place(across, upright) == corners[2]
-    assert place(across, upright, [(850, 520), (851, 520)]) == corners[0]  # no corner is free
+    assert place(across, upright, [(850, 520), (851, 520)]) == corners[0]  # because no corner is free
 
 
 def test_without_anything_to_say_there_is_no_legend(addon):
@@ -152,7 +153,7 @@ def test_names_stay_at_their_lines_and_do_not_cover_each_other(addon):
     corners = [taken.place(own, size) for own, size in zip(points, sizes, strict=True)]
     placed = [(*each, *corner) for *each, corner in zip(points, sizes, corners, strict=True) if corner]
     assert len(placed) > 40
-    assert corners[0] == (points[0][0, 0] - 20, points[0][0, 1] + 5)  # the first name has its best place
+    assert corners[0] == (points[0][0, 0] - 20, points[0][0, 1] + 5)  # The first name is at its best place.
     for own, (width, height), x, y in placed:
         aside = np.abs(own - (x + width / 2, y + height / 2))
         assert np.any((aside[:, 0] < 1e-6) & (aside[:, 1] <= height + 1e-6))

@@ -43,16 +43,16 @@ def test_lines_and_names_are_at_the_pieces_in_the_map(addon, source, mode):
     (drawing,) = shown(addon)
     places = drawing.lines.places
     scale, flat = source.data["wirewarp_uv_scale"], addon.overlay.objects.marked_lines(flat_of(source), None)
-    # each wire is drawn twice, for the faces on both of its sides
+    # Wires are drawn twice, once for the faces on each side.
     for kind, sides in (("seam", 1), ("outline", 1), ("rigid", 2), ("elastic", 2)):
         on_pieces = lengths(flat.places[kind])
         assert lengths(places[kind]).sum() * scale == pytest.approx(sides * on_pieces.sum(), rel=1e-5)
         assert 0 <= places[kind][:, :2].min() < places[kind][:, :2].max() <= 1
     assert set(drawing.lines.dashes) == {"elastic"}
-    names = [name.texts[-1] for name in drawing.lines.names]  # each name is in both pieces
+    names = [name.texts[-1] for name in drawing.lines.names]
     assert sorted(names) == sorted(2 * ["Seam 1", "Waist", "Wire 2 ±5%"])
     if mode == "OBJECT":
-        select_only(flat_of(source))  # if pieces are active, the editor shows their model
+        select_only(flat_of(source))  # If pieces are active, the editor shows the map of their model.
         assert [drawing.target for drawing in shown(addon)] == [source]
 
 

@@ -3,20 +3,22 @@
 
 import re
 from types import SimpleNamespace
-from xml.etree import ElementTree
 
 import bpy
 import numpy as np
 import pytest
+from drawing import SVG, Drawing
 from everything import AnyLayout, draw_panels, sidebar
-from surfaces import flat_of, flat_places, grid, on_line, select_edges, select_only
+from flattening import flat_places
+from surfaces import flat_of, grid, on_line, select_edges, select_only
+from test_export import pages as pages_in
 from two_sided import two_pieces
 from view_context import view_context
 
 
 @pytest.fixture
 def source(at_once):
-    """Return a flattened model of two pieces of about 230 x 115 mm. Drawings are updated immediately."""
+    """Return a flattened model of two pieces of about 230 by 115 mm. Drawings are updated immediately."""
     target = two_pieces()
     bpy.ops.object.wirewarp_flatten(spacing=50.0)
     bpy.context.scene.wirewarp.show_pages = True
@@ -35,24 +37,16 @@ def frames(pages):
     return np.stack([corners.min(axis=1), corners.max(axis=1)], axis=1)
 
 
-def sheets_in(path):
-    return len(re.findall(rb"/Type /Page\b", path.read_bytes()))
-
-
 @pytest.mark.parametrize(
     ("paper", "beside", "arrangement"),
-    [
-        ("A4", 1, "IN_ROWS"),
-        ("36IN", 0, "AS_LAID_OUT"),
-        ("PROJECTOR", 0, "IN_ROWS"),
-    ],
+    [("A4", 1, "IN_ROWS"), ("36IN", 0, "AS_LAID_OUT"), ("PROJECTOR", 0, "IN_ROWS")],
 )
 def test_the_preview_has_as_many_pages_as_the_file(addon, source, tmp_path, paper, beside, arrangement):
-    """beside: number of pages that only the file has, such as the page with the map."""
+    """beside: number of pages with the map, which only the file has."""
     pages = preview(addon, source, paper=paper, arrangement=arrangement)
     path = tmp_path / "a.pdf"
     bpy.ops.object.wirewarp_export(filepath=str(path), paper=paper, arrangement=arrangement)
-    assert len(frames(pages)) == len(pages.names) == sheets_in(path) - beside
+    assert len(frames(pages)) == len(pages.names) == pages_in(path) - beside
     sizes = np.ptp(frames(pages), axis=1)
     printed = re.findall(rb"/MediaBox \[ ?0 0 ([\d.]+) ([\d.]+) ?\]", path.read_bytes())
     assert sizes + (20 if beside else 0) == pytest.approx(np.array(printed[beside:], dtype=float) * 25.4 / 72, abs=0.01)
@@ -61,15 +55,15 @@ def test_the_preview_has_as_many_pages_as_the_file(addon, source, tmp_path, pape
 
 @pytest.mark.parametrize("arrangement", ["IN_ROWS", "AS_LAID_OUT"])
 def test_copies_are_drawn_once_in_file_and_preview(addon, at_once, tmp_path, arrangement):
-    """A flat square of 200 mm is divided in the middle; only half of one piece is drawn."""
+    """Two equal halves of a flat square of 200 mm become one half of one piece, with a fold."""
     bpy.context.scene.unit_settings.scale_length = 0.1
     source = grid("Flat", lambda x, y: (x, y, 0.0), seam=on_line(0, 0.0))
     bpy.ops.object.wirewarp_flatten(spacing=50.0)
     pages = preview(addon, source, arrangement=arrangement, pairs=True, on_fold=True)
     path = tmp_path / "a.pdf"
     bpy.ops.object.wirewarp_export(filepath=str(path), arrangement=arrangement, pairs=True, on_fold=True)
-    assert len(frames(pages)) == sheets_in(path) - 1  # minus the page with the map
-    if arrangement == "IN_ROWS":  # 100 x 100 or 50 x 200 mm, and 10 mm of allowance except at the fold
+    assert len(frames(pages)) == pages_in(path) - 1  # The preview has no page with the map.
+    if arrangement == "IN_ROWS":  # 100 by 100 or 50 by 200 mm, with an allowance of 10 mm on all sides but the fold
         size = sorted(100 * np.ptp(pages.places["cut"][:, :2], axis=0))
         assert size in (pytest.approx([110, 120], abs=0.01), pytest.approx([60, 220], abs=0.01))
     names = [piece.name for piece in source.wirewarp_pieces]
@@ -78,12 +72,10 @@ def test_copies_are_drawn_once_in_file_and_preview(addon, at_once, tmp_path, arr
     source.wirewarp_active_piece = 0
     assert f"Cut 2, with {names[1]}. Can be cut on the fold" in draw_panels(addon)
     bpy.ops.object.wirewarp_export(filepath=str(tmp_path / "a.svg"), pairs=True, on_fold=True)
-    root = ElementTree.parse(tmp_path / "a.svg").getroot()
-    assert [path.get("data-role") for path in root.iter("{http://www.w3.org/2000/svg}path")].count("cut") == 1
+    assert [path.get("data-role") for path in Drawing(tmp_path / "a.svg").root.iter(f"{SVG}path")].count("cut") == 1
 
 
 def test_the_list_of_pieces_does_not_change_what_is_drawn_once(addon):
-    """The list names copies and folds although only copies are drawn once."""
     source = grid("Flat", lambda x, y: (x, y, 0.0), seam=on_line(0, 0.0))
     bpy.ops.object.wirewarp_flatten()
     bpy.context.scene.wirewarp.pairs, bpy.context.scene.wirewarp.on_fold = True, False
@@ -134,7 +126,7 @@ def test_the_list_of_pieces_makes_no_pattern_until_names_or_marked_allowances_ch
 
 
 def test_equal_pieces_are_named_below_the_export_button(addon, source):
-    """Above the button, the names would move the button away from the mouse."""
+    """Above the button, these names would move it away from the mouse."""
     bpy.context.scene.wirewarp.pairs = True
     select_only(source)
     drawn = []
@@ -153,7 +145,7 @@ def test_pages_are_over_the_pieces_or_below_them_with_the_printed_lines(addon, s
 
     pages = preview(addon, source, arrangement="AS_LAID_OUT", paper="A4")
     sizes = np.sort(np.ptp(frames(pages), axis=1))
-    assert sizes == pytest.approx(np.tile([190.0, 277.0], (len(sizes), 1)), abs=1e-3)  # sizes without the margins
+    assert sizes == pytest.approx(np.tile([190.0, 277.0], (len(sizes), 1)), abs=1e-3)  # A4 without the margins
     assert on_page(flat, pages) and "cut" not in pages.places
     pages = preview(addon, source, arrangement="IN_ROWS")
     assert frames(pages)[:, 1, 1].max() < flat[:, 1].min()
@@ -168,7 +160,7 @@ def test_pages_follow_allowances_and_the_unit(addon, source):
     assert np.ptp(frames(preview(addon, source, allowance=30.0))[0], axis=0)[1] == pytest.approx(before + 40, abs=2)
     select_edges(source, on_line(1, -1.0), on_line(1, 1.0), on_line(0, 1.0), on_line(0, -1.0))
     bpy.ops.mesh.wirewarp_allowance(kind="HEM", hem=10.0)
-    assert height() == pytest.approx(before + 20, abs=2)  # only the seam has 30 mm now
+    assert height() == pytest.approx(before + 20, abs=2)  # Now only the seam has an allowance of 30 mm.
     bpy.ops.object.mode_set(mode="OBJECT")
     bpy.context.scene.unit_settings.scale_length = 0.2
     bpy.context.view_layer.update()

@@ -8,7 +8,8 @@ import bpy
 import numpy as np
 import pytest
 from everything import export_dialog
-from surfaces import bump, edge_lengths, edge_vertices, flat_of, grid, mark, on_line, read, select_edges
+from flattening import edge_lengths, edge_vertices
+from surfaces import bump, flat_of, grid, mark, on_line, read, select_edges
 
 SEAM, WIRE = on_line(0, 0.0), on_line(1, 0.0)
 
@@ -44,7 +45,7 @@ def test_pieces_have_names_outlines_and_wires_of_the_model(addon, source, mirror
     parts = parts_of(addon, source, mirror=mirror)
     assert {piece.name for piece in parts.pieces} == {"Top Left", "Top Right"}
     assert (parts.title, parts.seam_names, parts.failed, parts.units) == ("Bump", ["Seam 1"], [], "metric")
-    # only the rigid wire is measured
+    # Elastic and free wires are not measured.
     assert parts.measures == [("Waist", pytest.approx(lengths_on(source, WIRE).sum(), rel=1e-6))]
     model = read(source.data.vertices, "co", np.float32, 3)
     for piece in parts.pieces:
@@ -83,7 +84,6 @@ def test_allowances_of_edges_sides_and_folds_are_in_millimeters(addon, source):
 
 def test_imperial_scenes_and_pieces_turned_by_hand(addon, source):
     bpy.context.scene.unit_settings.system = "IMPERIAL"
-    bpy.context.scene.unit_settings.scale_length = 0.1
     before = parts_of(addon, source)
     assert before.units == "imperial"
     for vertex in flat_of(source).data.vertices:

@@ -9,22 +9,11 @@ import bmesh
 import bpy
 import numpy as np
 import pytest
-from surfaces import (
-    bump,
-    flat_of,
-    flatten_fails,
-    grid,
-    make_object,
-    mark_seam,
-    on_line,
-    read,
-    select_edges,
-    select_only,
-)
+from flattening import edited, flatten_fails
+from surfaces import bump, flat_of, grid, make_object, mark_seam, new_object, on_line, read, select_edges, select_only
 
 TURN = [2 * math.pi * k / 8 for k in range(8)]
 TUBE_FACES = [[k, (k + 1) % 8, (k + 1) % 8 + 8, k + 8] for k in range(8)]
-FOUR_HALVES = ["Top Left 1", "Top Left 2", "Top Right 1", "Top Right 2"]
 HALVES = ["Top Left", "Top Right"]
 
 
@@ -45,12 +34,12 @@ def rename(source, old, new):
 
 @pytest.fixture
 def source():
-    """Return a model of two pieces, at -x and +x."""
+    """Return a model of two pieces, to the left and right of x = 0."""
     return grid("Bump", bump, seam=on_line(0, 0.0))
 
 
 def middle_of(source, name):
-    """Return the middle of the faces of the model that have the piece's id."""
+    """Return the mean center of the model's faces that belong to the piece."""
     piece_id = next(entry.piece_id for entry in source.wirewarp_pieces if entry.name == name)
     ids = read(source.data.attributes["wirewarp_piece"].data, "value", np.int32)
     return read(source.data.polygons, "center", np.float32, 3)[ids == piece_id].mean(axis=0)
@@ -61,7 +50,7 @@ def test_pieces_are_named_after_their_side_as_the_object_is_turned(source):
     assert middle_of(source, "Top Left")[0] > 0.4  # the left of the wearer, who faces -Y
     assert middle_of(source, "Top Right")[0] < -0.4
     source.wirewarp_pieces.clear()
-    source.rotation_euler = (np.pi / 2, 0, 0)  # its top faces -Y now
+    source.rotation_euler = (np.pi / 2, 0, 0)  # Now, its top faces -Y.
     assert sorted(flatten(source)) == ["Front Left", "Front Right"]
 
 
@@ -79,9 +68,9 @@ def test_a_tube_turned_inside_out_keeps_front_and_back_and_is_reported():
     (note,) = json.loads(tube["wirewarp_report"])["notes"]
     assert note["text"].startswith("Normals point inward, so pieces show their inside") and note["is_warning"]
     bpy.ops.object.wirewarp_flatten(mirror=True)
-    assert json.loads(tube["wirewarp_report"])["notes"] == []  # the pieces now show the outside
+    assert json.loads(tube["wirewarp_report"])["notes"] == []  # Mirrored pieces show the outside.
     bowl = grid("Bowl", lambda x, y: (x, y, x * x + y * y))
-    assert flatten(bowl)  # flattened as seen from its hollow side
+    assert flatten(bowl)  # An open surface has no inside, so its normals are not reported.
     assert json.loads(bowl["wirewarp_report"])["notes"] == []
 
 
@@ -101,7 +90,7 @@ def test_a_piece_that_winds_around_is_named_after_its_place():
     ]
     for sleeve in sleeves:
         sleeve.data.edges.foreach_set("use_seam", [set(edge.vertices) == {0, 8} for edge in sleeve.data.edges])
-    assert flatten(sleeves[0]) == ["Tube -4"]  # the only piece is named after the model
+    assert flatten(sleeves[0]) == ["Tube -4"]
     select_only(*sleeves)
     bpy.ops.object.join()
     assert sorted(flatten(sleeves[0])) == ["Left", "Right"]
@@ -112,13 +101,13 @@ def test_the_only_piece_has_the_name_of_the_model_until_it_is_cut():
     source = grid("Sleeve", bump)
     assert flatten(source) == ["Sleeve"]
     source.data.vertices[40].co = source.data.vertices[41].co
-    flatten_fails("^Error: Sleeve: ")  # named once, not "Sleeve, Sleeve"
+    flatten_fails("^Error: Sleeve: ")  # not "Sleeve, Sleeve: "
     source.data.vertices[40].co = (0, 0, 0.4)
     mark_seam(source, on_line(0, 0.0))
     assert sorted(flatten(source)) == HALVES
     other = grid("Other", bump)
     flatten(other)
-    other.wirewarp_pieces[0].name = "Arm"  # given by the user, so it stays
+    other.wirewarp_pieces[0].name = "Arm"
     mark_seam(other, on_line(0, 0.5))
     assert "Arm" in flatten(other)
 
@@ -158,14 +147,15 @@ def test_a_linked_mesh_may_have_the_name_of_the_results(tmp_path):
     assert linked.meshes[0].name == "Sleeve Flat"
 
 
-def test_pieces_in_one_half_of_a_side_are_numbered():
-    """Numbers go from top to bottom, then from front to back. Both pieces of a left-right pair have the same number."""
-    for axis, names in ((1, ["Top Back 1", "Top Back 2", "Top Front 1", "Top Front 2"]), (0, FOUR_HALVES)):
-        target = grid("Bump", bump)
-        for line in (-0.5, 0.0, 0.5):
-            mark_seam(target, on_line(axis, line))
-        assert sorted(flatten(target)) == names
-    assert middle_of(target, "Top Left 1")[0] == pytest.approx(-middle_of(target, "Top Right 1")[0])
+@pytest.mark.parametrize(("axis", "halves"), [(0, ("Left", "Right")), (1, ("Back", "Front"))])
+def test_pieces_in_one_half_of_a_side_are_numbered(axis, halves):
+    """The pieces of a left-right pair have the same number."""
+    target = grid("Bump", bump)
+    for line in (-0.5, 0.0, 0.5):
+        mark_seam(target, on_line(axis, line))
+    assert sorted(flatten(target)) == [f"Top {half} {number}" for half in halves for number in (1, 2)]
+    if axis == 0:
+        assert middle_of(target, "Top Left 1")[0] == pytest.approx(-middle_of(target, "Top Right 1")[0])
 
 
 @pytest.mark.parametrize("kind", ["group", "material", "attribute"])
@@ -193,15 +183,15 @@ def fill_group(target, name, wanted):
 
 
 def test_a_vertex_group_gives_its_name_to_the_piece_it_covers(source):
-    # vertices with a small weight do not count as members
+    # Vertices with a small weight are not members of a group.
     source.vertex_groups.new(name="Faint").add(range(81), 0.3, "REPLACE")
-    fill_group(source, "Half", lambda co: co.x > 0.6)  # a group of less than half of the piece
-    # a material of the whole model, which distinguishes nothing
+    fill_group(source, "Half", lambda co: co.x > 0.6)  # A group must contain at least half of the piece.
+    # A material of the whole model does not distinguish pieces.
     source.data.materials.append(bpy.data.materials.new("Felt"))
     assert sorted(flatten(source)) == HALVES
     source.wirewarp_pieces.clear()
     fill_group(source, "All", lambda _: True)
-    fill_group(source, "Sleeve", lambda co: co.x > -0.3)  # includes a little of the other piece
+    fill_group(source, "Sleeve", lambda co: co.x > -0.3)  # the left piece and a little of the right piece
     source.vertex_groups.new(name="Empty")
     assert sorted(flatten(source)) == ["Sleeve", "Top Right"]
     assert middle_of(source, "Sleeve")[0] > 0
@@ -245,7 +235,7 @@ def test_joined_and_copied_pieces_keep_their_names_if_possible(source):
     bpy.ops.object.join()
     names = flatten(source)
     assert len(set(names)) == 4
-    assert {"Sleeve", "Top Right"} < set(names)  # each name is on one of two equal pieces
+    assert {"Sleeve", "Top Right"} < set(names)  # One of two equal pieces keeps each name.
     assert len({entry.piece_id for entry in source.wirewarp_pieces}) == 4
 
 
@@ -280,19 +270,15 @@ def test_with_modifiers_names_stay_without_writing_to_the_mesh_and_on_edited_pie
     rename(source, "Top Left", "Sleeve")
     assert sorted(flatten(source, use_modifiers=True)) == ["Sleeve", "Top Right"]
     assert "wirewarp_piece" not in source.data.attributes
-    flat, edit = flat_of(source), bmesh.new()
-    edit.from_mesh(flat.data)
-    bmesh.ops.delete(edit, geom=list(edit.faces)[:40], context="FACES")
-    edit.faces.ensure_lookup_table()
-    edit.faces[0][edit.faces.layers.int["source_face"]] = 10**6
-    edit.to_mesh(flat.data)
-    edit.free()
+    with edited(flat_of(source).data) as edit:
+        bmesh.ops.delete(edit, geom=list(edit.faces)[:40], context="FACES")
+        edit.faces.ensure_lookup_table()
+        edit.faces[0][edit.faces.layers.int["source_face"]] = 10**6
     assert sorted(flatten(source, use_modifiers=True)) == ["Sleeve", "Top Right"]
 
 
 def test_objects_that_share_a_mesh_keep_their_own_names(source):
-    other = source.copy()
-    bpy.context.scene.collection.objects.link(other)
+    other = new_object("Other", source.data)
     flatten(source)
     flatten(other)
     for target, name in ((source, "Sleeve"), (other, "Cuff")):
@@ -328,7 +314,7 @@ def test_sleeves_are_recognized_by_their_seams():
     path = [(x, 0, 0) for x in np.linspace(-3, 3, 13)]
     assert sorted(flatten(tube_along(path, {4, 8}))) == ["Around", "Left Sleeve", "Right Sleeve"]
     assert len(flatten(tube_along(path, {2, 4, 8, 10}))) == 5
-    # no piece is named a sleeve, because cuffs look like sleeves
+    # The outer pieces can be cuffs, so no piece is named a sleeve.
     assert not any("Sleeve" in name for name in names_of(bpy.context.object))
 
 

@@ -8,41 +8,18 @@ import bmesh
 import bpy
 import numpy as np
 import pytest
-from everything import draw_panels
+from everything import drawn_buttons
+from flattening import edge_lengths, edge_vertices, edited, fails, flat_places, flat_sources, flatten, flatten_fails
 from mathutils import Vector
-from surfaces import (
-    bump,
-    edge_lengths,
-    edge_vertices,
-    flat_of,
-    flat_places,
-    flat_sources,
-    flatten,
-    flatten_fails,
-    grid,
-    mark,
-    mark_seam,
-    on_line,
-    read,
-    select_edges,
-    select_only,
-)
+from surfaces import bump, flat_of, grid, mark, mark_seam, on_line, read, select_edges, select_only
 
 SEAM = on_line(0, 0.0)
 HALVES = ["Top Left", "Top Right"]
-NEAR = 1e-5  # tolerance for coordinates of about 10 in single precision
-
-
-@pytest.fixture
-def source():
-    """Return a flattened model of two pieces."""
-    target = grid("Bump", bump, seam=SEAM)
-    bpy.ops.object.wirewarp_flatten()
-    return target
+NEAR = 1e-5  # tolerance of single precision for coordinates of about 10
 
 
 def vertices_of(source, name):
-    """Return the piece's vertices in the flat mesh."""
+    """Return the indices of the piece's vertices in the flat mesh."""
     flat = flat_of(source).data
     piece_id = next(entry.piece_id for entry in source.wirewarp_pieces if entry.name == name)
     ids = read(flat.attributes["wirewarp_piece"].data, "value", np.int32)
@@ -57,7 +34,7 @@ def places_of(source):
 
 
 def farthest(now, then):
-    """Return the largest distance that a vertex has moved."""
+    """Return the largest distance between the places of a vertex in both results."""
     return max(np.linalg.norm(now[key] - then[key]) for key in then if key in now)
 
 
@@ -107,7 +84,7 @@ def test_pieces_moved_and_turned_by_the_user_stay(source):
     move(source, "Top Left", angle=2.0, by=(5, -7))
     before = places_of(source)
     for vertex in source.data.vertices:
-        vertex.co.z *= 1.02  # slightly different shapes
+        vertex.co.z *= 1.02
     flatten(source)
     again = places_of(source)
     assert 1e-4 < farthest(again, before) < 0.05
@@ -120,7 +97,7 @@ def test_pieces_moved_and_turned_by_the_user_stay(source):
     flatten(source)
     assert len(places_of(source)) > 3 * len(before) and farthest(places_of(source), before) < 0.1
     select_only(flat_of(source))
-    bpy.ops.object.mode_set(mode="EDIT")  # nothing is selected there, so that one piece can be picked
+    bpy.ops.object.mode_set(mode="EDIT")  # Nothing is selected, so that the user can pick one piece.
     assert not any(vertex.select for vertex in bmesh.from_edit_mesh(flat_of(source).data).verts)
 
 
@@ -132,7 +109,7 @@ def test_a_new_piece_goes_beside_the_others(source):
     now = places_of(source)
     assert_same_places(now, before, ["Top Right"])
     assert len(names_of(source)) == 3
-    assert farthest(now, before) < 0.1  # the larger part keeps the name
+    assert farthest(now, before) < 0.1  # The larger part has the name and the place of the divided piece.
     (new,) = set(names_of(source)) - {"Top Left", "Top Right"}
     found = boxes(source)
     assert all(are_apart(found[new], found[other]) for other in ("Top Left", "Top Right"))
@@ -163,7 +140,7 @@ def test_pieces_that_the_user_put_over_each_other_stay_there(source, notes):
 
 
 def flip_one(source):
-    """Flip a face of Top Left, so that the piece fails; a second call restores it."""
+    """Flip a face of Top Left, so that the piece fails. A second call restores the face."""
     max(source.data.polygons, key=lambda each: each.center.x).flip()
 
 
@@ -204,15 +181,14 @@ def test_only_the_active_model_is_rearranged(source, is_selected):
     assert_same_places(places_of(source), laid_out)
     assert_same_places(places_of(other), moved)
     source.hide_set(True)
-    with pytest.raises(RuntimeError, match='"Bump" is hidden'):
-        bpy.ops.object.wirewarp_flatten(keep_places=False, only_active=True)
+    fails(bpy.ops.object.wirewarp_flatten, '"Bump" is hidden', keep_places=False, only_active=True)
 
 
 def test_a_rotated_model_keeps_its_pieces_with_a_message(source, notes):
     before = places_of(source)
     source.rotation_euler.z = 1.0
     flatten(source)
-    assert notes() == []  # no note, because the same direction is up
+    assert notes() == []  # This rotation does not change the upward direction.
     source.rotation_euler.x = math.radians(90)
     for _ in range(2):
         flatten(source)
@@ -231,7 +207,7 @@ def test_a_rotated_model_keeps_its_pieces_with_a_message(source, notes):
 
 
 def test_a_rotated_model_is_mentioned_only_if_the_grain_wire_leaves_out_a_piece(source, notes):
-    mark(source, lambda a, b: on_line(1, 0.0)(a, b) and a[0] + b[0] > 0)  # a wire across one of the two pieces
+    mark(source, lambda a, b: on_line(1, 0.0)(a, b) and a[0] + b[0] > 0)  # on one of the two pieces
     source.data.wirewarp_grain = source.data.wirewarp_names[0].wire_id
     flatten(source)
     source.rotation_euler.x = math.radians(90)
@@ -245,8 +221,7 @@ def test_a_rotated_model_is_mentioned_only_if_the_grain_wire_leaves_out_a_piece(
 
 
 def test_a_dart_does_not_confuse_the_fit():
-    source = grid("Bump", bump)
-    mark_seam(source, lambda a, b: on_line(1, 0.0)(a, b) and a[0] + b[0] > 0)
+    source = grid("Bump", bump, seam=lambda a, b: on_line(1, 0.0)(a, b) and a[0] + b[0] > 0)
     bpy.ops.object.wirewarp_flatten()
     move(source, "Bump", angle=-0.7, by=(-3, 1))
     before = flat_places(source)
@@ -264,7 +239,7 @@ def test_pieces_are_rearranged_without_keep_places_or_for_another_layout(source,
     flatten(source)
     height = source.data.vertices[40].co.z
     source.data.vertices[40].co.z = math.nan
-    flatten_fails("Bump: ", **settings)  # a failed run does not count
+    flatten_fails("Bump: ", **settings)  # A failed run moves no pieces.
     source.data.vertices[40].co.z = height
     flatten(source, **settings)
     assert_same_places(places_of(source), laid_out)
@@ -280,17 +255,15 @@ def test_the_list_opens_at_the_worst_piece_and_then_keeps_the_users_choice(sourc
 
 
 def test_the_button_that_rearranges_is_shown_if_places_are_kept(source, addon):
-    def buttons():
-        found = []
-        draw_panels(addon, found)
-        return found.count("object.wirewarp_flatten")
+    def count():
+        return drawn_buttons(addon).count("object.wirewarp_flatten")
 
-    with_button = buttons()
+    with_button = count()
     bpy.context.scene.wirewarp.keep_places = False
-    assert buttons() == with_button - 2  # the button is missing, in a narrow and in a wide sidebar
+    assert count() == with_button - 2  # Each panel is drawn twice: narrow and wide.
     bpy.context.scene.wirewarp.keep_places = True
     select_only(flat_of(source))
-    assert buttons() == with_button  # pieces have the buttons of their model
+    assert count() == with_button
     describe = addon.flatten.operators.OBJECT_OT_wirewarp_flatten.description
     words = [describe(bpy.context, SimpleNamespace(only_active=only)) for only in (False, True)]
     assert "keep the length" in words[0] and "lay out all its pieces again" in words[1]
@@ -325,11 +298,9 @@ EDITS = {
 
 @pytest.mark.parametrize("change", EDITS)
 def test_lengths_are_true_again_after_the_flat_object_was_edited(source, change):
-    mesh, edit = flat_of(source).data, bmesh.new()
-    edit.from_mesh(mesh)
-    EDITS[change](edit)
-    edit.to_mesh(mesh)
-    edit.free()
+    mesh = flat_of(source).data
+    with edited(mesh) as edit:
+        EDITS[change](edit)
     flatten(source)
     assert len(mesh.polygons) == len(source.data.polygons)
     assert np.all(read(mesh.vertices, "co", np.float32, 3)[:, 2] == 0)

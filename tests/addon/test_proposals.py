@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Buttons mark the edges or tolerances that the report of a failure suggests, or are refused in a sentence."""
+"""Buttons mark the seams or tolerances that the report of a failure suggests, or are refused in a sentence."""
 
 import json
 import math
@@ -8,22 +8,11 @@ from types import SimpleNamespace
 import bpy
 import numpy as np
 import pytest
-from everything import draw_panels
+from everything import draw_panels, drawn_buttons
+from flattening import edge_vertices, fails, flatten_fails
 from mathutils import Matrix
 from suggesting import are_mirrored
-from surfaces import (
-    bump,
-    edge_vertices,
-    flat_of,
-    flatten_fails,
-    grid,
-    mark,
-    on_line,
-    read,
-    round_bump,
-    select_only,
-    tube,
-)
+from surfaces import bump, flat_of, grid, mark, on_line, read, round_bump, select_only, tube
 
 WIRE = on_line(1, 0.0)
 CUT = "mark a seam"
@@ -44,9 +33,9 @@ def joined(source, *others):
 
 
 def test_two_sleeves_are_fixed_at_once_as_mirror_images(addon):
-    """Each sleeve alone would get its seam on the same side, so the two seams would not be mirror images."""
+    """Alone, each sleeve would get its seam at the same side of the tube, so the seams would not be mirror images."""
     source, other = tube(place=-2.0), tube("Other", place=2.0)
-    for target in (source, other):  # narrower on the inner side, where a seam is therefore best
+    for target in (source, other):  # narrower on the inner side, where a seam is best
         for vertex in target.data.vertices:
             vertex.co.y *= 1 + 0.2 * abs(vertex.co.x)
     joined(source, other)
@@ -54,13 +43,13 @@ def test_two_sleeves_are_fixed_at_once_as_mirror_images(addon):
     assert [issue.both_sides for issue in addon.state.reports.last_report(source).issues] == [True, True]
     assert take(issue=0) == {"FINISHED"}
     assert len(seams_of(source)) and are_mirrored(source, seams_of(source))
-    assert take(issue=1) == {"CANCELLED"}  # these seams are marked already
+    assert take(issue=1) == {"CANCELLED"}  # The seams of both sleeves are marked already.
     assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
 
 
 def test_pairs_without_mirrored_meshes_are_fixed_at_once_each_by_its_own_seam():
     source, other = tube(), tube("Other", place=4.0)
-    # rotated about the world's axis, so not a mirror image in X, Y or Z
+    # Rotated about the origin, this tube is not a mirror image in X, Y or Z.
     other.data.transform(Matrix.Rotation(0.1, 4, "Z"))
     joined(source, other)
     flatten_fails(CUT)
@@ -75,7 +64,7 @@ def test_the_button_works_from_the_flat_pieces():
     bpy.ops.object.mode_set(mode="EDIT")
     assert take() == {"FINISHED"}
     assert len(seams_of(source)) > 0
-    assert bpy.context.mode == "OBJECT"  # in Object Mode, because undo restores the model only there
+    assert bpy.context.mode == "OBJECT"  # because undo restores the model only in Object Mode
 
 
 @pytest.mark.parametrize("mode", ["OBJECT", "EDIT"])
@@ -84,8 +73,7 @@ def test_a_changed_model_is_not_marked(mode):
     flatten_fails(CUT)
     source.data.vertices[20].co.x += 0.01
     bpy.ops.object.mode_set(mode=mode)
-    with pytest.raises(RuntimeError, match='"Tube" has changed since it was flattened. Flatten it again'):
-        take()
+    fails(take, '"Tube" has changed since it was flattened. Flatten it again')
     assert source.mode == mode
     bpy.ops.object.mode_set(mode="OBJECT")
     assert len(seams_of(source)) == 0
@@ -95,31 +83,27 @@ def test_a_report_of_the_mesh_with_modifiers_is_not_used(addon):
     source = tube()
     source.modifiers.new("Finer", "SUBSURF").levels = 1
     flatten_fails(CUT, use_modifiers=True)
-    with pytest.raises(RuntimeError, match="flatten without Modifiers"):
-        take()
-    buttons = []
-    assert "needs edges that modifiers make" in draw_panels(addon, buttons)
-    assert not {"mesh.wirewarp_take_proposal", "mesh.wirewarp_select_result"} & set(buttons)
+    fails(take, "flatten without Modifiers")
+    assert "needs edges that modifiers make" in draw_panels(addon)
+    assert not {"mesh.wirewarp_take_proposal", "mesh.wirewarp_select_result"} & set(drawn_buttons(addon))
 
 
 def test_without_proposals_the_button_is_refused():
     grid("Bump", bump)
-    with pytest.raises(RuntimeError, match='"Bump" has not been flattened yet'):
-        take()
+    fails(take, '"Bump" has not been flattened yet')
     bpy.ops.object.wirewarp_flatten()
-    with pytest.raises(RuntimeError, match="does not suggest a (seam|tolerance) here. Flatten again"):
-        take()
+    fails(take, "does not suggest a (seam|tolerance) here. Flatten again")
 
 
 def neighbors(source, pairs):
-    """Return whether the pairs are edges of the model, and each pair shares a vertex with its successor."""
+    """Return whether all pairs are edges of the model, and each pair shares a vertex with the next pair."""
     return all(set(a) & set(b) for a, b in zip(pairs, pairs[1:], strict=False)) and {
         tuple(sorted(pair)) for pair in pairs
     } <= {tuple(sorted(pair)) for pair in edge_vertices(source.data).tolist()}
 
 
 def test_a_proposed_diagonal_becomes_the_shorter_way_around_its_face(addon):
-    """The grid has nine vertices per row; each hexagon is a pair of cells."""
+    """Vertices 20 and 21 are the ends of an edge."""
     source = grid("Bump", round_bump, faces="ngons")
     arrays = addon.state.read_model.object_to_arrays(source, addon.state.marked_mesh.marked_mesh(source), None)
     around = addon.solve.flatten.seams_on_edges
@@ -172,7 +156,6 @@ def loosen(addon):
 
 
 def tolerances_on(source, value):
-    """Return the tolerances of the edges on a line of the model."""
     places = read(source.data.vertices, "co", np.float32, 3)
     on = [on_line(1, value)(places[a], places[b]) for a, b in edge_vertices(source.data)]
     return read(source.data.attributes["wirewarp_tolerance"].data, "value", np.float32)[on]
@@ -192,7 +175,7 @@ def test_the_proposed_tolerances_are_written_and_none_becomes_tighter(loosen, ad
 
 
 def inside(a, b):
-    """Return whether an edge is not on the outline of a grid."""
+    """Return whether an edge is inside a grid, not on its outline."""
     return not any(abs(a[k]) > 1 - 1e-6 and abs(a[k] - b[k]) < 1e-6 for k in (0, 1))
 
 

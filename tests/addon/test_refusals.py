@@ -7,7 +7,8 @@ import re
 import bpy
 import pytest
 from everything import draw_panels
-from surfaces import bump, flat_of, flatten_fails, grid, make_object, mark, mark_seam, on_line, select_only
+from flattening import fails, flatten_fails
+from surfaces import bump, flat_of, grid, make_object, mark, mark_seam, new_object, on_line, select_only
 
 
 @pytest.fixture
@@ -61,7 +62,7 @@ REFUSED = {  # for each case, how the model is spoiled, and the resulting senten
     "a vertex group": (lambda s: s.vertex_groups.new(name="WireWarp"), f"{NAMED}Vertex Groups.*Rename it"),
     "an attribute": (lambda s: s.data.attributes.new("WireWarp", "FLOAT", "POINT"), f"{NAMED}.*Rename it"),
     "a color": (lambda s: s.data.color_attributes.new("WireWarp", "BYTE_COLOR", "CORNER"), f"{NAMED}.*Rename it"),
-    "a vertex group of the name of an attribute": (
+    "a vertex group with the name of an attribute": (
         lambda s: s.vertex_groups.new(name="wirewarp_piece"),
         'called "wirewarp_piece" under Object Data > Vertex Groups.*Rename it',
     ),
@@ -70,9 +71,9 @@ SETTINGS = [
     ({"fairness": math.nan}, "nan"),
     ({"spacing": math.nan}, "nan"),
     ({"report_path": "//report.json"}, "Blender file, so save the file first"),
-    # nobody can create files in /proc
+    # Even an administrator cannot create files in /proc.
     ({"report_path": "/proc/report.json"}, 'Cannot write "/proc/report.json": '),
-    ({"use_modifiers": True}, "Bump: "),  # the modifier leaves no faces
+    ({"use_modifiers": True}, "Bump: "),  # The modifier of the test leaves no faces.
 ]
 
 
@@ -144,9 +145,7 @@ def test_other_modes_are_refused(source, addon, mode):
 def test_the_active_object_does_not_matter(source, addon, active):
     objects = bpy.context.view_layer.objects
     if active == "a camera":
-        camera = bpy.data.objects.new("Camera", bpy.data.cameras.new("Camera"))
-        bpy.context.scene.collection.objects.link(camera)
-        objects.active = camera
+        objects.active = new_object("Camera", bpy.data.cameras.new("Camera"))
     elif active == "nothing":
         objects.active = None
     elif active == "hidden":
@@ -198,13 +197,14 @@ def test_flat_pieces_that_are_edited_in_another_scene_are_refused(source, addon)
     bpy.ops.object.wirewarp_flatten()
     select_only(flat_of(source))
     bpy.ops.object.mode_set(mode="EDIT")
-    with pytest.raises(addon.issues.ObjectError, match='The mesh "Bump Flat" is being edited in another scene'):
+    sentence = 'The mesh "Bump Flat" is being edited in another scene'
+    with pytest.raises(addon.issues.ObjectError, match=sentence):
         addon.flatten.read.check_target(source, writes_model=True, edited=())
-    with pytest.raises(addon.issues.ObjectError, match='The mesh "Bump Flat" is being edited in another scene'):
+    with pytest.raises(addon.issues.ObjectError, match=sentence):
         addon.export.read.read_pattern(bpy.context.scene, source)
-    # The model is active, but its pieces stay in Edit Mode, as if they were edited in another view layer.
+    # Here, the pieces stay in Edit Mode while the model is active, as if they were edited in another view layer.
     bpy.context.view_layer.objects.active = source
-    flatten_fails('The mesh "Bump Flat" is being edited in another scene')
+    flatten_fails(sentence)
 
 
 def test_no_export_replaces_a_blender_file(source, tmp_path):
@@ -217,27 +217,26 @@ def test_no_export_replaces_a_blender_file(source, tmp_path):
     assert nothing_written(source)
     bpy.ops.object.wirewarp_flatten()
     for name in ("model.blend", "pattern.pdf", "pattern"):
-        with pytest.raises(RuntimeError, match="its name must end in .svg"):
-            bpy.ops.object.wirewarp_export_svg(filepath=str(tmp_path / name))
+        fails(bpy.ops.object.wirewarp_export_svg, "its name must end in .svg", filepath=str(tmp_path / name))
     assert path.read_bytes() == before and list(tmp_path.iterdir()) == [path]
 
 
 def test_objects_with_one_mesh_and_different_scales_are_refused(source):
     bpy.ops.object.duplicate(linked=True)
-    twin = bpy.context.active_object
-    twin.rotation_euler.z = 1
+    other = bpy.context.active_object
+    other.rotation_euler.z = 1
     assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
-    twin.scale = (2, 2, 2)
-    select_only(twin)
+    other.scale = (2, 2, 2)
+    select_only(other)
     flatten_fails('"Bump.001" and "Bump" share the mesh "Bump" but differ in scale.*Make Single User')
-    assert bpy.ops.object.wirewarp_flatten(use_modifiers=True) == {"FINISHED"}  # this run writes no UV map
+    assert bpy.ops.object.wirewarp_flatten(use_modifiers=True) == {"FINISHED"}  # A run with modifiers writes no UV map.
     bpy.ops.object.make_single_user(object=True, obdata=True)
     assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
-    assert twin.data["wirewarp_uv_scale"] == pytest.approx(2 * source.data["wirewarp_uv_scale"], rel=1e-5)
+    assert other.data["wirewarp_uv_scale"] == pytest.approx(2 * source.data["wirewarp_uv_scale"], rel=1e-5)
 
 
 def test_flat_pieces_without_their_model_are_refused(source, addon):
-    """A deleted model stays in the file, because its pieces point to it. Only a script can remove it."""
+    """A deleted model stays in the file, because its pieces refer to it. Only a script can remove it from the file."""
     bpy.ops.object.wirewarp_flatten()
     flat = flat_of(source)
     collection = bpy.data.collections.new("Away")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The add-on registers and unregisters with its operators and properties."""
+"""The add-on registers and unregisters completely. Operators, properties and menus have their texts and defaults."""
 
 import inspect
 import sys
@@ -8,13 +8,14 @@ from types import SimpleNamespace
 
 import bpy
 import pytest
+from flattening import fails
 from surfaces import bump, flat_of, grid, select_only
 
 pytestmark = pytest.mark.api
 
 
 def handlers_of(addon) -> list[tuple[str, str]]:
-    """Return the add-on's handlers in Blender, as the names of the list and the function of each."""
+    """Return the add-on's handlers in Blender: for each, the names of its list and of its function."""
     return [
         (name, function.__qualname__)
         for name, functions in inspect.getmembers(bpy.app.handlers, lambda member: isinstance(member, list))
@@ -24,7 +25,7 @@ def handlers_of(addon) -> list[tuple[str, str]]:
 
 
 def all_that_blender_knows() -> dict:
-    """Return everything in Blender to which add-ons can add, keyed by its kind."""
+    """Return everything in Blender that add-ons can extend, keyed by its kind."""
     kinds = ("Scene", "Object", "Mesh", "Collection", "WindowManager", "AddonPreferences")
     known = {kind: set(getattr(bpy.types, kind).bl_rna.properties.keys()) for kind in kinds}
     known["types"] = {name for name in dir(bpy.types) if hasattr(bpy.types, name)}
@@ -69,8 +70,7 @@ def test_a_registration_that_fails_leaves_nothing(addon, monkeypatch):
 
     with monkeypatch.context() as patch:
         patch.setattr(addon.flatten.auto_update, "attach", fail)
-        with pytest.raises(RuntimeError, match="no keymap"):
-            addon.register()
+        fails(addon.register, "no keymap")
     assert set(dir(bpy.types)) <= before
     assert not hasattr(bpy.types.Scene, "wirewarp")
     assert handlers_of(addon) == []
@@ -78,8 +78,7 @@ def test_a_registration_that_fails_leaves_nothing(addon, monkeypatch):
 
 
 def test_a_second_copy_of_the_add_on_is_refused(addon):
-    with pytest.raises(RuntimeError, match="already enabled"):
-        addon.register()
+    fails(addon.register, "already enabled")
     assert hasattr(bpy.types.Scene, "wirewarp")
 
 
@@ -103,7 +102,7 @@ def test_the_panels_of_the_sidebar_come_in_the_order_of_the_work(addon):
     panels = [cls for cls in addon.registration.CLASSES if issubclass(cls, bpy.types.Panel)]
     first = "Mark, Allowance and Ease, Flatten, Settings, Advanced, Export, Pieces, Wires, Report, Mark Sides"
     own = [cls.bl_label for cls in panels if getattr(cls, "bl_parent_id", "") != "VIEW3D_PT_wirewarp_report"]
-    assert own == [*first.split(", "), "Overlay", "Overlay"]  # the last panel is in the UV Editor
+    assert own == [*first.split(", "), "Overlay", "Overlay"]  # The last panel is in the UV Editor.
 
 
 def test_every_operator_and_its_properties_have_tooltips(addon):
@@ -142,7 +141,7 @@ def test_papers_keep_the_numbers_that_files_store():
     numbers = {item.value: item.identifier for item in items}
     names = ("A4", "LETTER", "A4_LETTER", "A3", "TABLOID", "A0", "36IN", "24IN", "ROLL", "PROJECTOR")
     assert numbers == dict(enumerate(names))
-    assert items[-1].identifier == "ROLL"  # after all papers of the library
+    assert items[-1].identifier == "ROLL"
 
 
 def test_missing_arguments_come_from_the_scene(addon):
@@ -153,13 +152,13 @@ def test_missing_arguments_come_from_the_scene(addon):
     addon.properties.take_settings(operator, settings)
     assert (operator.mirror, operator.spacing, operator.method) == (True, 0.25, "REFINED")
     grid("Bump", bump)
-    bpy.ops.object.wirewarp_flatten()  # a call by a script uses only the properties that it passes
+    bpy.ops.object.wirewarp_flatten()  # A script's call uses defaults, not settings of the scene.
     assert bpy.data.objects["Bump Flat"].data.polygons[0].normal.z > 0
-    assert addon.properties.preferences(bpy.context).moves_view  # by default
+    assert addon.properties.preferences(bpy.context).moves_view
 
 
 class MenuLayout(SimpleNamespace):
-    """Records the entries of a menu. At first, its operator context is that of Blender's own entries above."""
+    """Records the entries of a menu. Its first operator context is the one that Blender's own entries leave."""
 
     def __init__(self):
         super().__init__(operator_context="EXEC_REGION_WIN", contexts=[], menus=[], entries=[])

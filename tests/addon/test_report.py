@@ -11,7 +11,8 @@ import bpy
 import numpy as np
 import pytest
 from everything import draw_panels, sidebar
-from surfaces import bump, edge_lengths, edge_vertices, flat_of, flatten_fails, grid, mark, mark_seam, on_line
+from flattening import edge_lengths, edge_vertices, fails, flatten_fails, notify, raise_vertex
+from surfaces import bump, flat_of, grid, mark, on_line
 
 WIRE, SEAM = on_line(1, 0.0), on_line(0, 0.0)
 
@@ -45,7 +46,7 @@ def test_the_report_states_lengths_in_blender_units_and_meters(source, tmp_path)
     assert sorted(seam["pieces"]) == [0, 1] and seam["mismatch"] < 1e-9
     assert wire["name"] == "Wire 1"
     assert wire["length_2d"][0] == pytest.approx(length_on(source, WIRE), rel=1e-6)
-    for piece in entry["pieces"]:  # each piece has a part of the wire, one side of the seam, and an open section
+    for piece in entry["pieces"]:
         assert len(piece["wires"]) == 1
         assert sorted(chain["seam"] is None for chain in piece["outline"]) == [False, True]
 
@@ -99,7 +100,7 @@ def test_a_canceled_piece_with_exact_lengths_reports_it(addon, monkeypatch):
         left = iter(range(steps, 0, -1))
 
         def start(*what, **options):
-            """Return a finished job that was canceled after `steps` steps."""
+            """Return a finished job, which was canceled after this number of steps."""
             stops = lambda stage, _: stage != "shape" or next(left, 0) > 0  # noqa: E731
             result = library.flatten(*what, progress=stops, **options)
             return SimpleNamespace(is_done=lambda: True, cancel=lambda: None, result=lambda: result)
@@ -120,7 +121,7 @@ def test_a_canceled_piece_with_exact_lengths_reports_it(addon, monkeypatch):
 
 
 def test_notes_are_not_warnings(addon, source):
-    """The message after a run contains a note, but only a note that is a warning makes the message a warning."""
+    """The message after a run contains its notes. It is a warning only if one of them is."""
     bpy.ops.object.wirewarp_flatten()
     bpy.ops.object.wirewarp_flatten(use_modifiers=True)
     report = addon.state.reports.last_report(source)
@@ -138,7 +139,7 @@ def test_the_method_and_the_settings_reach_the_core(source, tmp_path):
 
     by_length = piece(method="WIREWARP_PLUS_PLUS", node_weight="LENGTH")
     assert by_length["arap_energy"] != piece(method="WIREWARP_PLUS_PLUS", node_weight="UNIFORM")["arap_energy"]
-    assert piece()["arap_energy"] < by_length["arap_energy"]  # less energy is the purpose of the refined method
+    assert piece()["arap_energy"] < by_length["arap_energy"]
     options = flatten_with_report(tmp_path, fairness=0.25)["objects"][0]["options"]
     assert (options["method"], options["fairness"]) == ("refined", 0.25)
     rough, smooth = piece(fairness=0.02), piece(fairness=1.0)
@@ -176,22 +177,16 @@ def test_lengths_and_areas_are_shown_in_the_scenes_units(addon, system, unit, sc
 
 
 def test_the_report_names_the_upright_direction(source, tmp_path):
-    """Without a grain wire, the report names the upward direction, even if the grain wire was requested."""
-
     def upright(**settings):
         return flatten_with_report(tmp_path, **settings)["objects"][0]["options"]["orientation"]
 
-    assert upright(orientation="WIRE") == "up"
+    assert upright(orientation="WIRE") == "up"  # because there is no grain wire
     assert upright(orientation="BOUNDARY") == "boundary"
     source.data.wirewarp_grain = source.data.wirewarp_names[0].wire_id
     assert upright(orientation="WIRE") == "grain"
 
 
 def test_the_report_follows_the_names_of_wires(addon):
-    """Tables, hints and flat pieces have the new names, even if names were swapped.
-
-    Wires with equal names stay separate.
-    """
     source = grid("Bump", bump)
     for line, tolerance in ((0.0, 0.001), (0.5, 0.002)):
         mark(source, on_line(1, line), kind="ELASTIC", tolerance=tolerance)
@@ -204,8 +199,8 @@ def test_the_report_follows_the_names_of_wires(addon):
         assert all(len(hint.edges) == 8 for hint in hints)
         return [addon.core.hint_text(report, hint) for hint in hints]
 
-    assert names() == ['"Wire 2" ±0.2%', '"Wire 1" ±0.1%']  # the largest change is first
-    for entry in source.data.wirewarp_names:
+    assert names() == ['"Wire 2" ±0.2%', '"Wire 1" ±0.1%']  # The largest change is first.
+    for entry in source.data.wirewarp_names:  # Wire 1 gets the name that Wire 2 had.
         entry.name = {"Wire 1": "Wire 2", "Wire 2": "Hip \\1"}[entry.name]
     assert names() == ['"Hip \\1" ±0.2%', '"Wire 2" ±0.1%']
     words = draw_panels(addon)
@@ -223,14 +218,13 @@ def test_the_report_is_parsed_and_its_rows_are_made_once(addon, source):
     tables = report.tables
     assert addon.state.reports.last_report(source) is report and report.tables is tables
     assert [side.label for side in tables.seams[0].sides] == ["Top Right", "Top Left"]
-    report.pieces[0].name = "Front"  # as if the user had renamed the piece
+    report.pieces[0].name = "Front"
     assert report.tables.seams[0].note == "Front – Top Left"
 
 
 def test_the_table_for_spreadsheets_is_in_the_scenes_units(addon, source, capfd):
     settings = bpy.context.scene.unit_settings
-    with pytest.raises(RuntimeError, match='"Bump" has not been flattened yet'):
-        bpy.ops.object.wirewarp_copy_report()
+    fails(bpy.ops.object.wirewarp_copy_report, '"Bump" has not been flattened yet')
     settings.system, settings.length_unit, settings.scale_length = "METRIC", "CENTIMETERS", 0.1
     bpy.ops.object.wirewarp_flatten()
     report = addon.state.reports.last_report(source)
@@ -242,8 +236,7 @@ def test_the_table_for_spreadsheets_is_in_the_scenes_units(addon, source, capfd)
     assert float(lines[-1]["Area on model (cm²)"]) == pytest.approx(100 * report.pieces[1].area_3d, rel=1e-6)
     bpy.ops.object.wirewarp_copy_report()
     assert "7 lines copied\n" in capfd.readouterr().out
-    source.data.vertices[40].co.z += 1
-    source.data.update()
+    raise_vertex(source)
     bpy.ops.object.wirewarp_copy_report()
     assert '7 lines copied. "Bump" has changed since' in capfd.readouterr().out
 
@@ -255,14 +248,12 @@ def test_the_list_of_pieces_has_the_worst_first(addon):
     this = SimpleNamespace(filter_name="", bitflag_filter_item=1 << 30, use_filter_sort_alpha=False)
     shown, places = listed.filter_items(this, bpy.context, source, "wirewarp_pieces")
     strains = [p.needed for p in addon.state.reports.last_report(source).pieces]
-    assert shown == []
-    assert sorted(places) == [0, 1]
-    assert places.index(0) == np.argmax(strains)
+    assert shown == [] and sorted(places) == [0, 1] and places.index(0) == np.argmax(strains)
     this.use_filter_sort_alpha = True
     source.wirewarp_pieces[0].name, source.wirewarp_pieces[1].name = "b", "A"
     assert listed.filter_items(this, bpy.context, source, "wirewarp_pieces") == ([], [1, 0])
     this.use_filter_sort_alpha = False
-    source.wirewarp_pieces.add()  # the list is not sorted, because this entry is not in the report
+    source.wirewarp_pieces.add()  # The list is not sorted, because this entry is not in the report.
     assert listed.filter_items(this, bpy.context, source, "wirewarp_pieces") == ([], [])
 
 
@@ -281,7 +272,7 @@ class MarkedRow:
 
 
 def has_marks(source, addon):
-    """Return for each entry of the list of pieces whether it has a tick or a warning."""
+    """Return for each entry of the list of pieces whether it is drawn with a tick or a warning."""
     addon.state.drawings.forget()
     row, listed = MarkedRow(), bpy.types.WIREWARP_UL_pieces
     for index, entry in enumerate(source.wirewarp_pieces):
@@ -290,23 +281,16 @@ def has_marks(source, addon):
 
 
 def test_the_list_of_pieces_has_marks_only_while_the_verdict_is_about_them(addon):
-    source, settings = grid("Bump", bump), bpy.context.scene.wirewarp
-    mark_seam(source, on_line(0, 0.5))
+    source, settings = grid("Bump", bump, seam=on_line(0, 0.5)), bpy.context.scene.wirewarp
     bpy.ops.object.wirewarp_flatten()
-    assert has_marks(source, addon) == [True, True]
-    settings.cloth = "JERSEY"
-    assert has_marks(source, addon) == [False, False]
-    settings.cloth = "NONE"
-    assert has_marks(source, addon) == [True, True]
+    for settings.cloth, marked in (("NONE", True), ("JERSEY", False), ("NONE", True)):
+        assert has_marks(source, addon) == [marked, marked]
     place = source.data.vertices[0].co.copy()
-    source.data.vertices[0].co.z += 1
-    source.data.update()
-    bpy.context.view_layer.update()
+    raise_vertex(source, 1.0, vertex=0)
     assert has_marks(source, addon) == [False, False]
     source.data.vertices[0].co.x = float("nan")
     flatten_fails("not numbers, or far")
     source.data.vertices[0].co = place
-    source.data.update()
-    bpy.context.view_layer.update()
+    notify(source)
     assert not addon.ui.settings.has_changed_since(source, addon.state.reports.pieces_report(source))
-    assert has_marks(source, addon) == [False, False]  # neither has a tick, because the last run failed
+    assert has_marks(source, addon) == [False, False]  # because the last run failed

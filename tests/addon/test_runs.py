@@ -1,17 +1,20 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs continue while Blender responds, and Auto updates changed models. tests/window tests both in a window."""
+"""A run has steps, and Blender responds between them. Auto updates changed models.
 
-import subprocess
-import sys
+tests/window tests runs and updates in a window.
+"""
+
 import weakref
 from pathlib import Path
+from unittest.mock import MagicMock
 
 import bmesh
 import bpy
 import numpy as np
 import pytest
 from everything import draw_panels
-from surfaces import bump, flat_of, flatten, flatten_fails, grid, mark_seam, on_line, read, select_only
+from flattening import flatten, flatten_fails, raise_vertex
+from surfaces import bump, flat_of, grid, mark_seam, on_line, read
 
 
 def read_models(addon, *sources):
@@ -32,23 +35,11 @@ def test_a_run_reports_its_progress(addon):
     assert {0.5, 1.0} <= set(reported)
 
 
-def test_an_abandoned_run_is_canceled_in_the_core_too(addon, started):
-    steps = solving(addon, grid("First", bump, size=200), grid("Second", bump))
-    assert 0 <= next(steps) < 0.5
-    (reference,) = started
-    job = reference()
-    steps.close()
-    assert [piece.error.code for piece in job.result().pieces] == ["cancelled"]
-    del job
-    addon.solve.flatten.drop_jobs()
-    assert reference() is None
-
-
 @pytest.fixture
 def started(addon, monkeypatch):
     """Return a list that collects weak references to all jobs of the core that start from now on.
 
-    After a reference is dead, the threads of its job have ended.
+    If a reference is dead, the threads of its job have ended.
     """
     jobs, start = [], addon.solve.flatten.start
 
@@ -61,28 +52,22 @@ def started(addon, monkeypatch):
     return jobs
 
 
-class FakeWindow:
-    """The part of a context that a run uses."""
-
-    def __init__(self):
-        self.window_manager, self.workspace, self.window = self, self, None
-        self.timers = []
-
-    def event_timer_add(self, _seconds, window):
-        self.timers.append(window)
-        return window
-
-    def event_timer_remove(self, timer):
-        self.timers.remove(timer)
-
-    def status_text_set(self, _text):
-        pass
+def test_an_abandoned_run_is_canceled_in_the_core_too(addon, started):
+    steps = solving(addon, grid("First", bump, size=200), grid("Second", bump))
+    assert 0 <= next(steps) < 0.5
+    (reference,) = started
+    job = reference()
+    steps.close()
+    assert [piece.error.code for piece in job.result().pieces] == ["cancelled"]
+    del job
+    addon.solve.flatten.drop_jobs()
+    assert reference() is None
 
 
 @pytest.mark.parametrize("how", ["another file", "the add-on disabled"])
 def test_a_run_ends_if_another_file_is_opened_or_the_add_on_disabled(addon, started, how):
-    window_run, window = addon.ui.window_run, FakeWindow()
-    run = window_run.begin(window, window_run.FLATTEN, "Large", solving(addon, grid("Large", bump, size=200)))
+    window_run, context = addon.ui.window_run, MagicMock()
+    run = window_run.begin(context, window_run.FLATTEN, "Large", solving(addon, grid("Large", bump, size=200)))
     run.go_on()
     assert window_run.is_running() and not run.is_done
     if how == "another file":
@@ -90,7 +75,9 @@ def test_a_run_ends_if_another_file_is_opened_or_the_add_on_disabled(addon, star
     else:
         addon.unregister()
     assert not window_run.is_running()
-    assert [job() for job in started] == [None] and window.timers == []
+    assert [job() for job in started] == [None]
+    manager = context.window_manager
+    manager.event_timer_remove.assert_called_once_with(manager.event_timer_add.return_value)
     if how != "another file":
         addon.register()
 
@@ -98,10 +85,11 @@ def test_a_run_ends_if_another_file_is_opened_or_the_add_on_disabled(addon, star
 QUITS = """
 import sys
 import bpy
-sys.path.insert(0, {folder!r})
-bpy.ops.preferences.addon_enable(module={module!r})
+folder, module = sys.argv[-2:]
+sys.path.insert(0, folder)
+bpy.ops.preferences.addon_enable(module=module)
 from surfaces import bump, grid
-addon = sys.modules[{module!r}]
+addon = sys.modules[module]
 choices = addon.state.settings.choices_of(bpy.context.scene.wirewarp, 1.0)
 models = addon.flatten.read.read_models(bpy.context, [grid("Large", bump, size=200)], bpy.context.scene.wirewarp)
 kept = addon.flatten.models.solve_models(models, choices, 1.0)
@@ -110,14 +98,8 @@ print("the end")
 """
 
 
-def test_blender_ends_during_a_run(addon, tmp_path):
-    script = tmp_path / "quit.py"
-    script.write_text(QUITS.format(folder=str(Path(__file__).parent), module=addon.__name__))
-    if bpy.app.binary_path:
-        blender = [bpy.app.binary_path, "--background", "--factory-startup", "--python-exit-code", "1", "--python"]
-    else:  # Blender as a Python module
-        blender = [sys.executable]
-    done = subprocess.run([*blender, script], capture_output=True, text=True, timeout=300)
+def test_blender_ends_during_a_run(addon, in_another_blender):
+    done = in_another_blender(QUITS, str(Path(__file__).parent), addon.__name__, timeout=300)
     assert done.returncode == 0 and "the end" in done.stdout, done.stdout + done.stderr
 
 
@@ -127,7 +109,7 @@ def begun(addon):
 
     def begin(steps):
         window_run = addon.ui.window_run
-        run = window_run.begin(FakeWindow(), window_run.FLATTEN, "Nothing", steps)
+        run = window_run.begin(MagicMock(), window_run.FLATTEN, "Nothing", steps)
         run.go_on()
         return run
 
@@ -136,7 +118,7 @@ def begun(addon):
 
 
 def test_a_finished_run_may_still_be_canceled(addon, begun):
-    """A finished update waits for a movement of the mouse, and may still be canceled."""
+    """A finished update waits for a movement of the mouse before it writes."""
     run = begun(solving(addon))
     assert run.is_done
     addon.ui.window_run.cancel()
@@ -173,7 +155,7 @@ def failing():
 
 @pytest.mark.parametrize(("work", "error"), [(stubborn, OSError), (failing, MemoryError)])
 def test_exceptions_of_the_work_are_raised_with_the_result(addon, begun, work, error):
-    """If work is canceled and then fails to clean up, its exception is raised, too."""
+    """stubborn() fails when it is canceled, failing() by itself."""
     run = begun(work())
     if work is stubborn:
         addon.ui.window_run.cancel()
@@ -187,7 +169,6 @@ def test_exceptions_of_the_work_are_raised_with_the_result(addon, begun, work, e
 def source():
     target = grid("Bump", bump, wire=on_line(1, 0.0))
     bpy.ops.object.wirewarp_flatten()
-    select_only(target)
     return target
 
 
@@ -196,18 +177,12 @@ def taken(addon):
     return [target.name for target in addon.flatten.auto_update.take_changed(bpy.context)]
 
 
-def move_a_vertex(source):
-    source.data.vertices[40].co.z += 0.01
-    source.data.update()
-
-
 def test_only_changed_models_with_pieces_are_updated(addon, source):
-    """Models in Edit Mode are updated, too."""
     grid("Never Flattened", bump)
     assert taken(addon) == []
-    move_a_vertex(source)
+    raise_vertex(source)
     assert taken(addon) == ["Bump"]
-    assert taken(addon) == []  # each change is tried only once
+    assert taken(addon) == []  # Auto tries each change once.
     mark_seam(source, on_line(0, 0.0))
     assert taken(addon) == ["Bump"]
     bpy.ops.object.mode_set(mode="EDIT")
@@ -222,16 +197,16 @@ def test_only_changed_models_with_pieces_are_updated(addon, source):
 def test_nothing_is_updated_after_undo_until_something_changes(addon, source):
     scene, auto = bpy.context.scene, addon.flatten.auto_update
     scene.wirewarp.auto_update = True
-    move_a_vertex(source)
+    raise_vertex(source)
     auto.note_undo()
     assert taken(addon) == [] and taken(addon) == []
-    move_a_vertex(source)
+    raise_vertex(source)
     assert taken(addon) == ["Bump"]
     auto.note_undo()
     scene.wirewarp.auto_update = False
     auto.forget_change(scene)  # as a movement of the mouse does
-    scene.wirewarp.auto_update = True  # switching Auto off and on does not hide later changes
-    move_a_vertex(source)
+    scene.wirewarp.auto_update = True
+    raise_vertex(source)
     assert taken(addon) == ["Bump"]
 
 
@@ -242,9 +217,8 @@ def test_a_second_run_is_refused(addon, source, monkeypatch):
 
 
 def test_an_update_takes_the_undo_group_of_the_last_operator(addon):
-    """An update does not unregister operators, because that would remove the panel Adjust Last Operation.
-
-    The add-on unregisters them when it is disabled.
+    """For each of these undo groups, an operator is registered. It stays registered until the add-on is disabled,
+    because unregistering an operator would remove the panel Adjust Last Operation.
     """
     updating = addon.flatten.auto_update.updating_in
     idnames = [updating(group).idname_py() for group in ("Move", "Mark Seam", "Move", "Update Flat Pieces")]
@@ -254,8 +228,8 @@ def test_an_update_takes_the_undo_group_of_the_last_operator(addon):
     assert all(cls.is_registered and cls.bl_options == {"INTERNAL", "UNDO_GROUPED"} for cls in joining)
     most = addon.flatten.auto_update.MOST
     idnames = {updating(f"Group {number}").idname_py() for number in range(2 * most)}
-    # Two operators are for the groups above. If all operators are in use, further groups share one more operator, whose
-    # updates are undo steps of their own.
+    # Two operators are for the groups above. When MOST operators are in use, all further groups have one operator in
+    # common, whose updates are undo steps of their own.
     assert len(idnames) == most - 2 + 1
     addon.unregister()
     assert not any(hasattr(bpy.types, f"OBJECT_OT_wirewarp_update_{number}") for number in range(most))
@@ -265,20 +239,18 @@ def test_an_update_takes_the_undo_group_of_the_last_operator(addon):
 def test_a_model_whose_update_was_canceled_says_what_to_do(addon, source, monkeypatch):
     canceled, coming = "Auto was canceled for this change", "Auto updates the pieces when the tool ends."
     bpy.context.scene.wirewarp.auto_update = True
-    move_a_vertex(source)
+    raise_vertex(source)
     assert canceled not in draw_panels(addon)
     bpy.ops.object.wirewarp_flatten()
-    move_a_vertex(source)
-    bpy.context.view_layer.update()
+    raise_vertex(source)
     assert coming in draw_panels(addon)
-    assert taken(addon) == ["Bump"]  # the update of the model begins
+    assert taken(addon) == ["Bump"]  # as at the beginning of an update
     with monkeypatch.context() as patched:
         patched.setattr(addon.report_panel.flatten_panel, "is_running", lambda _: True)
         shown = draw_panels(addon)
         assert coming in shown and canceled not in shown and "has changed since" not in shown
     assert canceled in draw_panels(addon)
-    move_a_vertex(source)
-    bpy.context.view_layer.update()
+    raise_vertex(source)
     assert canceled not in draw_panels(addon)
     assert taken(addon) == ["Bump"]
     bpy.ops.object.wirewarp_flatten()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The sample files contain the data of their script, and the pieces of the top have names of garments."""
+"""The sample files contain the data of blend_samples/, and the pieces of the top have names of garments."""
 
 import json
 import sys
@@ -9,7 +9,9 @@ from pathlib import Path
 import bpy
 import numpy as np
 import pytest
-from surfaces import edge_vertices, read
+from flattening import edge_vertices
+from suggesting import pairs
+from surfaces import read
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "blend_samples"))
 
@@ -22,10 +24,6 @@ SAMPLES = {shape.name.lower().replace(" ", "_"): shape for shape in shapes.all_s
 def open_sample(name):
     bpy.ops.wm.open_mainfile(filepath=str(FOLDER / f"{name}.blend"))
     return bpy.context.view_layer.objects.active
-
-
-def pairs(edges):
-    return {tuple(sorted(pair)) for pair in edges.tolist()}
 
 
 def test_there_is_one_file_for_each_shape():
@@ -63,7 +61,10 @@ def check_eases_and_fabric(addon, shape, mesh):
 
 
 def check_view(mesh):
-    """Check that the model fills a window 1.5 times as wide as high, with Blender's focal length of 50 mm."""
+    """Check that the model fills more than half of a window, and is not cut off.
+
+    The window is 1.5 times as wide as high, and the focal length is Blender's default of 50 mm.
+    """
     points = read(mesh.vertices, "co", np.float32, 3)
     areas = [area for screen in bpy.data.screens for area in screen.areas if area.type == "VIEW_3D"]
     assert areas

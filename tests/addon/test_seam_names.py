@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Seams keep their numbers, which may be chalked on fabric, even if other edges are marked or changed."""
+"""Seams keep their numbers even if other edges are marked, because people write these numbers on fabric."""
 
 from copy import copy
 from types import SimpleNamespace
@@ -8,7 +8,8 @@ import bpy
 import numpy as np
 import pytest
 from everything import draw_panels
-from surfaces import bump, flat_of, flatten, flatten_fails, grid, mark_seam, on_line, read, select_only
+from flattening import flatten, flatten_fails
+from surfaces import bump, flat_of, grid, mark_seam, on_line, read, select_only, tube
 
 DOWN = on_line(0, 0.0)
 
@@ -25,7 +26,7 @@ def source():
 
 
 def seams(addon, target):
-    """Return the mean positions (x, y) of the last report's seams, keyed by name."""
+    """Return the mean position (x, y) of each seam of the last report, keyed by name."""
     report = addon.state.reports.last_report(target)
     places = read(target.data.vertices, "co", np.float32, 3)
     return {seam.name: places[seam.edges].mean(axis=(0, 1))[:2].round(2).tolist() for seam in report.seams}
@@ -43,7 +44,7 @@ def test_a_new_seam_changes_no_other_number_and_numbers_are_not_reused(addon, so
     mark_seam(source, DOWN)
     flatten(source)
     assert seams(addon, source) == {"Seam 1": [0.5, 0.0], "Seam 3": [0.0, 0.0]}
-    mark_seam(source, at(-0.5))  # a seam that is marked again has its old number
+    mark_seam(source, at(-0.5))
     flatten(source)
     assert seams(addon, source)["Seam 2"] == [-0.5, 0.0]
 
@@ -71,24 +72,20 @@ def test_the_longer_part_of_a_divided_seam_keeps_the_name(addon, source):
 
 
 def test_a_seam_that_ends_inside_is_a_dart_and_one_that_opens_a_tube_is_not(addon):
-    target = grid("Bump", bump)
-    mark_seam(target, lambda a, b: DOWN(a, b) and max(a[1], b[1]) < 0.1)
+    target = grid("Bump", bump, seam=lambda a, b: DOWN(a, b) and max(a[1], b[1]) < 0.1)
     flatten(target)
     assert list(seams(addon, target)) == ["Dart 1"]
     assert addon.state.reports.last_report(target).tables.seams[0].note == "Bump"
-    mark_seam(target, DOWN)  # the dart is cut all the way through: the same seam, but no longer a dart
+    mark_seam(target, DOWN)  # The seam now divides the piece.
     flatten(target)
     assert list(seams(addon, target)) == ["Seam 1"]
-    bpy.ops.mesh.primitive_cylinder_add(vertices=12, end_fill_type="NOTHING")
-    tube = bpy.context.active_object
-    height = read(tube.data.vertices, "co", np.float32, 3)[:, 2]
-    next(edge for edge in tube.data.edges if np.ptp(height[list(edge.vertices)]) > 1).use_seam = True
-    flatten(tube)
-    assert list(seams(addon, tube)) == ["Seam 1"]
+    opened = tube()
+    mark_seam(opened, on_line(0, 0.5))
+    flatten(opened)
+    assert list(seams(addon, opened)) == ["Seam 1"]
 
 
 def test_darts_are_numbered_on_their_own(addon, source):
-    """If seams and darts shared numbers, the first dart of a garment with 11 seams would be Dart 12."""
     mark_seam(source, lambda a, b: DOWN(a, b) and max(a[1], b[1]) < 0.1)
     mark_seam(source, at(-0.5))
     flatten(source)
@@ -111,9 +108,9 @@ def test_seams_keep_their_numbers_with_modifiers(addon, source):
 def test_a_seam_without_a_name_gets_a_new_name_that_stays_when_a_run_is_refused(addon, source):
     source.wirewarp_seams[0].name = ""
     flatten(source)
-    assert list(seams(addon, source)) == ["Seam 2"]  # the number 1 is not reused
+    assert list(seams(addon, source)) == ["Seam 2"]  # The number 1 is not used again.
     names = [piece.name for piece in addon.state.reports.last_report(source).pieces]
-    assert " – ".join(names) in draw_panels(addon)  # the panel shows the pieces that the seam joins
+    assert " – ".join(names) in draw_panels(addon)
     source.scale.x = 0.0
     select_only(source)
     flatten_fails("scaled to zero")
@@ -122,7 +119,7 @@ def test_a_seam_without_a_name_gets_a_new_name_that_stays_when_a_run_is_refused(
 
 
 class MovingEntries(list):
-    """Behaves like Blender's collections: add() may move all entries, so that earlier references are invalid."""
+    """Behaves like Blender's collections: add() may move all entries, which makes earlier references invalid."""
 
     def add(self):
         self[:] = [*map(copy, self), SimpleNamespace(seam_id=0, name="")]

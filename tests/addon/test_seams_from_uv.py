@@ -1,23 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The borders of UV islands can become seams."""
+"""Borders of UV islands can become seams, and Flatten offers them if they help."""
 
 import bpy
 import numpy as np
 import pytest
-from everything import draw_panels
+from everything import draw_panels, drawn_buttons
+from flattening import edge_vertices, fails, flatten, flatten_fails
 from mathutils import Vector
-from surfaces import (
-    bump,
-    edge_vertices,
-    flatten,
-    flatten_fails,
-    grid,
-    mark_seam,
-    on_line,
-    read,
-    select_edges,
-    select_only,
-)
+from surfaces import bump, grid, mark_seam, on_line, read, select_edges, select_only
 
 CUT, ACROSS = on_line(0, 0.0), on_line(1, 0.0)
 
@@ -69,7 +59,7 @@ def test_after_a_run_the_users_own_map_is_read(capfd):
     bpy.ops.object.mode_set(mode="OBJECT")
     assert seam_edges(target.data) == edges_on(target.data, CUT)
     target.data.uv_layers["Map"].name = "Lightmap"
-    target.data.uv_layers.new(name="Islands", do_init=False).active_render = True  # one of the user's own maps
+    target.data.uv_layers.new(name="Islands", do_init=False).active_render = True
     target.data.uv_layers.active = target.data.uv_layers["WireWarp"]
     select_edges(target)
     bpy.ops.mesh.wirewarp_seams_from_uv_islands()
@@ -79,7 +69,7 @@ def test_after_a_run_the_users_own_map_is_read(capfd):
 @pytest.mark.api
 def test_the_active_map_is_read_and_a_missing_map_is_refused(capfd):
     target = with_islands()
-    plain = target.data.uv_layers.new(name="Plain", do_init=False)  # a map on which all corners are one point
+    plain = target.data.uv_layers.new(name="Plain", do_init=False)  # All corners are at one point of this map.
     target.data.uv_layers.active = plain
     select_edges(target)
     assert bpy.ops.mesh.wirewarp_seams_from_uv_islands() == {"CANCELLED"}
@@ -88,10 +78,9 @@ def test_the_active_map_is_read_and_a_missing_map_is_refused(capfd):
     assert seam_edges(target.data) == set()
     select_only(target, grid("Bare", bump))
     bpy.ops.object.mode_set(mode="EDIT")
-    with pytest.raises(RuntimeError, match='"Bare" has no UV map'):
-        bpy.ops.mesh.wirewarp_seams_from_uv_islands()
+    fails(bpy.ops.mesh.wirewarp_seams_from_uv_islands, '"Bare" has no UV map')
     bpy.ops.object.mode_set(mode="OBJECT")
-    assert seam_edges(target.data) == set()  # either both models get seams or none does
+    assert seam_edges(target.data) == set()  # Either all selected models get seams or none does.
     other = grid("Bump", bump, seam=CUT)
     flatten(other)
     select_edges(other)
@@ -102,7 +91,7 @@ def test_the_active_map_is_read_and_a_missing_map_is_refused(capfd):
 
 
 def cube(*, with_map=True):
-    """Return a closed cube with a UV map in which its six faces form one unfolded island."""
+    """Return a closed cube. Its UV map has one island with all six faces."""
     bpy.ops.mesh.primitive_cube_add(calc_uvs=with_map)
     return bpy.context.active_object
 
@@ -117,41 +106,37 @@ def test_the_seams_of_the_map_are_tried_and_offered_first_if_pieces_fail(addon):
     found = uv_seams_of(addon, source)
     assert (found.pieces, found.failed, found.is_good) == (1, 0, True)
     assert found.stretch == pytest.approx(0, abs=1e-6)
-    assert len(seam_edges(source.data)) == 0  # the seams were tried, but not marked
+    assert len(seam_edges(source.data)) == 0
     report = addon.state.reports.last_report(source)
     step = addon.report_panel.next_step.next_step(report, [])
     assert step.sentence == "The seams of the UV map make 1 piece, with a stretch of 0.0%."
     assert bpy.ops.object.wirewarp_mend(**step.settings) == {"FINISHED"}
-    assert len(seam_edges(source.data)) == 7  # twelve edges minus five that connect the six faces
+    assert len(seam_edges(source.data)) == 7  # 12 edges, minus 5 that connect the 6 faces of the island
     assert addon.core.verdict(addon.state.reports.last_report(source)).is_ready
     assert uv_seams_of(addon, source) is None
 
 
 def test_seams_of_the_map_beyond_the_fabric_come_after_suggestions(addon):
     bpy.ops.mesh.primitive_uv_sphere_add(segments=16, ring_count=8)
-    source, buttons = bpy.context.active_object, []
+    source = bpy.context.active_object
     flatten_fails("is closed", cloth="MINKY")
     found = uv_seams_of(addon, source)
-    assert found.is_beyond_fabric and not found.is_good and found.stretch > 0.2  # minky stretches 20% across
-    assert ", too much for this fabric." in draw_panels(addon, buttons)
+    assert found.is_beyond_fabric and not found.is_good and found.stretch > 0.2  # Minky stretches 20% across.
+    assert ", too much for this fabric." in draw_panels(addon)
+    buttons = drawn_buttons(addon)
     assert buttons.index("object.wirewarp_suggest_seams") < buttons.index("object.wirewarp_mend")
-    flatten_fails("is closed")  # if no fabric is chosen, the seams of the map are good enough
+    flatten_fails("is closed")  # Without a fabric, the seams of the map are good enough.
     assert uv_seams_of(addon, source).is_good
 
 
 def test_before_the_first_run_the_seams_of_the_map_are_a_button(addon):
-    """A model with one island per piece becomes a pattern in one click. If edges are marked, the button is missing."""
-    source, buttons = with_islands(), []
-    select_only(source)
-    draw_panels(addon, buttons)
-    assert "object.wirewarp_mend" in buttons
+    source = with_islands()
+    assert "object.wirewarp_mend" in drawn_buttons(addon)
     assert bpy.ops.object.wirewarp_mend(what="UV_SEAMS") == {"FINISHED"}
     assert len(addon.state.reports.last_report(source).pieces) == 2
-    marked, buttons = with_islands(), []
+    marked = with_islands()
     mark_seam(marked, ACROSS)
-    select_only(marked)
-    draw_panels(addon, buttons)
-    assert "object.wirewarp_mend" not in buttons
+    assert "object.wirewarp_mend" not in drawn_buttons(addon)
 
 
 def test_without_a_map_or_with_modifiers_no_seams_of_a_map_are_tried(addon):
@@ -168,16 +153,17 @@ def test_without_a_map_or_with_modifiers_no_seams_of_a_map_are_tried(addon):
 def test_seams_of_a_map_that_lowers_the_stretch_are_offered_for_a_model_without_seams(addon):
     source = with_islands()
     flatten(source)
+    _, by_map = addon.flatten.read.solved_pieces(source)
+    assert by_map.size == 2  # pieces that are kept, so that marking the seams solves nothing again
     report = addon.state.reports.last_report(source)
     assert report.uv_seams.pieces == 2
     assert 0 < report.uv_seams.stretch < report.pieces[0].needed
-    mark_seam(source, ACROSS)  # the model now has a seam that the user marked
+    mark_seam(source, ACROSS)
     flatten(source)
     assert uv_seams_of(addon, source) is None
 
 
 def test_canceling_while_the_seams_of_the_map_are_tried_keeps_the_pieces(addon, monkeypatch):
-    """The progress bar never goes backwards."""
     source, scene, solver = with_islands(), bpy.context.scene, addon.flatten.models
     flatten_arrays, runs, fractions = solver.flatten_arrays, [], []
 
@@ -199,15 +185,8 @@ def test_canceling_while_the_seams_of_the_map_are_tried_keeps_the_pieces(addon, 
     assert fractions == sorted(fractions) and fractions[-1] == 0.5
 
 
-def test_the_seams_of_the_map_are_solved_once(addon):
-    source = with_islands()
-    flatten(source)
-    _, by_map = addon.flatten.read.solved_pieces(source)
-    assert by_map.size == 2
-
-
 def test_seams_of_the_map_are_offered_although_some_of_their_pieces_exceed_every_fabric(addon):
-    """A cube is unfolded. On a sphere, only the cap is a separate island, so the rest must stretch too far."""
+    """A cube is unfolded. A sphere has two islands, a cap and the rest, and the rest must stretch too far."""
     bpy.ops.mesh.primitive_uv_sphere_add(segments=16, ring_count=8)
     sphere = bpy.context.active_object
     mesh = sphere.data
@@ -229,7 +208,7 @@ def test_seams_of_the_map_are_offered_although_some_of_their_pieces_exceed_every
 
 
 def test_an_island_for_each_face_comes_after_suggestions(addon):
-    source, buttons = cube(), []
+    source = cube()
     bpy.ops.object.mode_set(mode="EDIT")
     bpy.ops.mesh.subdivide(number_cuts=3)
     bpy.ops.object.mode_set(mode="OBJECT")
@@ -240,5 +219,5 @@ def test_an_island_for_each_face_comes_after_suggestions(addon):
     flatten_fails("is closed")
     found = uv_seams_of(addon, source)
     assert (found.pieces, found.usable, found.is_good) == (96, 96, False)
-    draw_panels(addon, buttons)
+    buttons = drawn_buttons(addon)
     assert buttons.index("object.wirewarp_suggest_seams") < buttons.index("object.wirewarp_mend")

@@ -6,19 +6,13 @@ from functools import partial
 import bpy
 import numpy as np
 import pytest
-from surfaces import bump, edge_lengths, edge_vertices, flat_of, grid, mark, on_line, read, select_only
+from flattening import edge_lengths, edge_vertices, fails
+from surfaces import bump, flat_of, grid, mark, on_line, read, select_only
 
 pytestmark = pytest.mark.api
 
 SEAM = on_line(0, 0.0)
-
-
-@pytest.fixture
-def source():
-    target = grid("Bump", bump, seam=SEAM)
-    select_only(target)
-    bpy.ops.object.wirewarp_flatten()
-    return target
+SELECT = bpy.ops.mesh.wirewarp_select_result
 
 
 def selected(target, elements):
@@ -29,12 +23,12 @@ def selected(target, elements):
 
 @pytest.mark.parametrize("mode", ["OBJECT", "EDIT"])
 def test_a_seam_is_selected_on_the_model_and_both_its_sides_on_the_flat_pieces(source, mode):
-    bpy.ops.mesh.wirewarp_select_result(what="SEAM", index=0)
+    SELECT(what="SEAM", index=0)
     assert np.array_equal(selected(source, "edges"), np.flatnonzero(read(source.data.edges, "use_seam", bool)))
     flat = flat_of(source)
     select_only(flat)
     bpy.ops.object.mode_set(mode=mode)
-    bpy.ops.mesh.wirewarp_select_result(what="SEAM", index=0)
+    SELECT(what="SEAM", index=0)
     edges = selected(flat, "edges")
     assert len(edges) == 16
     sources = read(flat.data.attributes["source_vertex"].data, "value", np.int32)[edge_vertices(flat.data)[edges]]
@@ -46,17 +40,12 @@ def test_a_piece_is_selected_on_the_model_and_among_the_flat_pieces(source):
     pieces = read(flat.data.attributes["piece"].data, "value", np.int32)
     for index in (0, 1):
         select_only(source)
-        bpy.ops.mesh.wirewarp_select_result(what="PIECE", index=index)
+        SELECT(what="PIECE", index=index)
         found.append(selected(source, "polygons"))
         select_only(flat)
-        bpy.ops.mesh.wirewarp_select_result(what="PIECE", index=index)
+        SELECT(what="PIECE", index=index)
         assert np.array_equal(selected(flat, "polygons"), np.flatnonzero(pieces == index))
     assert [len(faces) for faces in found] == [32, 32] and sorted(np.concatenate(found)) == list(range(64))
-
-
-def select_fails(match, **what):
-    with pytest.raises(RuntimeError, match=match):
-        bpy.ops.mesh.wirewarp_select_result(**what)
 
 
 def test_places_that_cannot_be_shown_do_not_change_the_view(source, addon):
@@ -64,7 +53,7 @@ def test_places_that_cannot_be_shown_do_not_change_the_view(source, addon):
     select_only(source, other)
     bpy.ops.object.mode_set(mode="EDIT")
     bpy.data.objects.remove(flat)
-    select_fails("has no flat pieces", what="PIECE", index=0)
+    fails(SELECT, "has no flat pieces", what="PIECE", index=0)
     select = partial(addon.blender.selection.select_elements, bpy.context)
     with pytest.raises(addon.issues.ObjectError, match="has changed"):
         select(source, addon.core.Elements(faces=[64]))
@@ -75,26 +64,26 @@ def test_places_that_cannot_be_shown_do_not_change_the_view(source, addon):
 
 
 def test_missing_places_are_reported(source):
-    select_fails("The report no longer has this entry. Flatten again", what="SEAM", index=1)
-    select_fails("The report no longer has this entry", what="OUTLINE", index=2)
+    fails(SELECT, "The report no longer has this entry. Flatten again", what="SEAM", index=1)
+    fails(SELECT, "The report no longer has this entry", what="OUTLINE", index=2)
     bpy.data.objects.remove(flat_of(source))
-    select_fails('"Bump" has no flat pieces. Flatten it again', what="PIECE", index=0)
+    fails(SELECT, '"Bump" has no flat pieces. Flatten it again', what="PIECE", index=0)
     grid("Other", bump)
-    select_fails('"Other" has not been flattened yet. Press Flatten first', what="PIECE", index=0)
+    fails(SELECT, '"Other" has not been flattened yet. Press Flatten first', what="PIECE", index=0)
 
 
 def test_a_changed_model_is_reported(source):
     source.data.vertices.add(1)
     source.data.update()
-    select_fails('"Bump" has changed since it was flattened', what="SEAM", index=0)
+    fails(SELECT, '"Bump" has changed since it was flattened', what="SEAM", index=0)
 
 
 def test_with_modifiers_the_flat_pieces_are_shown():
     target = grid("Other", bump, seam=SEAM)
     target.modifiers.new("Finer", "SUBSURF").levels = 1
     bpy.ops.object.wirewarp_flatten(use_modifiers=True)
-    bpy.ops.mesh.wirewarp_select_result(what="SEAM", index=0)
-    assert len(selected(flat_of(target), "edges")) == 32  # 16 edges on each side, because the modifier halves the edges
+    SELECT(what="SEAM", index=0)
+    assert len(selected(flat_of(target), "edges")) == 32  # 16 edges on each side, because the modifier halves edges
 
 
 @pytest.fixture
@@ -111,14 +100,14 @@ def places(target, edges):
 
 @pytest.mark.parametrize("what", ["WIRE", "HINT"])
 def test_a_wire_is_selected_on_the_model_and_on_the_flat_pieces(wired, what):
-    bpy.ops.mesh.wirewarp_select_result(what=what, index=0)
+    SELECT(what=what, index=0)
     edges = selected(wired, "edges")
     assert len(edges) == 8
     assert (places(wired, edges)[..., 1] == 0).all()
     flat = flat_of(wired)
     select_only(flat)
-    bpy.ops.mesh.wirewarp_select_result(what=what, index=0)
-    edges = selected(flat, "edges")  # leaves Edit Mode, where attributes cannot be read
+    SELECT(what=what, index=0)
+    edges = selected(flat, "edges")  # also leaves Edit Mode, in which attributes cannot be read
     ids = read(flat.data.attributes["wirewarp_wire"].data, "value", np.int32)
     assert np.array_equal(edges, np.flatnonzero(ids))
 
@@ -127,14 +116,14 @@ def test_an_outline_is_one_section_of_one_piece(source, addon):
     report = addon.state.reports.last_report(source)
     for index, (_, _, chain) in enumerate(addon.core.open_edges(report)):
         select_only(source)
-        bpy.ops.mesh.wirewarp_select_result(what="OUTLINE", index=index)
+        SELECT(what="OUTLINE", index=index)
         edges = selected(source, "edges")
         assert len(edges) == 16  # half of the square's outline
         assert edge_lengths(source)[edges].sum() == pytest.approx(chain.length_3d, rel=1e-6)
         side = np.sign(places(source, edges)[..., 0].mean())
         assert (side * places(source, edges)[..., 0] >= 0).all()
         select_only(flat_of(source))
-        bpy.ops.mesh.wirewarp_select_result(what="OUTLINE", index=index)
+        SELECT(what="OUTLINE", index=index)
         edges = selected(flat_of(source), "edges")
         assert edge_lengths(flat_of(source))[edges].sum() == pytest.approx(chain.length_2d[0], rel=1e-6)
 
@@ -142,23 +131,23 @@ def test_an_outline_is_one_section_of_one_piece(source, addon):
 @pytest.mark.parametrize("what", ["STRETCH", "EASE"])
 def test_the_most_strained_place_is_selected(source, addon, what):
     piece = addon.state.reports.last_report(source).pieces[1]
-    bpy.ops.mesh.wirewarp_select_result(what=what, index=1)
+    SELECT(what=what, index=1)
     faces = selected(source, "polygons")
     assert faces.tolist() == getattr(piece, f"{what.lower()}_faces")
-    assert 0 < len(faces) < 32  # selects a place in the piece, not the whole piece
+    assert 0 < len(faces) < 32
     select_only(flat_of(source))
-    bpy.ops.mesh.wirewarp_select_result(what=what, index=1)
+    SELECT(what=what, index=1)
     on_flat = selected(flat_of(source), "polygons")
     sources = read(flat_of(source).data.attributes["source_face"].data, "value", np.int32)
     assert sorted(sources[on_flat]) == sorted(faces)
 
 
 def test_one_of_several_issues_is_selected(model):
-    select_only(flat_of(model))  # the flat pieces do not contain the cube, so it is selected on the model
-    bpy.ops.mesh.wirewarp_select_result(what="ISSUE", index=0)
+    select_only(flat_of(model))  # The flat pieces do not contain the cube, so it is selected on the model.
+    SELECT(what="ISSUE", index=0)
     assert len(selected(model, "polygons")) == 6
-    model["wirewarp_report"] = "{}"  # a report as if from another version
-    bpy.ops.mesh.wirewarp_select_result(what="ISSUE", index=0)
+    model["wirewarp_report"] = "{}"  # as if from another version of WireWarp
+    SELECT(what="ISSUE", index=0)
     assert len(selected(model, "edges")) == 0
 
 
@@ -167,8 +156,7 @@ def test_buttons_say_what_they_do(addon, name):
     properties = bpy.context.window_manager.operator_properties_last(f"mesh.wirewarp_{name}")
     operator = getattr(bpy.types, f"MESH_OT_wirewarp_{name}")
     if name == "select_issues":
-        # empty, so that Blender shows the operator's own tooltip
-        assert operator.description(bpy.context, properties) == ""
+        assert operator.description(bpy.context, properties) == ""  # so that Blender shows the operator's docstring
         return
     said = []
     for item in properties.rna_type.properties["what"].enum_items:

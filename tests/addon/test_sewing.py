@@ -4,7 +4,8 @@
 import bpy
 import numpy as np
 import pytest
-from surfaces import bump, edge_vertices, flat_of, flatten_fails, grid, mark, mark_seam, on_line, read, select_only
+from flattening import edge_vertices, fails, flatten_fails
+from surfaces import bump, flat_of, grid, mark, mark_seam, on_line, read, select_only
 from two_sided import ease
 
 pytestmark = pytest.mark.api
@@ -49,11 +50,10 @@ def test_sewing_edges_join_equal_vertices_and_a_shape_key_folds_the_pieces(sourc
     assert np.array_equal(numbers[joined[:, 0]], numbers[joined[:, 1]])
     copies = np.bincount(numbers)
     assert set(numbers[joined[:, 0]].tolist()) == set(np.flatnonzero(copies > 1).tolist())
-    assert (
-        len(joined) == (copies[copies > 1] - 1).sum() + 1
-    )  # at the opening of the dart, each of three vertices is joined to both others
+    # At the opening of the dart, three vertices are joined by three edges instead of two.
+    assert len(joined) == (copies[copies > 1] - 1).sum() + 1
     assert len(edge_vertices(target.data)) == len(edge_vertices(flat_of(source).data)) + len(joined)
-    target.data.shape_keys.key_blocks["On the Model"].value = 1.0  # the shape key folds the pieces onto the model
+    target.data.shape_keys.key_blocks["On the Model"].value = 1.0
     bpy.context.view_layer.update()
     worn = np.array([target.matrix_world @ vertex.co for vertex in evaluated(target).data.vertices])
     places = np.array([source.matrix_world @ vertex.co for vertex in source.data.vertices])
@@ -83,18 +83,15 @@ def test_the_copy_is_not_a_flat_object_and_has_no_marks(source, addon):
     names = [attribute.name for attribute in target.data.attributes]
     assert [name for name in names if "wirewarp" in name or name.startswith("source")] == []
     assert not addon.overlay.shown.concerns_us(target)
-
-
-def test_the_copy_of_a_model_with_a_long_name_has_the_ending(source):
-    source.name = "Bump" * 100  # Blender shortens this name
+    source.name = "Bump" * 100  # Blender shortens this name.
+    select_only(source)
     bpy.ops.object.wirewarp_sewing()
     assert bpy.context.active_object.name.endswith(" Sewing")
 
 
 def test_sewing_edges_are_refused_without_pieces():
     source = grid("Bump", bump)
-    with pytest.raises(RuntimeError, match='"Bump" has no flat pieces'):
-        bpy.ops.object.wirewarp_sewing()
+    fails(bpy.ops.object.wirewarp_sewing, '"Bump" has no flat pieces')
     assert "Bump Sewing" not in bpy.data.objects and source.name == "Bump"
 
 
@@ -117,7 +114,7 @@ def test_the_copy_is_visible_although_the_pieces_are_hidden(source, put_away):
 
 
 def test_seams_of_a_piece_without_a_layout_are_ignored():
-    """A third part is a torus with one seam. It has no flat shape, because it is a tube."""
+    """With one seam, a torus is a tube, which has no flat shape."""
     source = grid("Bump", bump)
     bpy.ops.mesh.primitive_torus_add(location=(4, 0, 0), major_segments=12, minor_segments=8)
     select_only(source, bpy.context.object)
@@ -125,4 +122,4 @@ def test_seams_of_a_piece_without_a_layout_are_ignored():
     mark_seam(source, SEAM)
     mark_seam(source, lambda a, b: on_line(1, 0.0)(a, b) and min(a.x, b.x) > 4)
     flatten_fails("mark a seam")
-    assert len(loose_edges(sewing_of(source))) == 9  # sewing edges along the seam of the two good pieces
+    assert len(loose_edges(sewing_of(source))) == 9  # along the seam of the two good pieces

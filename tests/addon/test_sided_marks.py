@@ -4,7 +4,8 @@
 import bpy
 import numpy as np
 import pytest
-from surfaces import flat_of, grid, mark, mark_seam, on_line, read, select_edges, select_only
+from flattening import fails
+from surfaces import flat_of, grid, mark, mark_seam, new_object, on_line, read, select_edges, select_only
 from two_sided import HEM, SEAM, ease, join_split_and_flip, made, select_side, shares, two_pieces, widths_at_seam
 
 
@@ -13,7 +14,7 @@ class Eases:
 
     attribute = "wirewarp_side_ease"
     first, second, unmarked = 0.05, 0.02, 0.0
-    both = 0.0, 0.02  # values after both sides were marked in turn: the ease of one side replaces the ease of the other
+    both = 0.0, 0.02  # after both sides were marked in turn: the second ease clears the first
     stored, rounding = 1.0, 1e-5
     twice = 'Edges of "Bump" have two eases on one side.*Mark the ease of these edges again'
 
@@ -21,7 +22,7 @@ class Eases:
         self.addon, self.marks = addon, addon.state.allowances.SIDE_EASES
 
     def mark_again(self, source):
-        mark(source, HEM)  # a wire on another line must have no effect
+        mark(source, HEM)  # A wire on another line must have no effect.
         ease(source, SEAM, sides="ONE", ease_percent=5.0)
 
     def mark_selected(self, value):
@@ -77,7 +78,7 @@ def kind(request, addon):
 
 
 def mark_side(kind, source, side, value):
-    """Mark the side of the piece that is left (-1) or right (1) of the seam."""
+    """Mark the side of the piece to the left (-1) or right (1) of the seam."""
     select_side(source, side)
     assert kind.mark_selected(value) == {"FINISHED"}
     assert flat_of(source).mode == "EDIT"
@@ -90,7 +91,7 @@ def check(kind, source, left, right):
 
 
 def write_corners(kind, source, left, right):
-    """Write the values of both sides on the face corners at which edges of the seam begin."""
+    """Write the values of both sides on the face corners at which edges of the seam begin, as a script may do."""
     mesh = source.data
     sides = mesh.attributes.get(kind.attribute) or mesh.attributes.new(kind.attribute, "FLOAT", "CORNER")
     places = read(mesh.vertices, "co", np.float32, 3)
@@ -127,16 +128,16 @@ def test_two_marks_of_one_side_are_reported_until_it_is_marked_again(source, kin
     write_corners(kind, source, kind.second, 0.0)
     with pytest.raises((RuntimeError, kind.addon.issues.ObjectError), match=kind.twice) as caught:
         kind.at_seam(source)
-    if caught.type is RuntimeError:  # Flatten raises an error, but keeps a report
+    if caught.type is RuntimeError:  # an error of Flatten, not of the export
         (issue,) = kind.addon.state.reports.last_report(source).issues
         assert len(issue.edges) == 8
-    kind.mark_again(source)  # marking the side again replaces both marks
+    kind.mark_again(source)
     assert sorted(kind.at_seam(source)) == pytest.approx(sorted([kind.first, kind.unmarked]), abs=kind.rounding)
 
 
 @pytest.mark.parametrize("side", [-1, 1])
 def test_between_parts_of_a_face_one_side_is_marked_and_other_marks_stay(source, kind, side):
-    """A loop cut copies the values that distinguish faces to both parts of a face, so the parts look the same."""
+    """Values on faces distinguish the sides of a mark. A loop cut copies these values to both parts of a face."""
     bpy.ops.object.wirewarp_flatten()
     mark_side(kind, source, 1, kind.first)
     select_edges(source, lambda a, b: min(a.x, b.x) == 0 and max(a.x, b.x) == 0.25)
@@ -147,7 +148,7 @@ def test_between_parts_of_a_face_one_side_is_marked_and_other_marks_stay(source,
     kind.mark_line(source, beside, side)
     after = kind.marks.read(source.data)
     assert np.count_nonzero(before) == 8 and np.array_equal(after[before != 0], before[before != 0])
-    assert np.count_nonzero(after == np.float32(0.5)) == 8  # each edge has the value at one corner
+    assert np.count_nonzero(after == np.float32(0.5)) == 8
 
 
 def mark_allowance(target, line, **settings):
@@ -160,8 +161,7 @@ def mark_allowance(target, line, **settings):
 def test_marked_widths_stay_when_the_unit_is_set(addon, source, mode):
     mark_allowance(source, SEAM, kind="WIDTH", width=6.0)
     mark_allowance(source, HEM, kind="FOLD")
-    other = bpy.data.objects.new("Other", source.data)  # another object with the same mesh
-    bpy.context.scene.collection.objects.link(other)
+    new_object("Other", source.data)
     sides = source.data.attributes.new("wirewarp_side_allowance", "FLOAT", "CORNER")
     sides.data[0].value = 0.5
     bpy.ops.object.mode_set(mode=mode)
@@ -176,7 +176,7 @@ def test_marked_widths_stay_when_the_unit_is_set(addon, source, mode):
 
 
 def test_edges_of_a_joined_object_have_the_default_allowance(source, addon):
-    """Blender sets the values of new corners to 0, which does not count as a width."""
+    """The corners of the joined object get the value 0, which is not a width."""
     mark_allowance(source, SEAM, kind="WIDTH", width=6.0)
     other = grid("Other", lambda x, y: (x + 3, y, 0))
     select_only(source, other)
@@ -196,7 +196,7 @@ def test_each_side_of_a_seam_can_have_its_own_width(source, addon):
         (1, {"kind": "WIDTH", "width": 6.0}, [15.0, 6.0]),
         (-1, {"kind": "DEFAULT"}, [10.0, 6.0]),
         (-1, {"kind": "FOLD"}, [0.0, 6.0]),
-        (0, {"kind": "WIDTH", "width": 15.0}, [15.0, 15.0]),  # both sides at once
+        (0, {"kind": "WIDTH", "width": 15.0}, [15.0, 15.0]),
     ):
         select_side(source, side)
         assert bpy.ops.mesh.wirewarp_allowance(**settings) == {"FINISHED"}
@@ -220,14 +220,12 @@ def test_the_width_of_a_side_survives_modifiers_but_is_not_marked_on_their_piece
     select_only(flat_of(source))
     bpy.ops.object.mode_set(mode="EDIT")
     bpy.ops.mesh.select_all(action="SELECT")
-    with pytest.raises(RuntimeError, match='The pieces of "Bump" were made with Modifiers'):
-        bpy.ops.mesh.wirewarp_allowance(kind="WIDTH")
+    fails(bpy.ops.mesh.wirewarp_allowance, 'The pieces of "Bump" were made with Modifiers', kind="WIDTH")
 
 
 def test_edges_inside_of_a_piece_get_no_allowance(source):
     select_edges(source, on_line(1, 0.0))
-    with pytest.raises(RuntimeError, match="Nothing to mark: select edges on a seam or outline first"):
-        bpy.ops.mesh.wirewarp_allowance(kind="WIDTH")
+    fails(bpy.ops.mesh.wirewarp_allowance, "Nothing to mark: select edges on a seam or outline first", kind="WIDTH")
 
 
 def drawn(addon, source, allowance=10.0):

@@ -1,35 +1,23 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Smooth Seam cuts lines into the mesh in place of the user's seams. Surface, marks and maps do not change."""
+"""Smooth Seam cuts smooth lines into the mesh in place of the user's seams. Surface, marks and maps stay."""
 
 import bpy
 import numpy as np
 import pytest
+from flattening import edge_vertices, fails
 from suggesting import add_layers, check_layers, pairs, places
-from surfaces import (
-    bump,
-    edge_vertices,
-    flat_of,
-    grid,
-    mark_seam,
-    on_line,
-    read,
-    round_bump,
-    select_edges,
-    select_only,
-)
+from surfaces import bump, flat_of, grid, mark_seam, on_line, read, round_bump, select_edges, select_only
 from test_proposals import seams_of
 
 pytestmark = pytest.mark.api
 
 SIZE = 8
-
-
-# Columns and rows of vertices of the grid. Between these vertices, even grids of n-gons have edges.
+# Columns and rows of the vertices of a path. Grids of n-gons have all edges of this path, too.
 STAIRS = [(2, 2), (3, 2), (4, 2), (4, 3), (5, 3), (6, 3), (6, 4)]
 
 
 def stairs(target):
-    """Mark a seam along stair steps inside the grid, and return its ends."""
+    """Mark a seam along stair steps inside the grid, and return the places of its ends."""
     path = [x + (SIZE + 1) * y for x, y in STAIRS]
     steps = {frozenset(pair) for pair in zip(path, path[1:], strict=False)}
     for edge in target.data.edges:
@@ -38,7 +26,6 @@ def stairs(target):
 
 
 def smooth(target, line=lambda a, b: True):
-    """Press Smooth Seam with these edges selected."""
     select_edges(target, line)
     result = bpy.ops.mesh.wirewarp_smooth_seam()
     bpy.ops.object.mode_set(mode="OBJECT")
@@ -109,7 +96,7 @@ def test_the_new_line_is_selected_and_the_old_one_is_not_a_seam():
     new = pairs(seams_of(source))
     selected = {tuple(sorted(each.vertices)) for each in source.data.edges if each.select}
     assert new == selected
-    assert old - new  # seams have changed, except for parts that both lines follow
+    assert old - new  # The lines may share edges, but not all.
 
 
 def test_wires_other_seams_and_eases_stay_and_the_wire_is_met_at_the_same_places(addon):
@@ -129,7 +116,7 @@ def test_wires_other_seams_and_eases_stay_and_the_wire_is_met_at_the_same_places
         mark_allowance_and_smooth(source)
     assert len(source.data.vertices) == count
     assert smooth(source, lambda a, b: max(a[1], b[1]) < 0.45) == {"FINISHED"}
-    assert len(crossed) == 2 and crossed == on_the_wire(source)  # crossed by the stair steps and by the other seam
+    assert len(crossed) == 2 and crossed == on_the_wire(source)  # by the stair steps and the other seam
     marked = read(source.data.attributes["wirewarp_wire"].data, "value", np.int32)
     assert np.count_nonzero(marked) == np.count_nonzero(wires)
     eases = read(source.data.attributes["wirewarp_side_ease"].data, "value", np.float32)
@@ -213,8 +200,7 @@ def test_if_a_second_line_fails_the_first_is_not_cut(addon, monkeypatch, of):
         return cut_lines(*arguments)
 
     monkeypatch.setattr(run, "cut_lines", cut_once)
-    with pytest.raises(RuntimeError, match="No"):
-        bpy.ops.mesh.wirewarp_smooth_seam()
+    fails(bpy.ops.mesh.wirewarp_smooth_seam, "No")
     bpy.ops.object.mode_set(mode="OBJECT")
     assert calls
     assert np.array_equal(edge_vertices(source.data), before[0])

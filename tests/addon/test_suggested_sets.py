@@ -1,15 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Cuts are suggested up to a target, for closed models and models with modifiers, and outside of painted areas."""
+"""Cuts are suggested up to a target, for closed models and models with modifiers, and not in painted areas."""
 
 from dataclasses import replace
 from itertools import pairwise
-from types import SimpleNamespace
+from unittest.mock import MagicMock
 
 import bpy
 import numpy as np
 import pytest
-from everything import draw_panels
-from suggesting import SUGGEST, found, needed, pairs
+from everything import draw_panels, drawn_buttons
+from flattening import fails, flatten_fails, notify
+from suggesting import SUGGEST, cancel_at, found, needed, pairs
 from surfaces import bump, flat_of, grid, join_cube, on_line, read
 from test_proposals import seams_of
 from view_context import view_context
@@ -27,23 +28,21 @@ def ball():
 
 def test_a_closed_model_gets_cut_sets_of_which_one_is_marked(addon, capfd):
     source = ball()
-    bpy.context.scene.wirewarp.dart_lines = "EDGES"  # so that seams follow edges of the model
-    buttons = []
-    with pytest.raises(RuntimeError):
-        bpy.ops.object.wirewarp_flatten()
-    draw_panels(addon, buttons)
+    bpy.context.scene.wirewarp.dart_lines = "EDGES"
+    flatten_fails("is closed")
+    buttons = drawn_buttons(addon)
     assert "object.wirewarp_suggest_seams" in buttons and "object.wirewarp_suggest_darts" not in buttons
     assert SUGGEST["SEAMS"]() == {"FINISHED"}
     suggestions = found(addon, source)
     cuts, chosen = suggestions.cuts, suggestions.cuts[suggestions.chosen]
     assert f"{len(cuts)} sets of seams. Chosen: {chosen.num_pieces} piece" in capfd.readouterr().out
     assert all(cut.is_first and cut.piece == 0 and len(cut.lengths) == 1 for cut in cuts)
-    for few, more in pairwise(cuts):  # each row has less stretch than the row above, and no fewer pieces
+    for few, more in pairwise(cuts):
         assert few.num_pieces <= more.num_pieces and few.strain > more.strain
     words = draw_panels(addon)
     assert f"Suggested Seams, {source.name}" in words and "→" not in words
     row = addon.solve.suggest.row_text("SEAMS", chosen, None, addon.blender.objects.length_text(bpy.context.scene))
-    assert row in words and "stretch" not in row  # the sentence below the list contains the stretch
+    assert row in words and "stretch" not in row  # The stretch is in the sentence below the list.
     (drawn,) = (each for each in addon.overlay.shown.drawings(view_context()) if each.target == source)
     places = read(source.data.vertices, "co", np.float32, 3)[np.unique(chosen.edges)]
     proposed = {tuple(place) for place in drawn.failures.lines["proposed"].tolist()}
@@ -56,16 +55,10 @@ def test_a_closed_model_gets_cut_sets_of_which_one_is_marked(addon, capfd):
 
 
 def test_a_canceled_search_keeps_the_sets_found_by_then(addon):
-    bpy.context.scene.wirewarp.dart_lines = "EDGES"  # quicker than smooth lines
+    bpy.context.scene.wirewarp.dart_lines = "EDGES"  # faster than smooth lines
     run = addon.suggest.operators.begin_search(bpy.context, ball(), "SEAMS", None).steps
-    while next(run) < 0.8 * 0.3:  # when the search for a second set begins, there is a first set
-        pass
-    shares = []
-    with pytest.raises(StopIteration) as end:
-        shares.append(run.throw(addon.solve.steps.CanceledError()))
-        while True:
-            shares.append(next(run))
-    assert end.value.value and all(cut.is_set and cut.width is not None for cut in end.value.value)
+    cuts, shares = cancel_at(addon, run, 0.8 * 0.3)  # when the search for a second set begins
+    assert cuts and all(cut.is_set and cut.width is not None for cut in cuts)
     assert shares == sorted(shares)
 
 
@@ -74,13 +67,13 @@ def test_sets_with_pieces_narrower_than_two_allowances_have_a_warning(addon):
     source = ball()
     settings = bpy.context.scene.wirewarp
     settings.dart_lines = "EDGES"  # smooth sets of a ball have no narrow pieces
-    # a fabric that stretches far enough for every set
+    # This fabric stretches far enough for every set.
     settings.cloth, settings.gives_across, settings.gives_along = "SWIM", 100, 100
     SUGGEST["SEAMS"]()
     cuts = found(addon, source).cuts
     limit = (min(cut.width for cut in cuts) + max(cut.width for cut in cuts)) / 2
     assert not any(cut.is_narrow for cut in cuts) and "too narrow" not in draw_panels(addon)
-    bpy.context.scene.unit_settings.scale_length = 0.02 / limit  # `limit` becomes 20 mm, two allowances of the panel
+    bpy.context.scene.unit_settings.scale_length = 0.02 / limit  # The limit becomes 20 mm, which is two allowances.
     SUGGEST["SEAMS"]()
     suggestions = found(addon, source)
     widths = [cut.width for cut in suggestions.cuts]
@@ -99,8 +92,7 @@ def test_a_set_that_makes_too_many_pieces_of_the_model_has_a_warning(addon, monk
     source = ball()
     join_cube(source)
     bpy.context.scene.wirewarp.dart_lines = "EDGES"
-    with pytest.raises(RuntimeError):
-        bpy.ops.object.wirewarp_flatten()
+    flatten_fails("is closed")
     SUGGEST["SEAMS"]()
     count = found(addon, source).cuts[found(addon, source).chosen].num_pieces + 1  # plus the cube
     for most, has_warning in ((count, False), (count - 1, True)):
@@ -154,7 +146,7 @@ def test_a_cut_of_a_modified_mesh_applies_the_modifiers_when_it_is_marked(addon,
     assert "applies the modifiers" in draw_panels(addon)
     cut = found(addon, source).cuts[0]
     depsgraph = bpy.context.evaluated_depsgraph_get()
-    for target in (source, flat_of(source)):  # the cut is drawn on the model and on the pieces
+    for target in (source, flat_of(source)):
         assert len(addon.overlay.failures.suggested_lines(target, depsgraph)) == 2 * len(cut.segments.polygons)
     assert bpy.ops.object.wirewarp_mend(what="SUGGESTION") == {"FINISHED"}
     assert not source.modifiers and not settings.use_modifiers
@@ -175,8 +167,7 @@ def test_a_refused_cut_applies_no_modifiers(addon, monkeypatch):
         raise addon.core.FlattenError("invalid_option", "The line is refused.")
 
     monkeypatch.setattr(addon.solve.cut_faces, "cut_mesh", fail)
-    with pytest.raises(RuntimeError, match="The line is refused"):
-        bpy.ops.object.wirewarp_mend(what="SUGGESTION")
+    fails(bpy.ops.object.wirewarp_mend, "The line is refused", what="SUGGESTION")
     assert len(source.modifiers) == 1 and settings.use_modifiers and len(source.data.vertices) == 25
 
 
@@ -184,21 +175,17 @@ def test_faces_split_apart_need_no_cut_and_modifiers_that_cannot_be_applied_are_
     source = grid("Bump", bump, size=6)
     source.modifiers.new("Apart", "EDGE_SPLIT").split_angle = 0
     bpy.context.scene.wirewarp.use_modifiers = True
-    with pytest.raises(RuntimeError, match="The piece is flat enough"):
-        SUGGEST["DARTS"]()
+    fails(SUGGEST["DARTS"], "The piece is flat enough")
     source.modifiers.clear()
     source.shape_key_add(name="Basis")
     source.modifiers.new("Finer", "SUBSURF").levels = 1
-    with pytest.raises(RuntimeError, match="has shape keys, so modifiers cannot be applied"):
-        SUGGEST["DARTS"]()
+    fails(SUGGEST["DARTS"], "has shape keys, so modifiers cannot be applied")
 
 
 def paint(source, data_type="BOOLEAN", domain="FACE"):
-    """Paint all elements of the domain."""
     attribute = source.data.attributes.new("wirewarp_no_seam", data_type, domain)
     attribute.data.foreach_set("value", np.ones(len(attribute.data), dtype=np.int32))
-    source.data.update()
-    bpy.context.view_layer.update()
+    notify(source)
 
 
 def test_cuts_disappear_if_the_model_is_painted(addon):
@@ -210,9 +197,8 @@ def test_cuts_disappear_if_the_model_is_painted(addon):
     source.vertex_groups[0].name = "wirewarp_no_seam"
     bpy.context.view_layer.update()
     assert found(addon, source) is None
-    with pytest.raises(RuntimeError, match="There are no suggestions"):
-        bpy.ops.object.wirewarp_mend(what="SUGGESTION")
-    source.vertex_groups.clear()  # a vertex group and an attribute cannot have the same name
+    fails(bpy.ops.object.wirewarp_mend, "There are no suggestions", what="SUGGESTION")
+    source.vertex_groups.clear()  # because a vertex group and an attribute cannot have the same name
     source.update_tag()
     bpy.context.view_layer.update()
     SUGGEST["DARTS"]()
@@ -234,8 +220,7 @@ def test_paint_during_the_search_is_noticed(addon):
 def test_an_attribute_of_another_kind_is_refused(data_type, domain):
     source = grid("Bump", bump, size=6)
     paint(source, data_type, domain)
-    with pytest.raises(RuntimeError, match='"wirewarp_no_seam" of mesh "Bump" is not of type BOOLEAN, INT8, INT or'):
-        SUGGEST["DARTS"]()
+    fails(SUGGEST["DARTS"], '"wirewarp_no_seam" of mesh "Bump" is not of type BOOLEAN, INT8, INT or')
 
 
 @pytest.mark.parametrize("kind", ["FACES", "GROUP"])
@@ -268,7 +253,7 @@ def test_a_fully_painted_model_has_no_cuts(data_type):
 
 @pytest.fixture
 def settings():
-    """Return settings with targets of at most two cuts and a stretch of 0, which cuts do not reach."""
+    """Return settings for at most two cuts and a stretch of 0, which two cuts do not reach."""
     wanted = bpy.context.scene.wirewarp
     wanted.suggest_together, wanted.aim_stretch, wanted.aim_cuts = True, 0.0, 2
     return wanted
@@ -291,7 +276,7 @@ def test_a_row_is_marked_with_all_earlier_rows_and_leaves_its_stretch(addon, set
     assert {tuple(end) for end in ends.tolist()} == {tuple(place) for place in places.tolist()}
     assert bpy.ops.object.wirewarp_mend(what="SUGGESTION") == {"FINISHED"}
     assert pairs(seams_of(source)) == pairs(chosen.edges)
-    assert needed(addon, source) == pytest.approx(chosen.strain, rel=1e-5)  # single precision
+    assert needed(addon, source) == pytest.approx(chosen.strain, rel=1e-5)
 
 
 def test_figures_of_the_model_are_those_of_its_worst_piece(addon, settings):
@@ -327,8 +312,7 @@ def test_the_target_reaches_the_search_and_the_remaining_stretch_is_reported(add
     assert [cut.edges for cut in found(addon, source).cuts] == [first.edges]
     assert "more than your target" not in draw_panels(addon)
     settings.aim_stretch = 100.0
-    with pytest.raises(RuntimeError, match=r"is flat enough.* and 100% is accepted"):
-        SUGGEST["DARTS"]()
+    fails(SUGGEST["DARTS"], r"is flat enough.* and 100% is accepted")
 
 
 def test_steps_of_a_target_fit_a_row(addon, settings):
@@ -341,23 +325,11 @@ def test_steps_of_a_target_fit_a_row(addon, settings):
     assert addon.solve.suggest.row_text("SEAMS", step, found(addon, source).target, lengths).startswith("and 1 seam: ")
 
 
-class Buttons:
-    """A layout that keeps the operators that are drawn into it."""
-
-    def __init__(self):
-        self.drawn = []
-
-    def __getattr__(self, _name):
-        return lambda *_, **__: self
-
-    def operator(self, name):
-        self.drawn.append(SimpleNamespace(name=name))
-        return self.drawn[-1]
-
-
 def test_a_target_is_for_all_pieces_below_flatten_and_for_one_in_the_list(addon, settings):
     for together, place, piece in ((True, "FLATTEN", -1), (True, "PIECES", 3), (False, "FLATTEN", 3)):
         settings.suggest_together = together
-        layout = Buttons()
+        layout = MagicMock()
+        layout.row.return_value = layout.column.return_value = layout
         addon.suggest.panel.draw_suggest(layout, settings, place, 3, has_seams=False)
-        assert [(button.place, button.piece) for button in layout.drawn] == 2 * [(place, piece)]
+        button = layout.operator.return_value
+        assert layout.operator.call_count == 2 and (button.place, button.piece) == (place, piece)

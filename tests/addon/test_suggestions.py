@@ -4,13 +4,13 @@
 import math
 from dataclasses import replace
 
-import bmesh
 import bpy
 import numpy as np
 import pytest
-from everything import AnyLayout, draw_panels, sidebar
+from everything import AnyLayout, draw_panels, drawn_buttons, sidebar
+from flattening import edge_vertices, fails, raise_vertex
 from suggesting import SUGGEST, are_mirrored, found, needed, pairs
-from surfaces import bump, edge_vertices, flat_of, grid, half_cylinder, make_object, mark, on_line, read, tube
+from surfaces import bump, flat_of, grid, half_cylinder, make_object, mark, on_line, read, tube
 from test_proposals import seams_of
 from view_context import view_context
 
@@ -18,7 +18,7 @@ SIDES = ("wirewarp_side_ease", "wirewarp_side_allowance")
 
 
 def two_hills(size=8):
-    """Return a model whose surface and mesh equal their mirror images across x = 0."""
+    """Return a model that is its own mirror image across x = 0, in shape and mesh."""
     steps = [2 * i / size - 1 for i in range(size + 1)]
     vertices = [(x, y, 0.5 * math.exp(-6 * ((abs(x) - 0.5) ** 2 + (y - 0.75) ** 2))) for y in steps for x in steps]
     row, faces = size + 1, []
@@ -47,8 +47,7 @@ def test_the_figures_are_those_of_flattening_with_the_cut(addon, kind, faces):
     assert pairs(edge_vertices(source.data)) - edges == pairs(suggestions.cuts[0].diagonals)
     flattened = addon.state.reports.last_report(source).pieces
     assert len(flattened) == (1 if kind == "DARTS" else 1 + len(suggestions.cuts[0].lengths))
-    # Only triangles are compared, because quads have one figure for two triangles. Around 0.1, single precision has an
-    # error of 1e-6.
+    # A quad has one figure for two triangles, so quads are not compared.
     if faces == "triangles":
         assert needed(addon, source) == pytest.approx(suggestions.cuts[0].strain, rel=1e-5)
 
@@ -58,38 +57,32 @@ def test_mirror_images_are_one_suggestion_and_the_least_strain_is_first(addon, c
     bpy.context.scene.wirewarp.dart_lines = "EDGES"
     SUGGEST["DARTS"]()
     cuts = found(addon, source).cuts
-    twins = [cut for cut in cuts if len(cut.lengths) == 2]
-    assert twins and [cut.strain for cut in cuts] == sorted(cut.strain for cut in cuts)
-    assert all(are_mirrored(source, cut.edges) for cut in twins)
+    mirrored = [cut for cut in cuts if len(cut.lengths) == 2]
+    assert mirrored and [cut.strain for cut in cuts] == sorted(cut.strain for cut in cuts)
+    assert all(are_mirrored(source, cut.edges) for cut in mirrored)
     assert "2×" in draw_panels(addon)
-    assert f"{len(cuts)} suggestions. Best: stretch" in capfd.readouterr().out  # the message counts rows
+    assert f"{len(cuts)} suggestions. Best: stretch" in capfd.readouterr().out
 
 
 def test_the_list_belongs_to_the_chosen_piece_and_is_cleared_when_the_model_changes(addon, capfd):
     source = grid("Bump", bump, size=6, seam=on_line(0, 0.0))
     bpy.ops.object.wirewarp_flatten()
     source.wirewarp_pieces[1].name = "Left Half"
-    buttons = []
-    draw_panels(addon, buttons)
+    buttons = drawn_buttons(addon)
     assert {"object.wirewarp_suggest_darts", "object.wirewarp_suggest_seams"} <= set(buttons)
     assert "object.wirewarp_choose_suggestion" not in buttons
     SUGGEST["DARTS"](piece=1)
     assert ', for "Left Half".' in capfd.readouterr().out
     assert {cut.piece for cut in found(addon, source).cuts} == {1}
-    buttons.clear()
-    words = draw_panels(addon, buttons)
+    words = draw_panels(addon)
     assert "Suggested Darts, Left Half" in words
-    assert words.count("stretch") >= 2 * len(found(addon, source).cuts)  # in a narrow and a wide sidebar
-    assert "object.wirewarp_mend" in buttons
-    source.data.vertices[24].co.z += 0.1
-    source.data.update()
-    bpy.context.view_layer.update()
+    assert words.count("stretch") >= 2 * len(found(addon, source).cuts)  # narrow and wide
+    assert "object.wirewarp_mend" in drawn_buttons(addon)
+    raise_vertex(source, vertex=24)
     assert found(addon, source) is None
     assert "Suggested Darts" not in draw_panels(addon)
-    with pytest.raises(RuntimeError, match='There are no suggestions for the present shape of "Bump"'):
-        bpy.ops.object.wirewarp_mend(what="SUGGESTION")
-    with pytest.raises(RuntimeError, match='"Bump" has changed since it was flattened'):
-        SUGGEST["DARTS"](piece=1)
+    fails(bpy.ops.object.wirewarp_mend, 'There are no suggestions for the present shape of "Bump"', what="SUGGESTION")
+    fails(SUGGEST["DARTS"], '"Bump" has changed since it was flattened', piece=1)
 
 
 def test_the_chosen_cut_is_drawn_on_model_and_pieces(addon, at_once):
@@ -144,16 +137,12 @@ def test_the_chosen_cut_is_drawn_in_edit_mode_until_the_mesh_changes(addon, at_o
     bpy.ops.object.mode_set(mode="EDIT")
     assert np.array_equal(drawn(), in_object_mode)
     assert np.array_equal(drawn(flat_of(source)), on_flat)
-    edit = bmesh.from_edit_mesh(source.data)
-    edit.verts.ensure_lookup_table()
-    edit.verts[24].co.z += 0.1
-    bmesh.update_edit_mesh(source.data)
-    bpy.context.view_layer.update()
+    raise_vertex(source, vertex=24)
     assert drawn() is None and drawn(flat_of(source)) is None
 
 
 class Buttons(AnyLayout):
-    """Stores the names of the operators that are drawn as clickable buttons."""
+    """Accepts everything that a panel draws, and keeps the names of operators that can be clicked."""
 
     def __init__(self, words, clickable, is_enabled=True):
         vars(self).update(words=words, clickable=clickable, is_enabled=is_enabled)
@@ -187,7 +176,10 @@ def test_the_list_of_an_earlier_search_cannot_be_clicked_during_the_next_search(
 
 
 def flattened_for(addon, source, index):
-    """Mark a suggested set and flatten for the fabric. Return the set, the panel's earlier texts, and the verdict."""
+    """Mark a suggested set, and flatten for the fabric of the panel.
+
+    Return the set, the texts that the panels had before, and the verdict.
+    """
     bpy.ops.object.wirewarp_choose_suggestion(index=index)
     suggestions, shown = found(addon, source), draw_panels(addon)
     bpy.ops.object.wirewarp_mend(what="SUGGESTION")
@@ -202,12 +194,12 @@ def flattened_for(addon, source, index):
 def test_a_set_that_needs_more_than_the_tighter_direction_is_chosen_if_the_verdict_allows_it(addon):
     bpy.ops.mesh.primitive_torus_add(major_radius=0.1, minor_radius=0.05)
     source = bpy.context.object
-    bpy.context.scene.wirewarp.cloth = "MINKY"  # minky stretches 20% across and 5% along the grain
+    bpy.context.scene.wirewarp.cloth = "MINKY"  # It stretches 20% across and 5% along the grain.
     SUGGEST["SEAMS"]()
     cut, shown, verdict = flattened_for(addon, source, found(addon, source).chosen)
     assert cut.strain > 0.05 and "more than this minky can" not in shown
     needs = max(piece.needed for piece in addon.state.reports.last_report(source).pieces)
-    assert cut.strain == pytest.approx(needs, rel=1e-6)  # both are strains along the threads
+    assert cut.strain == pytest.approx(needs, rel=1e-6)
     assert verdict.kind is addon.core.Kind.READY
 
 
@@ -246,8 +238,7 @@ def test_a_set_beyond_the_fabric_says_so_before_it_is_marked_and_names_the_next_
 )
 def test_without_suggestions_the_reason_is_reported(make, said):
     make()
-    with pytest.raises(RuntimeError, match=said):
-        SUGGEST["DARTS"]()
+    fails(SUGGEST["DARTS"], said)
 
 
 def test_a_model_that_became_a_curve_gets_no_suggestion(addon):
@@ -265,13 +256,13 @@ def test_changed_settings_are_reported(addon, capfd):
     source = grid("Bump", bump, size=6, wire=on_line(0, 0.0))
     settings = bpy.context.scene.wirewarp
     SUGGEST["DARTS"]()
-    assert ", for Piece 1." in capfd.readouterr().out  # the piece has no name yet
+    assert ", for Piece 1." in capfd.readouterr().out  # The piece has no name yet.
     settings.spacing, settings.mirror, settings.layout_kind = 50, True, "ROW"
     settings.orientation, settings.grain_angle, settings.gives_across = "BOUNDARY", 0.5, 10
-    assert "Search again" not in draw_panels(addon)  # no request to search again, because the figures are the same
+    assert "Search again" not in draw_panels(addon)  # These settings do not affect the figures.
     settings.fairness = 0.2
     assert "Settings changed after the search: Smooth Outlines. Search again." in draw_panels(addon)
-    settings.cloth, settings.orientation = "WOVEN", "WIRE"  # woven fabric has a grain, so its settings count
+    settings.cloth, settings.orientation = "WOVEN", "WIRE"  # Woven fabric has a grain.
     SUGGEST["DARTS"]()
     source.data.wirewarp_grain = source.data.wirewarp_names[0].wire_id
     assert "Settings changed after the search: Grain Wire. Search again." in draw_panels(addon)
@@ -282,7 +273,7 @@ def test_changed_settings_are_reported(addon, capfd):
 
 
 def test_a_cut_across_quads_leaves_marks_maps_and_surface(addon):
-    """A ridge runs along a diagonal of the mesh, but no edge does."""
+    """The best cut follows a ridge along the diagonals of faces."""
     source = grid("Ridge", lambda x, y: (x, y, 0.6 * math.exp(-8 * (x - y) ** 2) * (1 - x * x) * (1 - y * y)))
     mark(source, lambda a, b: on_line(1, -0.75)(a, b) and max(a[0], b[0]) < -0.4)
     for name in SIDES:
@@ -311,7 +302,7 @@ def test_a_cut_across_quads_leaves_marks_maps_and_surface(addon):
 
 
 def write_sides(mesh, name):
-    """Set a different value on each side of each edge. Only outline edges may have eases."""
+    """Set a different value on each side of each edge. Eases are allowed on outline edges only."""
     edges = read(mesh.loops, "edge_index", np.int32)
     is_asked = (name == "wirewarp_side_allowance") | (np.bincount(edges)[edges] == 1)
     values = np.where(is_asked, np.linspace(0.01, 0.02, len(edges)), 0).astype(np.float32)
@@ -319,7 +310,7 @@ def write_sides(mesh, name):
 
 
 def sides_of(mesh, name):
-    """Return the nonzero values, keyed by the ends of their edges in the direction of the side."""
+    """Return the nonzero values, keyed by the two vertices of their edges in the order of the corners."""
     starts = read(mesh.loops, "vertex_index", np.int32)
     following = np.concatenate([np.roll(polygon.loop_indices, -1) for polygon in mesh.polygons])
     values = read(mesh.attributes[name].data, "value", np.float32)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The figures in docs/tutorials/ are those of the models that the reader makes."""
+"""Readers of docs/tutorials/ get the figures that the tutorials name."""
 
 from pathlib import Path
 

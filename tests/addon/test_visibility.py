@@ -1,16 +1,17 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""If objects are hidden, excluded, deleted or scaled, results are correct and visible, or the problem is reported."""
+"""If objects are hidden, deleted or scaled, results are correct and visible, or a sentence reports the problem."""
 
 import bpy
 import numpy as np
 import pytest
-from surfaces import bump, edge_lengths, flat_of, flatten, flatten_fails, grid, select_only, world_box
+from flattening import edge_lengths, fails, flatten, flatten_fails, world_box
+from surfaces import bump, flat_of, grid, new_object, select_only
 
 pytestmark = pytest.mark.api
 
 
 def failed_source():
-    """Return a model whose report names faulty elements, with flat pieces of an earlier run."""
+    """Return a model with flat pieces. After them, a run failed, and its report names faulty elements."""
     source = grid("Bump", bump)
     bpy.ops.object.wirewarp_flatten()
     source.data.vertices[0].co = source.data.vertices[1].co
@@ -47,8 +48,7 @@ def test_select_issues_if_the_model_cannot_be_shown(hide, sentence):
     flat = flat_of(source)
     hide(source)
     select_only(flat)
-    with pytest.raises(RuntimeError, match=f'"Bump" .*{sentence}.*Outliner'):
-        bpy.ops.mesh.wirewarp_select_issues()
+    fails(bpy.ops.mesh.wirewarp_select_issues, f'"Bump" .*{sentence}.*Outliner')
     assert bpy.context.mode == "OBJECT"
 
 
@@ -83,7 +83,7 @@ def are_apart(first, second):
 
 
 def neighbor(x, bottom, top, size=0.5):
-    """Add a box at this x, beside the middle of the model."""
+    """Add a box at this x, beside the middle of the model. size: width and depth."""
     bpy.ops.mesh.primitive_cube_add(size=1, location=(x, 0, (bottom + top) / 2), scale=(size, size, top - bottom))
     return bpy.context.object
 
@@ -96,7 +96,7 @@ def test_new_pieces_do_not_overlap_objects_beside_the_model():
     place = tuple(flat_of(source).location)
     neighbor(*flat_of(source).location[:1], 0.0, 1.0)
     flatten(source)
-    assert tuple(flat_of(source).location) == place  # existing pieces keep their place
+    assert tuple(flat_of(source).location) == place
 
 
 @pytest.mark.parametrize(
@@ -115,8 +115,7 @@ def test_pieces_do_not_avoid_objects_elsewhere(bottom, top, size):
 
 
 def parented(flat):
-    parent = flat.parent = bpy.data.objects.new("Parent", None)
-    bpy.context.scene.collection.objects.link(parent)
+    parent = flat.parent = new_object("Parent")
     parent.scale = (2, 2, 2)
 
 
@@ -141,7 +140,7 @@ def test_pieces_that_stay_hidden_or_scaled_are_reported(addon, how):
     flat = flat_of(source)
     flat.hide_set(True)
     flatten(source)
-    assert flat.visible_get() and notes(addon, source) == []  # pieces hidden with the eye icon are shown again
+    assert flat.visible_get() and notes(addon, source) == []  # Flatten shows pieces that the eye icon has hidden.
     change, said = SAID[how]
     change(flat)
     flatten(source)

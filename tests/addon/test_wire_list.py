@@ -6,8 +6,9 @@ import math
 import bpy
 import numpy as np
 import pytest
-from everything import AnyLayout, draw_panels, sidebar
-from surfaces import bump, grid, mark, on_line, read, select_edges, select_only, wire_marks
+from everything import AnyLayout, draw_panels, drawn_buttons, sidebar
+from flattening import fails, notify, wire_marks
+from surfaces import bump, grid, mark, on_line, read, select_edges, select_only
 
 pytestmark = pytest.mark.api
 
@@ -50,11 +51,10 @@ def test_names_kinds_and_tolerances_are_changed_from_the_list(addon, source, mod
     assert listed(addon, source) == [("Waist", 0.02, 8), ("Middle", 0.05, 8)]
     assert change(edge=edge, kind="SUPER_ELASTIC") == {"FINISHED"}
     assert listed(addon, source) == [("Waist", math.inf, 8), ("Middle", 0.05, 8)]
-    # in percent, as typed into the dialog
+    # The dialog has the tolerance in percent.
     assert change(edge=edge, kind="ELASTIC", tolerance_percent=2.5) == {"FINISHED"}
     assert listed(addon, source)[0] == ("Waist", pytest.approx(0.025, rel=1e-6), 8)
-    with pytest.raises(RuntimeError, match="needs a tolerance above 0"):
-        change(edge=edge, kind="ELASTIC", tolerance=0)
+    fails(change, "needs a tolerance above 0", edge=edge, kind="ELASTIC", tolerance=0)
     assert source.mode == mode
 
 
@@ -76,7 +76,7 @@ def test_one_id_with_two_tolerances_is_two_wires_and_both_keep_their_tolerances(
     assert sorted(name for name, _, _ in before) == ["Bust", "Bust (2)", "Middle"]
     assert sorted((tolerance, count) for _, tolerance, count in before) == [(0, 4), (0.05, 8), (0.1, 4)]
     assert len({wire for wire, _ in wire_marks(source.data)}) == 2
-    mark(source, on_line(1, 0.5))  # any marking repairs the ids
+    mark(source, on_line(1, 0.5))  # Marking any line repairs the ids of all wires.
     assert sorted(listed(addon, source)) == sorted([*before, ("Wire 4", 0, 8)])
     assert len({wire for wire, _ in wire_marks(source.data)}) == 4
 
@@ -111,7 +111,6 @@ def test_joined_copies_are_wires_of_their_own(addon, source):
 
 
 def test_the_last_marked_wire_is_chosen_in_the_list(source):
-    """The buttons below the list apply to the chosen wire."""
     names = source.data.wirewarp_names
     mark(source, on_line(0, 0.5))
     assert source.data.wirewarp_active_wire == len(names) - 1
@@ -121,16 +120,14 @@ def test_the_last_marked_wire_is_chosen_in_the_list(source):
 
 def test_edges_without_a_wire_are_not_changed_or_selected(source):
     for command in (bpy.ops.mesh.wirewarp_change_wire, bpy.ops.mesh.wirewarp_select_wire):
-        with pytest.raises(RuntimeError, match='Edge 0 of "Bump" is not part of a wire. Choose a wire'):
-            command(edge=0)
+        fails(command, 'Edge 0 of "Bump" is not part of a wire. Choose a wire', edge=0)
     select_edges(source, on_line(1, 0.5))
-    with pytest.raises(RuntimeError, match="No selected edge is a wire"):
-        bpy.ops.mesh.wirewarp_select_wire()
+    fails(bpy.ops.mesh.wirewarp_select_wire, "No selected edge is a wire")
     assert source.mode == "EDIT"
     bpy.ops.object.mode_set(mode="OBJECT")
     bpy.ops.object.wirewarp_flatten()
     select_only(bpy.data.objects["Bump Flat"])
-    assert not bpy.ops.mesh.wirewarp_change_wire.poll()  # not on flat pieces: wires are changed on the model
+    assert not bpy.ops.mesh.wirewarp_change_wire.poll()  # Wires are changed on the model only.
 
 
 @pytest.mark.parametrize("by", ["list", "selected edge"])
@@ -170,7 +167,6 @@ def test_wires_with_a_common_id_get_their_own_ids(addon):
 
 
 def row_of(addon, target, entry, width=600):
-    """Return the words of an entry in the list."""
     select_only(target)
     layout = AnyLayout([], [])
     kind = addon.marks.wire_list.WIREWARP_UL_wires
@@ -185,30 +181,27 @@ def test_a_row_of_the_list_has_name_kind_and_length_with_its_unit(addon, source)
         wire.length(np.eye(3)) for name, wire in addon.state.identities.listed_wires(source) if name == "Middle"
     )
     assert row == ["Middle", f"±5%  {100 * length:.3f} cm"]
-    assert row_of(addon, source, source.data.wirewarp_names[1], width=200) == ["Middle"]  # no room for kind and length
+    # A narrow sidebar has kind and length of the chosen wire below the list.
+    assert row_of(addon, source, source.data.wirewarp_names[1], width=200) == ["Middle"]
     source.data.wirewarp_active_wire = 1
-    assert draw_panels(addon).count(f"±5%  {100 * length:.3f} cm") == 1  # in the narrow sidebar, below the list
+    assert draw_panels(addon).count(f"±5%  {100 * length:.3f} cm") == 1
     for vertex in source.data.vertices:
         vertex.co *= 2
-    source.data.update()
-    bpy.context.view_layer.update()
+    notify(source)
     addon.state.drawings.forget()  # because changes in quick succession are drawn late
     assert row_of(addon, source, source.data.wirewarp_names[1]) == ["Middle", f"±5%  {200 * length:.3f} cm"]
 
 
 def test_unlisted_wires_are_below_the_list_and_cleared_wires_are_gone(addon, source):
-    """The user cuts one wire in two without Mark, and a script clears the edges of the other wire."""
+    """A script clears the marks in the middle of one wire, and all marks of the other wire."""
     wires = dict(addon.state.identities.listed_wires(source))
     for row in wires["Bust"].edges[3:5]:
         source.data.attributes["wirewarp_wire"].data[row].value = 0
     for row in wires["Middle"].edges:
         source.data.attributes["wirewarp_wire"].data[row].value = 0
-    source.data.update()
-    bpy.context.view_layer.update()
+    notify(source)
     assert row_of(addon, source, source.data.wirewarp_names[1]) == ["Middle"]
     assert len(row_of(addon, source, source.data.wirewarp_names[0])) == 2
     source.data.wirewarp_active_wire = 0
-    buttons = []
-    draw_panels(addon, buttons)
-    # the chosen and the unlisted wire, in a narrow and in a wide sidebar
-    assert buttons.count("mesh.wirewarp_change_wire") == 2 * 2
+    # The buttons of the chosen wire and of the unlisted wire are drawn narrow and wide.
+    assert drawn_buttons(addon).count("mesh.wirewarp_change_wire") == 2 * 2

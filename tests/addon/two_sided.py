@@ -4,23 +4,22 @@
 import bmesh
 import bpy
 import numpy as np
-from surfaces import bump, edge_vertices, flat_of, grid, on_line, read, select_edges, select_only
+from flattening import edge_vertices, flat_sources
+from surfaces import bump, flat_of, grid, on_line, read, select_edges, select_only
 
 SEAM, HEM = on_line(0, 0.0), on_line(1, -1.0)
 
 
 def two_pieces():
-    """Return a model with pieces to the left and right of a seam; a Blender unit is 100 mm."""
+    """Return a model with pieces to the left and right of a seam. A Blender unit is 100 mm."""
     bpy.context.scene.unit_settings.scale_length = 0.1
-    target = grid("Bump", bump, seam=SEAM)
-    return target
+    return grid("Bump", bump, seam=SEAM)
 
 
 def join_split_and_flip(source):
-    """Make edits that marks survive: join another mesh, split edges, flip all faces."""
+    """Join another mesh, split edges and flip all faces. Marks survive these edits."""
     other = grid("Other", lambda x, y: (x + 3, y, 0))
     select_only(source, other)
-    bpy.context.view_layer.objects.active = source
     bpy.ops.object.join()
     bpy.ops.object.mode_set(mode="EDIT")
     bpy.ops.mesh.select_all(action="SELECT")
@@ -40,7 +39,7 @@ def lengths(source, line):
     """Return the lengths of a line on the model, on the left piece, and on the right piece."""
     flat = flat_of(source).data
     model = read(source.data.vertices, "co", np.float32, 3).astype(float)
-    sources = read(flat.attributes["source_vertex"].data, "value", np.int32)
+    sources = flat_sources(source)
     pieces = np.empty(len(flat.vertices), dtype=int)
     faces = read(flat.attributes["source_face"].data, "value", np.int32)
     for polygon, face in zip(flat.polygons, faces, strict=True):
@@ -55,16 +54,16 @@ def lengths(source, line):
 
 
 def shares(source, line=SEAM):
-    """Return by which fraction the left and the right side are longer than the line on the model."""
+    """Return by which fraction the left and the right side of a seam are longer than the line on the model."""
     spatial, left, right = lengths(source, line)
     return [left / spatial - 1, right / spatial - 1]
 
 
 def select_side(source, side, line=SEAM):
-    """Enter Edit Mode of the pieces, and select the left side (-1), the right side (1) or both sides (0) of a line."""
+    """Enter Edit Mode of the pieces. Select the left side (-1), the right side (1) or both sides (0) of a line."""
     flat = flat_of(source)
     model = read(source.data.vertices, "co", np.float32, 3)
-    sources = read(flat.data.attributes["source_vertex"].data, "value", np.int32)
+    sources = flat_sources(source)
     faces = read(flat.data.attributes["source_face"].data, "value", np.int32)
     select_only(flat)
     bpy.ops.object.mode_set(mode="EDIT")
@@ -78,7 +77,7 @@ def select_side(source, side, line=SEAM):
 
 
 def widths_at_seam(addon, source):
-    """Return the pattern's allowances on the left and the right side of the seam in millimeters; 0 at a fold."""
+    """Return the pattern's allowances on the left and the right side of the seam in millimeters. A fold has 0."""
     parts = addon.export.read.read_pattern(bpy.context.scene, source)
     pieces = {piece.name: piece for piece in made(addon, parts).pieces}
     sides = [line for name in ("Top Right", "Top Left") for line in pieces[name].of_role("sew", "fold")]
@@ -86,6 +85,5 @@ def widths_at_seam(addon, source):
 
 
 def made(addon, parts, allowance=10.0):
-    """Return the pattern of these parts."""
     choices = {"allowance": allowance, "notch_spacing": 100.0, "darts": "close"}
     return addon.solve.steps.in_one_go(parts.making(choices))

@@ -15,12 +15,12 @@ def view_context(show_overlays=True):
 
 
 def look(addon, source, eye, target, perspective=True, xray=False):
-    """Return the names in a view of 800 by 600 pixels from the eye toward the target, keyed by their texts."""
+    """Return the names in a view of 800 by 600 pixels from `eye` toward `target`, keyed by their texts."""
     forward = (Vector(target) - Vector(eye)).normalized()
     view = (Matrix.Translation(eye) @ forward.to_track_quat("-Z", "Y").to_matrix().to_4x4()).inverted()
-    if perspective:  # with a horizontal angle of view of 90 degrees
-        window = Matrix(((1, 0, 0, 0), (0, 4 / 3, 0, 0), (0, 0, -1.002, -0.2002), (0, 0, -1, 0)))  # clips at .1 and 100
-    else:  # the view is 8 units wide
+    if perspective:  # The angle of view is 90° across. Points nearer than 0.1 or farther than 100 are clipped.
+        window = Matrix(((1, 0, 0, 0), (0, 4 / 3, 0, 0), (0, 0, -1.002, -0.2002), (0, 0, -1, 0)))
+    else:  # The view is 8 units wide.
         window = Matrix.Diagonal((1 / 4, 1 / 3, -0.01, 1))
     data = SimpleNamespace(view_matrix=view, perspective_matrix=window @ view, is_perspective=perspective)
     context = SimpleNamespace(

@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Suggested darts can be smooth lines. The drawn line is cut, has the shown figure, and changes nothing else."""
+"""Suggested darts and seams can be smooth lines. The mesh is cut as drawn, and a run has the shown figures."""
 
 import bpy
 import numpy as np
 import pytest
 from everything import draw_panels
+from flattening import fails
 from mathutils import Vector
-from suggesting import SUGGEST, choose_smooth, found, places
+from suggesting import SUGGEST, add_layers, bent_ring, check_layers, choose_smooth, found, places
 from surfaces import bump, flat_of, grid, on_line, round_bump
 from test_smooth_lines import seam_places, surface
 from test_suggestions import two_hills
@@ -23,7 +24,7 @@ def lengths(ends):
 
 
 def are_alike(ends, others):
-    """Return whether lines, given by their ends (k,2,3), equal other lines in any order, within single precision."""
+    """Return whether lines, given by their ends (k,2,3), equal other lines in any order and direction."""
     apart = [np.abs(ends[:, None] - turned[None]).max(axis=(2, 3)) for turned in (others, others[:, ::-1])]
     is_same = np.minimum(*apart) < 1e-5
     return len(ends) == len(others) and is_same.any(axis=0).all() and is_same.any(axis=1).all()
@@ -38,7 +39,6 @@ def test_the_dart_is_cut_as_drawn_and_has_the_claimed_figure(addon, faces, shape
     bpy.ops.object.wirewarp_flatten()
     cut = choose_smooth(addon, source, "DARTS")
     words = draw_panels(addon)
-    # the button comes before the explanation
     assert words.index("Mark and Flatten") < words.index("Marking it adds vertices and edges")
     drawn, on_pieces = drawn_on(addon, source), drawn_on(addon, flat_of(source))
     assert len(on_pieces) == len(drawn)
@@ -80,7 +80,7 @@ def test_painted_faces_are_not_entered(addon):
 
 
 def test_darts_along_edges_may_run_around_painted_faces(addon):
-    """Every second face is painted, so no smooth line can pass, and each inner edge is beside a painted face."""
+    """Every second face is painted, so smooth lines have no room, and each inner edge is beside a painted face."""
     source = grid("Bump", bump)
     painted = source.data.attributes.new("wirewarp_no_seam", "BOOLEAN", "FACE")
     painted.data.foreach_set("value", [(index + index // 8) % 2 == 0 for index in range(64)])
@@ -102,7 +102,8 @@ def test_a_dart_along_edges_does_not_change_the_mesh(addon):
     bpy.context.scene.wirewarp.dart_lines = "SMOOTH"
     SUGGEST["DARTS"]()
     both = found(addon, source).cuts
-    worth_elbows = 0.05  # a dart whose line has a corner is listed only if its strain is lower by at least this share
+    # A line with a corner is listed only if its strain is lower by at least this share.
+    worth_elbows = 0.05
     assert min(cut.strain for cut in both) <= cuts[0].strain / (1 - worth_elbows)
     order = [(cut.is_bent, cut.strain) for cut in both]
     assert order == sorted(order) and not both[0].is_bent
@@ -141,7 +142,7 @@ def test_lines_that_cross_in_a_face_meet_there(addon, scale):
     paths = [line([0, 0], [(0.5, 0.5, 0), (0, 0, 1)]), line([0, 0], [(0, 0.5, 0.5), (1, 0, 0)])]
     before, area, normals = len(mesh.vertices), surface(source), sum((face.normal for face in mesh.polygons), Vector())
     assert addon.suggest.smooth.take_lines(source, paths, with_modifiers=False) == 4
-    assert len(mesh.vertices) == before + 3  # a vertex on each edge at which a line ends, and the crossing
+    assert len(mesh.vertices) == before + 3  # one for each end of a line inside an edge, and one for the crossing
     assert surface(source) == pytest.approx(area, rel=1e-6)
     assert sum((face.normal for face in mesh.polygons), Vector()).normalized() @ normals.normalized() > 0.999
     assert not mesh.validate()
@@ -165,5 +166,50 @@ def test_a_piece_that_no_dart_helps_is_reported_in_one_sentence(addon, monkeypat
 
     monkeypatch.setattr(addon.solve.suggest, "start_darts", fail)
     sentence = 'No dart helps "Front", which must stretch by 14.9%: loosen wire "Wire 1" or divide the piece by a seam'
-    with pytest.raises(RuntimeError, match=sentence):
-        SUGGEST["DARTS"]()
+    fails(SUGGEST["DARTS"], sentence)
+
+
+def narrowest(addon, source):
+    """Return the smallest width of a piece of the current model."""
+    arrays = addon.state.read_model.object_to_arrays(source, addon.state.marked_mesh.marked_mesh(source), None)
+    choices = addon.state.settings.choices_of(bpy.context.scene.wirewarp, 1.0)
+    steps = addon.solve.flatten.flatten_arrays(arrays, choices)
+    result = addon.solve.steps.in_one_go(steps)
+    return min(addon.core.pattern.piece_width(piece) for piece in result.pieces)
+
+
+def entered(cut):
+    """Return the faces that the lines of a cut cross, not only touch."""
+    return cut.segments.polygons[(cut.segments.weights.mean(axis=1) > 1e-9).all(axis=1)].tolist()
+
+
+def choose_beside_painted_face(addon, source):
+    """Paint a face that a smooth cut crosses, and choose another smooth cut. No cut may enter the painted face."""
+    crossed = entered(choose_smooth(addon, source, "SEAMS"))[0]
+    painted = source.data.attributes.new("wirewarp_no_seam", "BOOLEAN", "FACE")
+    painted.data.foreach_set("value", [index == crossed for index in range(len(source.data.polygons))])
+    chosen = choose_smooth(addon, source, "SEAMS")
+    assert not any(crossed in entered(cut) for cut in found(addon, source).cuts if not cut.edges)
+    return chosen
+
+
+def test_a_set_beside_a_painted_face_is_cut_as_drawn_and_has_the_claimed_figures(addon):
+    source = bent_ring(12, 6)  # a coarse ring, because the searches take most of the time of this test
+    mesh = source.data
+    add_layers(source)
+    with pytest.raises(RuntimeError):
+        bpy.ops.object.wirewarp_flatten()
+    assert "SMOOTH" in draw_panels(addon)  # the choice of smooth lines
+    cut = choose_beside_painted_face(addon, source)
+    assert cut.is_set and "Marking it adds vertices and edges" in draw_panels(addon)
+    drawn, area, before = drawn_on(addon, source), surface(source), places(source)
+    assert bpy.ops.object.wirewarp_mend(what="SUGGESTION") == {"FINISHED"}
+    assert surface(source) == pytest.approx(area, rel=1e-5)
+    assert len(mesh.vertices) > len(before) and np.array_equal(places(source)[: len(before)], before)
+    assert are_alike(seam_places(source), drawn)
+    assert lengths(seam_places(source)).sum() == pytest.approx(cut.lengths[0], rel=1e-5)
+    pieces = addon.state.reports.last_report(source).pieces
+    assert len(pieces) == cut.num_pieces and all(piece.ok for piece in pieces)
+    assert max(piece.needed for piece in pieces) == pytest.approx(cut.strain, abs=1e-6)
+    assert narrowest(addon, source) == pytest.approx(cut.width, rel=1e-4)
+    check_layers(source)
