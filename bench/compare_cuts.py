@@ -31,7 +31,7 @@ from which_commit import commit
 TARGETS = (0.5, 0.25, 0.1, 0.05)  # strains: OptCuts leaves about 0.5; 0.05 is the default target of cut sets
 LADDER = 60  # number of requested proposals, more than any cut set has
 FEWEST = 5  # number of the shortest sets to which darts are added; on caesar1, the third set gave the shortest cuts
-SHARE = 0.5  # share of LIMIT; later, no more seams are removed, because this may take minutes for a set
+SHARE = 0.5  # share of LIMIT; after this time, no seams are removed, because this may take minutes for a set
 LEAST_LIMIT = 0.2  # first limit of strain while seams are removed: the maximum stretch of plush
 LARGE_STEP, SMALL_STEP = 0.1, 0.02  # first and least increase of the limit of strain; large steps save time
 MOST_LIMIT = 1.2  # largest limit of strain; OptCuts leaves about 0.5

@@ -14,7 +14,7 @@ ONCE_IS_ENOUGH = 20.0  # seconds of a run; slower methods run once
 
 @dataclass(frozen=True)
 class Outcome:
-    """Results of one method. Errors are relative to the target lengths, or to lengths on the surface if it has none."""
+    """Results of one method. Errors are relative to its target lengths, or without targets to the surface."""
 
     seconds: float  # CPU seconds of the method
     megabytes: float
@@ -33,7 +33,7 @@ class Comparison:
     surface: str
     triangles: int
     outcomes: dict[str, Outcome]  # by the name of the method
-    without: dict[str, str]  # by the name of a method without a result: the reason
+    without: dict[str, str]  # reasons why methods have no result, by the name of the method
 
     def seconds(self, name: str) -> float | None:
         return self.outcomes[name].seconds if name in self.outcomes else None

@@ -14,12 +14,12 @@ MOST_OF_AREA = 0.99  # share of the area that counts, as in DartProposal.strain
 class CutFigures:
     energy: float  # symmetric Dirichlet energy: mean over the area of |J|^2 + |1/J|^2; 4 without distortion
     strain: float  # DartProposal.strain of the whole surface
-    length: float  # of all cuts on the surface, each edge counted once, divided by the square root of the area
-    # Sum of the differences between the flat lengths of both sides of each cut edge, divided by the length of all cuts
-    # on the surface: 0.01 is 10 mm per meter of cut.
+    length: float  # all cuts on the surface, each edge counted once, divided by the square root of the area
+    # The differences between the flat lengths of both sides of each cut edge are added. The sum is divided by the
+    # length of all cuts on the surface. 0.01 is 10 mm per meter of cut.
     mismatch: float
     charts: int
-    flipped: int  # number of flipped triangles
+    flipped: int
 
 
 def read_corner_uv(path: Path) -> np.ndarray:

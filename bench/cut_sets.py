@@ -76,8 +76,6 @@ def scale_of(mesh: Mesh) -> float:
 
 @dataclass(frozen=True)
 class Cut:
-    """A model that is cut along a set of seams."""
-
     proposal: wirewarp.DartProposal
     seconds: float  # processor time of the search
     mesh: Mesh  # the cut model, with new vertices if smooth seams cross triangles

@@ -93,7 +93,7 @@ def compare(triangles: int) -> dict:
 
 def main() -> None:
     output, *sizes = sys.argv[sys.argv.index("--") + 1 :]
-    # one core for Flatten, too, because the unwrap uses one thread
+    # Flatten gets one core, too, because the unwrap uses one thread.
     os.sched_setaffinity(0, {max(os.sched_getaffinity(0))})
     rows = [compare(int(size)) for size in sizes or ("10000", "100000")]
     Path(output).write_text(json.dumps({"blender": bpy.app.version_string, "runs": rows}, indent=1), encoding="utf-8")

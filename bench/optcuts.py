@@ -35,7 +35,6 @@ def command(program: Path | str, mesh: Path | str, bound: float) -> list[str]:
 
 
 def by_size(meshes: Path) -> list[Path]:
-    """Return the meshes, sorted by number of triangles."""
     return sorted(meshes.glob("*.obj"), key=lambda path: (len(read_obj(path)[1]), path.name))
 
 

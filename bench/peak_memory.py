@@ -10,7 +10,7 @@ Answer = TypeVar("Answer")
 
 
 def resident_megabytes(line: str) -> float:
-    """Return the present memory of this process (line: VmRSS), or the maximum since it was reset (VmHWM)."""
+    """Return the memory of the process. line: VmRSS for the present memory, VmHWM for its peak since the last reset."""
     status = Path("/proc/self/status").read_text().splitlines()
     return int(next(text for text in status if text.startswith(line)).split()[1]) / 1024
 
@@ -18,8 +18,8 @@ def resident_megabytes(line: str) -> float:
 def cost_of(work: Callable[[], Answer]) -> tuple[Answer, float, float]:
     """Return the result of the work, its CPU seconds, and its peak memory in megabytes.
 
-    The seconds are those of all threads, with the system's time, because other programs lengthen wall time. The memory
-    of the process before the work does not count.
+    The seconds include all threads and the system's time. Wall time is not used, because other programs lengthen it.
+    The memory of the process before the work does not count.
     """
     Path("/proc/self/clear_refs").write_text("5")  # resets the peak (VmHWM) to the present memory (VmRSS)
     before = resident_megabytes("VmRSS")

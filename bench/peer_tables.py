@@ -74,7 +74,6 @@ def elastic_table(comparisons: Sequence[Comparison]) -> list[str]:
 
 
 def refined_table(comparisons: Sequence[Comparison]) -> list[str]:
-    """Return the table with the work of the refined method."""
     rows = []
     for comparison in comparisons:
         for name, outcome in comparison.outcomes.items():

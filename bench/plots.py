@@ -57,7 +57,6 @@ def plot_times(comparisons: Sequence[Comparison], path: Path) -> None:
 
 
 def plot_lengths(comparison: Comparison, path: Path) -> None:
-    """Draw a point for each method."""
     with picture(path, 4.2, "Method") as axes:
         energies: list[float] = []
         for name in MARKERS:

@@ -4,10 +4,10 @@
 PYTHONPATH=results python bench/price_of_exactness.py [--most-triangles N] [--most-triangles-for-bounds N]
 
 Surfaces are flattened along OptCuts' cuts with exact lengths, and with elastic seams. OptCuts' cuts for smaller bounds
-on the energy are longer. Of these cuts, the shortest are chosen that keep the energy below BOUND with exact lengths.
-The price of exactness is the length of the chosen cuts, divided by the length of OptCuts' cuts for BOUND. The second
-table has the lengths of cuts for smaller bounds. Environment variables: as for compare_cuts.py. This program uses and
-extends the results of compare_cuts.py.
+on the energy are longer. Some of these cuts keep the energy below BOUND with exact lengths. The price of exactness is
+the length of the shortest of them, divided by the length of OptCuts' cuts for BOUND. The second table has the lengths
+of cuts for smaller bounds. Environment variables: as for compare_cuts.py. This program uses and extends the results of
+compare_cuts.py.
 """
 
 import argparse
@@ -26,7 +26,7 @@ from optcuts import BOUND, by_size
 from tables import table
 
 TOLERANCE = 0.03  # tolerance of elastic seams; each edge is a wire of its own, so that a seam has the most freedom
-# bounds for OptCuts, tried in this order until a flattening with exact lengths has an energy of at most BOUND
+# OptCuts gets these bounds in this order, until a flattening with exact lengths has an energy of at most BOUND.
 TIGHTER = (BOUND, 4.08, 4.065, 4.05, 4.035, 4.02)
 BOUNDS = (BOUND, 4.05, 4.02)  # bounds of the second table
 
@@ -37,7 +37,7 @@ class Flat:
 
     energy: float
     least: float  # energy after least_energy(), which moves the inner vertices and keeps the outlines
-    overlaps: bool  # whether a piece overlaps itself
+    overlaps: bool
 
 
 def flatten(shape: Path) -> list[Flat | None]:

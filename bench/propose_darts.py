@@ -40,7 +40,7 @@ def ways_from(start: int, vertices: np.ndarray, neighbors: dict[int, set[int]], 
 
 
 def spread(vertices: np.ndarray, choice: list[int], count: int) -> list[int]:
-    """Return `count` of the vertices in `choice`, each as far as possible from the earlier ones."""
+    """Return `count` of the vertices in `choice`, each as far as possible from the vertices before it."""
     taken = [choice[0]]
     far = np.linalg.norm(vertices[choice] - vertices[taken[0]], axis=1)
     while len(taken) < min(count, len(choice)):

@@ -41,7 +41,7 @@ def read_panel(path: Path) -> Surface:
 
 
 def compare_panel(path: Path) -> Comparison:
-    """Compare the methods on a panel. All methods use all its wires, even if they use only two on the sheet."""
+    """Compare the methods on a panel. All methods use all wires, even methods that use only two wires on the sheet."""
     names = [name for name in flatteners.METHODS if name != flatteners.REFINED]
     return compare(read_panel(path), names, 1, LIMIT)
 

@@ -14,7 +14,7 @@ class Surface:
     seams: np.ndarray  # (k, 2) vertex pairs
     pieces: list[np.ndarray]  # faces of each piece between seams
     few_wires: list[np.ndarray]  # chains of vertices
-    many_wires: list[np.ndarray]  # chains of vertices; length errors of all methods are measured on these
+    many_wires: list[np.ndarray]  # chains of vertices; length errors of all methods are measured on these wires
 
 
 def wires_across(lines: np.ndarray, number: int) -> list[np.ndarray]:
@@ -27,8 +27,8 @@ def wires_across(lines: np.ndarray, number: int) -> list[np.ndarray]:
 def bumpy_sheet(triangles: int, in_two_pieces: bool = False, jitter: float = 0.0, wires: int = 8) -> Surface:
     """Return the sheet of native/bench/bumpy_sheet.h, 2 units wide. A sheet in two pieces is 0.5 m wide.
 
-    jitter: largest shift of inner vertices on the surface in each direction, as a share of an edge of the grid; wires:
-    number of wires, an even number.
+    jitter: largest shift of inner vertices on the surface in each direction, as a share of an edge of the grid.
+    wires: an even number.
     """
     n = round((triangles / 2) ** 0.5)
     side = np.linspace(-1.0, 1.0, n + 1)

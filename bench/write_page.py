@@ -219,7 +219,7 @@ def main() -> None:
     peers = load(arguments.peers_json)
     real = json.loads(arguments.real_meshes.read_text()) if arguments.real_meshes else None
     ratios = arguments.ratios_md.read_text()
-    # first, because new pictures would mark the commit as changed
+    # The text is made first, because new pictures would mark the commit as changed.
     page = document(benchmarks, in_blender, peers, ratios, real)
     use_style()
     pictures = arguments.page.with_suffix("")

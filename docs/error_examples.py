@@ -11,7 +11,7 @@ from typing import Any
 WIRES = ["Hip", "Bust"]
 Example = tuple[str, dict[str, Any], dict[str, int], dict[str, Any]]
 PROPOSED = {"proposed_seams": [(0, 1)]}
-# each: the code, its arguments, numbers of faces that only the add-on knows, and the elements of the error
+# An example has the code, its arguments, numbers of faces that only the add-on knows, and the elements of the error.
 EXAMPLES: list[Example] = [
     ("empty_mesh", {}, {}, {}),
     ("non_finite_coordinates", {}, {}, {"vertices": [1, 2]}),

@@ -17,10 +17,10 @@ import bpy
 sys.path.insert(0, str(Path(__file__).parent))
 from error_examples import EXAMPLES, example_sentence  # noqa: E402 (the folder must be on the path first)
 
-# package of the add-on: extension or legacy add-on
+# This package is the extension or the legacy add-on.
 ADDON = type(bpy.context.scene.wirewarp).__module__.rpartition(".")[0]
 PARTS = {"FRONT": "Flatten", "MAIN": "Flatten > Settings", "ADVANCED": "Flatten > Settings > Advanced"}
-PANELS = {  # other settings, by the name of their class: the place at which Blender shows them
+PANELS = {  # the places at which Blender shows the other settings, by the name of their class
     "PatternSettings": "Export Pattern",
     "TargetSettings": "Suggest Darts and Suggest Seams",
     "EaseAmount": "Mark > Ease",
@@ -33,7 +33,6 @@ def module(name: str) -> Any:  # noqa: ANN401
 
 
 def table(head: Iterable[str], rows: Iterable[Iterable[str]]) -> list[str]:
-    """Return the lines of a Markdown table."""
     head = list(head)
     lines = [head, ["---"] * len(head), *rows]
     return ["| " + " | ".join(cell.replace("|", "\\|").replace("\n", " ") for cell in line) + " |" for line in lines]
@@ -63,7 +62,7 @@ def value_text(prop: bpy.types.Property) -> str:
 
 
 def about(prop: bpy.types.Property) -> str:
-    """Return what a setting does, with its choices."""
+    """Return the description of a setting, with its choices."""
     choices = [f"<br>*{each.name}*: {sentence(each.description)}" for each in getattr(prop, "enum_items", ())]
     described = [text for text in choices if not text.endswith("*: ")]
     return sentence(prop.description) + "".join(described)

@@ -27,7 +27,6 @@ class Plain(str):
 
 
 def read_stub() -> dict[str, Any]:
-    """Return the definitions of the stub by name."""
     source = Path(wirewarp.__file__).with_name("_wirewarp.pyi").read_text()
     defined: dict[str, Any] = {"__package__": "wirewarp"}
     exec("from __future__ import annotations\n" + source, defined)

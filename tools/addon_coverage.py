@@ -51,12 +51,11 @@ def show(kind: str) -> None:
 
 
 def _report(*kinds: str) -> dict:
-    """Return the report of coverage.py on the measurements of these kinds together."""
     measured = [file for kind in kinds for file in FOLDER.glob(f"{kind}.*")]
     report = FOLDER / "report.json"
     commands: list[list[str | Path]] = [
         ["combine", "--keep", "--quiet", *measured],
-        # --ignore-errors, because a source may have been removed since tests of the other kind measured it
+        # Without --ignore-errors, a source that was removed after the tests of the other kind would be an error.
         ["json", "--quiet", "--ignore-errors", "-o", report],
     ]
     for command in commands:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""./dev bench: measures time and memory of the core, Blender and other flatteners, and writes the page about them."""
+"""Runs ./dev bench: measures time and memory of the core, Blender and other flatteners, and writes a page about it."""
 
 import os
 from pathlib import Path
@@ -13,7 +13,7 @@ APT = (*CORE_APT, *BLENDER_APT, *BPY_APT, "libbenchmark-dev")
 PACKAGES = (NUMPY[DEBIAN_VERSION], "libigl==2.6.3", "matplotlib==3.10.9")
 PEER = "bpy==4.5.15"  # version of Blender whose unwraps are compared
 FOLDER = BUILD / "bench"
-SHARED = {"PYTHONPATH": str(ROOT / "results")}  # modules that the pages of benchmarks and results share
+SHARED = {"PYTHONPATH": str(ROOT / "results")}  # bench/ uses modules of results/, too
 NOT_THE_LARGEST = "--benchmark_filter=-triangles:1000000"
 
 

@@ -19,7 +19,7 @@ READERS = (
     "resvg-py==0.5.0",
     "shapely==2.2.0",
 )  # only tests use these packages, to read pattern files and right-to-left text
-# optional packages; tests that need one are skipped without it
+# Tests that need one of these optional packages are skipped without it.
 OPTIONAL = ("spyrrow==0.9.0", "fonttools[woff]==4.68.0", "hyperqueue==0.27.0")
 MODELS = ("trimesh==5.2.0", "pillow==13.0.0", "psutil==7.2.2", "tqdm==4.70.1")  # packages for python -m wirewarp
 
@@ -36,7 +36,7 @@ def bindings_tests(version: str, *options: str) -> None:
     """
     chosen = [] if version == DEBIAN_VERSION else ["-m", "not core"]
     has_options = bool(os.environ.get("PYTEST_ADDOPTS"))
-    # all tests of a file in one process, because they share results
+    # All tests of a file run in one process, because they share results.
     at_once = [] if has_options else ["-n", str(CORES), "--dist", "loadfile"]
     folders = ("tests/bindings", "tests/without_blender")
     run([bindings_python(version), "-m", "pytest", "-q", *at_once, *chosen, *options, *folders])

@@ -31,9 +31,8 @@ PYTEST = "pytest==9.2.0"
 BLENDER_APT = ("blender", "libegl1", "python3-numpy", "python3-pytest")  # EGL is needed for drawing without a window
 BPY_APT = ("libgl1", "libice6", "libsm6", "libxfixes3", "libxi6", "libxkbcommon0", "libxrender1")
 NUMPY = {"3.11": "numpy==1.26.4", "3.13": "numpy==2.5.5"}  # for Blender up to 5.0, and for 5.1 and later
-# "" on other systems, which check_system() refuses
+# The version is "" on other systems, which check_system() refuses.
 DEBIAN_BLENDER = {"3.11": "3.4", "3.13": "4.3"}.get(DEBIAN_VERSION, "")
-# name of the add-on in Debian's Blender
 ADDON_MODULE = LEGACY_MODULE if DEBIAN_VERSION == LEGACY_PYTHON else EXTENSION_MODULE
 RUNNER = ROOT / "tests" / "addon" / "run_in_blender.py"
 BLENDERS = 2  # number of Blenders at once, because the tests in a Blender use little more than one core

@@ -20,11 +20,13 @@ def run_tours(
 
     names: generator functions of `script`, which tests/window/drive.py describes.
 
-    environment: variables for Blender. WIREWARP_ZIP names the zip to install, BLENDER_USER_SCRIPTS and
-    BLENDER_USER_CONFIG name empty folders, WIREWARP_PICTURES names the folder for pictures, and WIREWARP_VIEWPORT_AA
-    says how Blender smooths the view (by default "8", the samples of each pixel). display: number of the first virtual
-    screen to try; tours that start at the same time need different numbers. After `seconds`, the tours are killed, with
-    exit code -9.
+    environment: variables for Blender. WIREWARP_ZIP names the zip to install. BLENDER_USER_SCRIPTS and
+    BLENDER_USER_CONFIG name empty folders. WIREWARP_PICTURES names the folder for pictures. WIREWARP_VIEWPORT_AA is
+    Blender's setting for smooth edges in the view, by default "8".
+
+    display: number of the first virtual screen to try. Tours that start at the same time need different numbers.
+
+    After `seconds`, the tours are killed, with exit code -9.
     """
     blender = ["/usr/bin/blender", "--factory-startup", "--no-window-focus"]
     blender += ["--window-geometry", "0", "0", "1600", "900", "--enable-event-simulate"]

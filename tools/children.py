@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Ends every process that `dev` has started. Processes that do not end after SIGTERM are killed.
 
-Also finds processes that have left the process group of `dev`, such as Blender on its virtual screen. Works on
-Linux only.
+This includes processes that have left the process group of `dev`, such as Blender on its virtual screen. The module
+works on Linux only.
 """
 
 import ctypes
@@ -26,8 +26,8 @@ def no_child_left() -> Iterator[None]:
     """
     for number in (signal.SIGTERM, signal.SIGHUP):
         signal.signal(number, signal.default_int_handler)
+    # With this setting, orphans of our children become our children.
     if ctypes.CDLL(None, use_errno=True).prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0):
-        # orphans of our children become our children
         raise OSError(ctypes.get_errno(), "prctl(PR_SET_CHILD_SUBREAPER)")
     try:
         yield

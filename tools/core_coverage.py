@@ -24,7 +24,7 @@ def begin() -> None:
 def show() -> None:
     """Print the shares of covered lines and functions, and the functions that no test runs.
 
-    Headers are left out, because their counts are incomplete: the linker may keep the copy of a function that was
+    Headers are left out, because their counts are incomplete. The linker may keep the copy of a function that was
     compiled with a test, and this copy does not count its runs. Raises StepError if no function of a source file was
     run.
     """
@@ -37,7 +37,7 @@ def show() -> None:
     run([gcovr, *sources, *tolerant, "--json", report, "--print-summary", OBJECTS])
     untested = []
     for file in json.loads(report.read_text())["files"]:
-        # entries without an execution_count have no code
+        # Entries without an execution_count have no code.
         functions = [function for function in file["functions"] if "execution_count" in function]
         missed = [function for function in functions if not function["execution_count"]]
         for function in missed:

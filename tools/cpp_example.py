@@ -13,7 +13,7 @@ FOLDER = BUILD / "example"
 
 
 def example_tests() -> None:
-    """Raises StepError unless both programs print the lines in docs/cpp.md."""
+    """Check that both programs print the lines in docs/cpp.md. Raises StepError if they do not."""
     require_apt(*NATIVE_APT)
     openmesh = {"FETCHCONTENT_SOURCE_DIR_OPENMESH": str(openmesh_source())}
     build_native("release", "wirewarp", **openmesh)
@@ -21,7 +21,7 @@ def example_tests() -> None:
     prefix = FOLDER / "prefix"
     install: list[str | Path] = ["cmake", "--install", BUILD / "release", "--prefix", prefix]
     run_quietly("installing the library", [*install, "--component", "development"])
-    elsewhere = prefix.rename(FOLDER / "moved")  # because installed files must not depend on their path
+    elsewhere = prefix.rename(FOLDER / "moved")  # moved, because installed files must not depend on their path
     # The program is compiled for this processor, unlike the library. A program with AVX must still be able to free the
     # library's arrays.
     build_and_check("installed", CMAKE_PREFIX_PATH=str(elsewhere), CMAKE_CXX_FLAGS="-march=native")

@@ -104,7 +104,8 @@ def build_module(system: System, version: str, interpreter: Path) -> Path:
         "CMAKE_STRIP": "",  # the linker strips the module, because this machine's program strip cannot read it
         "CMAKE_MODULE_LINKER_FLAGS": "-s",
         "Python_EXECUTABLE": interpreter,
-        # The interpreter of pybind11's last run. If it differed from ours, pybind11 would discard the suffix above.
+        # This is the interpreter of pybind11's last run. If it differed from ours, pybind11 would discard the suffix
+        # above.
         "PYBIND11_PYTHON_EXECUTABLE_LAST": interpreter,
         "pybind11_DIR": output_of([interpreter, "-m", "pybind11", "--cmakedir"]).strip(),
         **python_to_build_with(system, version, interpreter),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Functions for all `dev` commands: a clean environment, apt packages, Pythons, venvs and stamps.
+"""Provides functions for all `dev` commands: a clean environment, apt packages, Pythons, venvs and stamps.
 
 The results do not depend on the caller's PATH and HOME, except that Pythons are searched there. All files are made in
 build/.
@@ -41,7 +41,7 @@ def say(text: str) -> None:
 
 
 def clean_environment(**more: str) -> dict[str, str]:
-    """Return the caller's variables without other Pythons' paths, with the system's PATH, for reproducible builds."""
+    """Return the caller's environment variables with the system's PATH and `more`, but without settings of Python."""
     kept = {k: v for k, v in os.environ.items() if not k.startswith(("PYTHON", "VIRTUAL_ENV", "PYENV"))}
     settings = {
         "PATH": SYSTEM_PATH,
@@ -53,7 +53,7 @@ def clean_environment(**more: str) -> dict[str, str]:
         "CXX": "/usr/bin/g++",  # the same name in all builds, so that all builds share the objects of ccache
         "CCACHE_DIR": str(BUILD / "ccache"),
         "CCACHE_BASEDIR": str(BUILD),  # different build folders share objects, even of files that CMake writes there
-        # without this, ccache would store no object that uses precompiled headers
+        # Without this setting, ccache would store no object that uses precompiled headers.
         "CCACHE_SLOPPINESS": "pch_defines,time_macros",
         "CMAKE_CXX_COMPILER_LAUNCHER": "ccache",
     }
@@ -133,7 +133,7 @@ def failure(command: Sequence[str | Path], code: int) -> str:
 
 
 def fingerprint(paths: Iterable[Path], *more: str) -> str:
-    """Return a hash of the files (of all files in folders) and of `more`."""
+    """Return a hash of the files, of all files in the folders, and of `more`."""
     digest = hashlib.sha256("\0".join(more).encode())
     for path in paths:
         files = sorted(p for p in path.rglob("*") if p.is_file()) if path.is_dir() else [path]

@@ -33,8 +33,8 @@ MACOS = r"/usr/lib/libSystem\.B\.dylib"
 def faults(platform: str, module: Path, oldest: tuple[int, ...], system: Path) -> list[str]:
     """Return one sentence for each fault.
 
-    oldest: oldest version of glibc or macOS on which the module must work, unused for Windows; system: the file
-    libSystem.tbd, which lists the names in macOS' libSystem.
+    oldest: oldest version of glibc or macOS on which the module must work, unused for Windows.
+    system: the file libSystem.tbd, which lists the names in macOS' libSystem.
     """
     import lief  # imported here, because only the Python that runs this program has lief
 

@@ -25,8 +25,8 @@ SECONDS = 900.0  # limit for the tests of a mutant; if the tests take longer, th
 SWAPPED = {"<": "<=", "<=": "<", ">": ">=", ">=": ">", "==": "!=", "!=": "==", "+": "-", "-": "+"}
 CPP_SWAPPED = SWAPPED | {"&&": "||", "||": "&&"}
 PYTHON_SWAPPED = SWAPPED | {"and": "or", "or": "and"}
-# Matches comments, texts and preprocessor lines, whose contents are never changed, and operators between spaces. The
-# formatter puts no spaces around < and > of templates.
+# This matches comments, texts and preprocessor lines, whose contents are never changed, and operators between spaces.
+# The formatter puts no spaces around < and > of templates.
 CPP_TOKEN = re.compile(r'//[^\n]*|"(?:\\.|[^"\\\n])*"|^#[^\n]*|(?<= )(?:[<>=!]=|[<>+-]|&&|\|\|)(?= )', re.MULTILINE)
 PACKAGE = ROOT / "python" / "wirewarp"
 COPY = BUILD / "mutants"  # folder with a copy of the package and the compiled module
@@ -50,8 +50,8 @@ class Mutant:
         return text[: self.start] + self.other + text[self.start + len(self.operator) :]
 
 
-# A function that returns whether tests fail on a mutant, or on the original source if called with None. It returns None
-# if the mutant does not compile.
+# A judge returns whether tests fail on a mutant, or on the original source if the argument is None. It returns None if
+# the mutant does not compile.
 Judge = Callable[[Mutant | None], bool | None]
 
 

@@ -32,7 +32,7 @@ def run_native_tests(preset: str) -> None:
 
 
 def native_tests() -> None:
-    """Test the core as it is in the wheels, with their OpenMesh, so that ccache has its objects for the wheels."""
+    """Test the core with the OpenMesh of the wheels, so that ccache then has the objects for the wheels."""
     require_apt(*NATIVE_APT)
     build_native("release", "wirewarp_tests", FETCHCONTENT_SOURCE_DIR_OPENMESH=str(openmesh_source()))
     run_native_tests("release")
@@ -48,7 +48,6 @@ def instrumented_native_tests() -> None:
 
 
 def random_cases(count: int = FEW_CASES) -> None:
-    """Run this many random cases under the sanitizers."""
     require_apt(*NATIVE_APT)
     build_native("asan", "wirewarp_random_cases")
     core_coverage.begin()  # deletes counts of an earlier build, with which new counts cannot be merged

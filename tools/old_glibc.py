@@ -22,7 +22,7 @@ from tools.zig import ZIG, cache_variables, zig
 OPENMESH = "openmesh==1.2.1"  # contains the C++ source of OpenMesh 9.1
 GLIBC = "2.28"  # version on the oldest systems that blender.org supports
 POLICY = f"manylinux_{GLIBC.replace('.', '_')}_x86_64"
-# Defines names for which libstdc++ or its headers would otherwise need a newer glibc. The variable
+# This source defines names for which libstdc++ or its headers would otherwise need a newer glibc. The variable
 # __libc_single_threaded is 0: there may be several threads. This value is always safe. Debian 13's headers replace
 # strtol and strtoul by the functions __isoc23_*, which also accept binary numbers.
 NEWER_GLIBC = """
@@ -34,7 +34,7 @@ extern "C" unsigned long strtoul(const char*, char**, int);
 OURS long __isoc23_strtol(const char* text, char** end, int base) { return strtol(text, end, base); }
 OURS unsigned long __isoc23_strtoul(const char* text, char** end, int base) { return strtoul(text, end, base); }
 """
-# Links only the used parts of libstdc++, which need no newer glibc. Hides these parts from other modules.
+# These options link only the used parts of libstdc++, which need no newer glibc, and hide them from other modules.
 SECTIONS = "-Wl,--gc-sections -Wl,--exclude-libs,ALL"
 
 

@@ -37,7 +37,7 @@ from tools.zig import ZIG
 from tools.zips import LEGACY_TAG, VERSION
 
 DIST = ROOT / "dist"
-# Blenders of blender.org by version of Python; Debian's Blender 4.3 has Python 3.13
+# These are the Blenders of blender.org by version of Python. Debian's Blender 4.3 has Python 3.13.
 BLENDERS = {"3.11": "Blender 3.4 to 5.0", "3.13": "Blender 5.1 and later"}
 PYTHONS = tuple(BLENDERS)
 LEGACY_PYTHON = "3.11"
@@ -122,7 +122,6 @@ def keep_in_dist(wheels: Collection[Path]) -> None:
 
 
 def package_legacy() -> Path:
-    """Build only the legacy zip, and return it."""
     require_apt(*BUILD_APT)
     wheel = build_wheel(LEGACY_PYTHON, require_python(LEGACY_PYTHON))
     return zips.write_legacy(DIST, PLATFORM, wheel, library_wheels(PLATFORM, LEGACY_TAG))

@@ -31,7 +31,8 @@ TOURS = (
 )
 SHEET, DOTS = 6, 60  # number of the page of the PDF in the picture, and dots per inch of the picture
 DRAWN = {"pattern": 2600, "marker": 1100}  # width of each picture in pixels, by the name of its SVG file and style
-# left, top, right, bottom in pixels of the part of the pattern to show: left sleeve and neck of the front
+# The picture shows this part of the pattern: the left sleeve and the neck of the front. The numbers are its left, top,
+# right and bottom edge in pixels.
 PART = (970, 0, 1930, 1000)
 AT_ONCE = 4  # number of Blenders at a time, which mostly wait for their windows
 SECONDS = 600.0  # limit for a busy machine; a tour takes about ten seconds on an idle machine
@@ -40,7 +41,7 @@ SECONDS = 600.0  # limit for a busy machine; a tour takes about ten seconds on a
 def take_tour(zip_file: Path, taken: Path, name: str) -> tuple[int, str]:
     say(f"taking pictures: {name}")
     settings = blender_folder(f"pictures-{name}") | {"WIREWARP_ZIP": str(zip_file), "WIREWARP_PICTURES": str(taken)}
-    display = 99 + 10 * TOURS.index(name)  # xvfb-run tries the next number if a screen is in use, so leave gaps
+    display = 99 + 10 * TOURS.index(name)  # xvfb-run tries the next numbers if a screen is in use, so numbers have gaps
     return run_tours(SCRIPT, [name], clean_environment(**settings), SECONDS, display)
 
 

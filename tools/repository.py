@@ -15,7 +15,7 @@ from tools.zips import extension_zips
 
 REPOSITORY = DIST / "repository"
 PAGE = ROOT / "tools" / "repository.html"  # template; Blender replaces ${body} by the table of zips, and ${date}
-# The bpy whose script generates the list: the newest that runs in Debian's Python.
+# This bpy generates the list. It is the newest that runs in Debian's Python.
 GENERATOR = next((each for each in reversed(BPY) if BPY[each] == DEBIAN_VERSION), "")
 
 

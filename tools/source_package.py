@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Makes the source package for PyPI: the Python package and the core with the sources of Eigen and OpenMesh, so that
+"""Makes the source package for PyPI: the Python package, and the core with the sources of Eigen and OpenMesh.
+
 pip can build it with packages from PyPI only.
 
 `python -m build` would not make this program shorter, because it calls the function that BUILD_SDIST calls.
@@ -36,7 +37,6 @@ BUILD_SDIST = "import scikit_build_core.build, sys; scikit_build_core.build.buil
 
 
 def source_package() -> Path:
-    """Write dist/wirewarp-VERSION.tar.gz."""
     require_apt(*BUILD_APT)
     staged = FOLDER / "staged"
     shutil.rmtree(staged, ignore_errors=True)
@@ -66,7 +66,7 @@ def source_package_tests() -> None:
     python = venv("source", DEBIAN_PYTHON, PYTEST, HYPOTHESIS, NUMPY[DEBIAN_VERSION], *PATTERN)
     definitions = {"FETCHCONTENT_FULLY_DISCONNECTED": "ON", "CMAKE_CXX_FLAGS_RELEASE": FAST_TO_COMPILE}
     settings = [f"--config-settings=cmake.define.{name}={value}" for name, value in definitions.items()]
-    # a fixed folder in build/, so that ccache finds the objects of the last run
+    # The folder is fixed, so that ccache finds the objects of the last run.
     options = (*settings, f"--config-settings=build-dir={compiled}", "--no-deps", "--force-reinstall")
     (sources,) = unpacked.iterdir()
     install: list[str | Path] = [python, "-m", "pip", "install", *options, sources]

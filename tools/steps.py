@@ -27,7 +27,7 @@ PROCESSES = multiprocessing.get_context("fork")
 
 
 class When(IntEnum):
-    """Which runs of ./dev test include a step that they do not name."""
+    """Says which runs of ./dev test include a step that they do not name."""
 
     ALWAYS = 0
     ALL = 1  # only in ./dev test --all

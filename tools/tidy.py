@@ -30,12 +30,11 @@ TOOLS = ("clang-tidy==23.1.4", PYBIND11)
 FOLDER = BUILD / "tidy"
 NATIVE_TEST = re.compile(r"/wirewarp_tests\.dir/|/tests/native/")
 INCLUDED = ("native/include", "native/src", "tests/judge", "tests/random_cases", "/usr/include/eigen3")
-# --header-filter, because one file includes the sources of a folder, so clang-tidy treats them as headers
+# One file includes the sources of a folder, so clang-tidy treats them as headers. --header-filter shows their findings.
 OPTIONS = ("--quiet", "-p", FOLDER, "--header-filter=/(native|tests)/", "--checks=-bugprone-suspicious-include")
 
 
 def tidy() -> None:
-    """Check all sources except the native tests."""
     check(with_tests=False)
 
 

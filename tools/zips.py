@@ -42,7 +42,7 @@ PLATFORMS = {  # pattern of a wheel's tag: Blender's name of the system
 NOT_IN_STORE = "linux-arm64"  # extensions.blender.org refuses a zip for this platform
 
 
-# a function that returns the wheels of the other packages for a platform and a Python tag
+# A function of this type returns the wheels of the other packages for a platform and a Python tag.
 Libraries = Callable[[str, str], list[Path]]
 
 

@@ -29,10 +29,10 @@ COLORS = {
     "armhole": linear("#7b1fa2"),
     "inside of the sleeve": linear("#00695c"),
 }
-LABEL = 0.19  # inches
-# Each view: title, box, rotation to the left and tilt toward the viewer in degrees, and labels. Each label: name of the
-# line, share of the length of the line at which the leader ends, and offset of the text from this point in inches. A
-# label with an offset to the right is for the line on the right half of the model.
+LABEL = 0.19  # inches: height of the letters
+# A view has a title, a box, the rotation to the left and the tilt toward the viewer in degrees, and labels. A label has
+# the name of a line, and the share of the line's length at which the leader ends. Its last item is the offset of the
+# text from this point, in inches. A label with an offset to the right is for the line on the right half of the model.
 VIEWS = (
     (
         "From the front and above",
@@ -71,7 +71,7 @@ def draw_view(sheet: Sheet, body: Model, title: str, box: Box, view: tuple[float
     for kind, share, (right, up) in labels:
         placed = [body.vertices[line] for line in lines]
         on_side = [k for k, own in enumerate(placed) if kind_of(own) == kind and right * own[:, 0].sum() > 0]
-        # of the two lines of an armhole, the line on the front
+        # An armhole has two lines. Its label is for the line on the front.
         line = points[lines[min(on_side, key=lambda k: placed[k][:, 1].mean())]]
         at = line[round(share * (len(line) - 1))] * [1, 1, 0] + [0, 0, 1]
         end = at + [right, up, 0]

@@ -58,7 +58,7 @@ def near_level(height: float) -> float:
 
 
 def mark_garment() -> None:
-    """Mark the wires that readers of garment.md mark, and no others. The readers mark the same seams as the sample."""
+    """Mark the wires that readers of garment.md mark, and no other wires. They mark the same seams as the sample."""
     clear_wires(OWN_WIRES)
     mark_hip_line()
     leave_edit_mode()

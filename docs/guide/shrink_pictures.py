@@ -20,7 +20,7 @@ def shrink(source: Path, target: Path) -> None:
     if part.exists():
         picture = picture.crop(json.loads(part.read_text()))
     palette = picture.quantize(COLORS, method=Image.Quantize.MEDIANCUT, kmeans=4)
-    # dithered, so that color scales remain smooth
+    # The picture is dithered, so that color scales remain smooth.
     few = picture.quantize(palette=palette, dither=Image.Dither.FLOYDSTEINBERG)
     few.save(target, optimize=True)
     print(f"{target.name}: {few.width} x {few.height}, {target.stat().st_size / 1000:.0f} kB")

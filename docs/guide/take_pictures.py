@@ -126,7 +126,6 @@ def visible_corners() -> list[Vector]:
 
 
 def hide_others() -> None:
-    """Hide all objects except the active one."""
     for each in bpy.context.view_layer.objects:
         each.hide_set(each != bpy.context.view_layer.objects.active)
 
@@ -151,7 +150,7 @@ def take_picture(name: str) -> drive.Tour:
     drive.screenshot(name)
     area, height = drive.view_area(), bpy.context.window_manager.windows[0].height
     top = height - area.y - area.height
-    # without the border of the area, which is 1 pixel wide
+    # The border of the area, which is 1 pixel wide, is left out.
     box = (area.x + LEFT, top + 1, area.x + area.width, top + area.height - 1)
     (Path(os.environ["WIREWARP_PICTURES"]) / f"{name}.json").write_text(json.dumps(box))
 

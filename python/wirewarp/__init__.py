@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Flat pattern pieces whose outlines and wires keep exactly their lengths on the surface."""
+"""Makes flat pattern pieces whose outlines and wires keep exactly their lengths on the surface."""
 
 from . import _binary as _binary
 from ._errors import ErrorCode, FlattenError

@@ -20,7 +20,7 @@ def main() -> int:
         return 130
     except PrintError as error:
         print(error, file=sys.stderr)
-        # otherwise Python would fail again when it closes the streams
+        # Otherwise, Python would fail again when it closes the streams.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 2
 

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The command line, which makes reports and patterns from files of models. docs/command.md describes it."""
+"""Runs the command line, which makes reports and patterns from files of models. docs/command.md describes it."""

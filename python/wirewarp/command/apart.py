@@ -47,7 +47,7 @@ class Stopped:
 
     code: str  # "time_limit", "memory_limit" or "crashed"
     sentence: str
-    seconds: float  # duration of the process
+    seconds: float
 
 
 def each_apart(
@@ -55,8 +55,8 @@ def each_apart(
 ) -> Generator[tuple[int, Result | Stopped], None, None]:
     """Yield the index and the result of each item as soon as its work ends. jobs: number of processes at a time.
 
-    work must be a function of a module that other processes can import. modules: names of modules to load once for all
-    processes. All processes end if the caller closes the generator or is killed.
+    `work` must be a function of a module that other processes can import. modules: names of modules to load once for
+    all processes. All processes end if the caller closes the generator or is killed.
     """
     CONTEXT.set_forkserver_preload(modules)
     if sys.platform != "win32":
@@ -142,7 +142,7 @@ class _Run(Generic[Result]):
     def kill(self) -> None:
         family = _family(self._process.pid)
         for process in family:
-            with suppress(psutil.Error):  # raised if the process has already ended
+            with suppress(psutil.Error):
                 process.kill()
         psutil.wait_procs(family[1:], LEAVE)
         self._close()
@@ -171,7 +171,6 @@ def _end_with_parent() -> None:
 
 
 def _family(pid: int | None) -> list[psutil.Process]:
-    """Return the process and all processes that it has started."""
     try:
         process = psutil.Process(pid)
         return [process, *process.children(recursive=True)]
@@ -180,7 +179,6 @@ def _family(pid: int | None) -> list[psutil.Process]:
 
 
 def _memory(pid: int | None) -> int:
-    """Return the memory of a process and its children in bytes."""
     total = 0
     for process in _family(pid):
         with suppress(psutil.Error):

@@ -58,7 +58,7 @@ def parsed(words: Sequence[str]) -> Arguments:
     commands = parser.add_subparsers(required=True, metavar="flatten|batch|propose")
     flatten = commands.add_parser(
         "flatten",
-        # a new instance of the options, because flatten and batch set different defaults
+        # Each command gets new options, because set_defaults() changes the options of its parents.
         parents=[_model_options(), _writing_options(), _running_options()],
         help="flatten models, and write reports and patterns",
         description="Flattens models (OBJ, PLY, STL, glTF, Blender) and writes a report and a pattern for each. "
@@ -69,7 +69,6 @@ def parsed(words: Sequence[str]) -> Arguments:
     flatten.set_defaults(command=flatten, jobs=1, part=(1, 1))
     batch = commands.add_parser(
         "batch",
-        # a new instance of the options, because flatten and batch set different defaults
         parents=[_model_options(), _writing_options(), _running_options()],
         help="flatten folders and lists of models, and skip finished ones",
         description="Runs flatten --resume on all models of folders and lists. If you run it again, it skips finished "
@@ -384,7 +383,6 @@ def _seconds(text: str) -> float:
 
 
 def _memory(text: str) -> int:
-    """Return the amount of memory in bytes."""
     match = MEMORY.fullmatch(text.strip())
     if not match or not float(match[1]):
         raise argparse.ArgumentTypeError(f"{text!r} is not an amount of memory: give 500MB or 4GB")

@@ -63,6 +63,6 @@ def _outcome(request: Request, answered: dict[str, Any]) -> tuple[Line, dict[str
     issues = [(report, issue) for report in reports for issue in report.issues]
     problems = [(f"{place_name(report, issue.piece)}: {issue.sentence}", issue.code) for report, issue in issues]
     notes = [note_text(report, note) for report in reports for note in report.notes if note.is_warning]
-    warnings = [*notes, *answered["warnings"]]  # warnings of the export
+    warnings = [*notes, *answered["warnings"]]
     line = finished(reports, problems, warnings, files=[request.report_path.name, *answered["files"]])
     return line, answered["report"]

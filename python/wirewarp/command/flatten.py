@@ -22,7 +22,7 @@ from .request import BLEND, FROM_MODEL, MILLIMETERS, InputError, MaterialRequest
 from .staged import staged_folder, take_places
 from .verdicts import REFUSED, STOPPED, Line, finished, unfinished, with_faults_answered
 
-# Fields of a request that are not in the digest. The digest has names and contents of files instead of their paths.
+# These fields of a request are not in the digest. The digest has names and contents of files instead of their paths.
 WHEREABOUTS = ("blender", "folder", "model", "refusal", "resume", "seams", "wires")
 
 
@@ -137,7 +137,7 @@ def _flattened(request: Request, model: Model, folder: Path) -> tuple[Line, dict
             marker = pattern.nested(**asdict(request.marker))
             laid = pattern.laid_on(marker)
             for kind in request.formats:
-                # without the option paper, a PDF is a roll as wide as the marker
+                # Without the setting "paper", a PDF is a roll as wide as the marker.
                 _note(laid.write(folder / request.marker_path(kind).name), line)
             line["marker"], report["marker"] = marker.sentence(laid.units), marker.to_dict()
     return line, report | _timeless(result.to_dict())
@@ -150,7 +150,6 @@ def _translated(lines: Lines, found: Repaired) -> Lines:
 
 
 def material_options(material: MaterialRequest, unit: str) -> Options:
-    """Return the options for this material. unit: unit of the model."""
     thickness = material.thickness / MILLIMETERS[unit]
     cloth = Cloth.preset(material.cloth) if material.cloth else None
     if any(material.stretch):

@@ -19,8 +19,7 @@ NOTHING_MARKED = "No visible mesh of the file has a seam or a wire: mark where t
 
 
 def end_with_caller() -> None:
-    """End Blender when its caller ends. Nobody writes to the standard input. It closes when the process that started
-    Blender ends."""
+    """End Blender when its caller ends. The standard input then closes, and nobody writes to it before."""
     sys.stdin.read()
     os._exit(1)
 

@@ -17,7 +17,7 @@ Options = dict[str, str | int | float | bool]
 class Found:
     model: Path
     folder: Path  # relative to the output folder
-    options: Options = field(default_factory=dict)  # values by the name of the option, without "--"
+    options: Options = field(default_factory=dict)  # by the name of the option, without "--"
     source: str = ""  # the path of the list, and the number of the line with the options
 
 
@@ -30,7 +30,7 @@ def found_models(inputs: Iterable[Path]) -> list[Found]:
         elif path.suffix.lower() == LIST:
             found = list(_in_list(path))
         else:
-            found = [Found(path, Path())]  # if the file is missing, the line that is printed for the model says so
+            found = [Found(path, Path())]  # a missing file is reported later, in the line of the model
         if not found:
             raise InputError(f'there is no model in "{path}": models end in {", ".join(SUFFIXES)}')
         models += found
@@ -68,6 +68,6 @@ def _in_list(path: Path) -> Iterator[Found]:
                 entry[option] = str(path.parent / str(entry[option]))
         if not isinstance(model, str) or not all(isinstance(value, str | int | float) for value in entry.values()):
             raise InputError(f"{source}: a model and its options are texts, numbers or true")
-        # a model below the folder of the list keeps its subfolder in the output
+        # A model in a subfolder of the list's folder keeps its subfolder in the output.
         is_inside = not Path(model).is_absolute() and ".." not in Path(model).parts
         yield Found(path.parent / model, Path(model).parent if is_inside else Path(), entry, source)

@@ -76,7 +76,7 @@ def _add_wire(lines: Lines, entry: dict[str, Any]) -> None:
 
 
 def _add_ease(lines: Lines, entry: dict[str, Any]) -> None:
-    """Add the ease. Two successive vertices are an edge, in the direction of the triangle on the eased side."""
+    """Add the ease. Successive vertices are the directed edges of the triangles on the eased side."""
     lines.eases.append(Ease(list(pairwise(entry["side"])), entry.get("ease", 0.0)))
 
 
@@ -112,7 +112,6 @@ def _sides_at_edges(faces: np.ndarray) -> np.ndarray:
 
 
 def _island_borders(model: Model, corner_uv: np.ndarray) -> np.ndarray:
-    """Return the edges (k,2) at which the UV coordinates of the two faces differ."""
     sides = _sides_at_edges(model.faces)
     places = corner_uv.reshape(-1, 2)[sides]
     apart = np.abs(places[:, 0] - places[:, 1]).max(axis=(1, 2)) > SAME_UV
@@ -120,7 +119,6 @@ def _island_borders(model: Model, corner_uv: np.ndarray) -> np.ndarray:
 
 
 def _sharp_edges(model: Model) -> np.ndarray:
-    """Return the edges (k,2) between faces whose normals differ by more than SHARP, as pairs of vertices."""
     sides = _sides_at_edges(model.faces)
     a, b, c = model.vertices[model.faces].transpose(1, 0, 2)
     normals = np.cross(b - a, c - a)

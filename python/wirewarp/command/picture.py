@@ -12,18 +12,20 @@ from ..pattern.make.outline import FlatPiece, flat_piece
 from ..pattern.sheet.drawing import LOOKS, WIRES
 
 LONGEST = 2000  # pixels along the longer side of the pieces, including margins
-SMOOTH = 2  # scale of the drawing before it is reduced, for soft edges
+SMOOTH = 2  # the picture is drawn this much larger and then reduced, for soft edges
 MARGIN = 60  # pixels around the pieces
 LEAST = 0.01  # the strongest color shows at least this strain, because less strain is invisible on fabric
-# red, green and blue of the colors, from no strain to the largest strain
+# The rows are RGB colors, from no strain to the largest strain.
 COLORS = np.array([[255, 255, 255], [255, 221, 140], [235, 120, 50], [160, 20, 30]], dtype=float)
 LEGEND = 24  # pixels: height of the letters in the legend; numbers of pieces are twice as high
 Point = tuple[float, float]
 
 
 def write_picture(path: Path, result: FlattenResult, millimeters: float) -> bool:
-    """Write a PNG file. Return False if there is no file, because no piece has a layout. millimeters: length of the
-    model's unit."""
+    """Write a PNG file, and return True. If no piece has a layout, write nothing and return False.
+
+    millimeters: length of the model's unit.
+    """
     pieces = {number: piece for number, piece in enumerate(result.pieces, start=1) if len(piece.vertices)}
     if not pieces:
         return False

@@ -45,7 +45,7 @@ def with_proposals(
 
 
 def _widened(wire: Wire, tolerance: float) -> Wire:
-    """Return a copy of the wire with this tolerance. If its own tolerance is at least as large, return the wire."""
+    """Return a copy of the wire with this tolerance, or the wire itself if its tolerance is at least as large."""
     if tolerance <= wire.tolerance:
         return wire
     return Wire(wire.vertices, tolerance, wire.name, wire.ease)

@@ -15,7 +15,8 @@ from ..report import counted
 from .model import Model
 
 CLOSE = 1e-5  # closer vertices are merged; a fraction of the model's size, because files have five or six digits
-OBLIQUE = np.array([0.3, 0.5, 0.81])  # a direction; few vertices of a model are at the same place along it
+# Vertices are sorted in this direction. It is oblique, because then few vertices are at the same place along it.
+OBLIQUE = np.array([0.3, 0.5, 0.81])
 
 
 @dataclass(frozen=True)
@@ -95,7 +96,7 @@ def _labels(vertices: np.ndarray, close: float) -> np.ndarray:
     """Return for each vertex (n,) the vertex with the lowest number in its chain of close vertices."""
     labels = np.arange(len(vertices))
     pairs = _close_pairs(vertices, close)
-    while True:  # follow chains of close vertices
+    while True:
         before = labels.copy()
         lowest = np.minimum(labels[pairs[:, 0]], labels[pairs[:, 1]])
         np.minimum.at(labels, pairs.ravel(), np.repeat(lowest, 2))
@@ -171,7 +172,6 @@ def _without_flat_faces(model: Model, close: float) -> tuple[Model, int, dict[fr
 
 
 def _height(vertices: np.ndarray, face: tuple[int, ...]) -> float:
-    """Return the height of a face above its longest edge."""
     a, b, c = vertices[list(face)]
     longest = max(np.linalg.norm(b - a), np.linalg.norm(c - b), np.linalg.norm(a - c))
     return float(np.linalg.norm(np.cross(b - a, c - a)) / longest) if longest > 0 else 0.0
@@ -203,8 +203,9 @@ def _cut_at(
 def _opposed_faces(model: Model) -> np.ndarray:
     """Return the faces (k,) to flip, so that neighbors have the same direction.
 
-    In each connected part, these are the faces of the direction with the smaller area. No face is returned for a part
-    with only one side, such as a Möbius strip, because no flips make it consistent.
+    The faces of a connected part have two directions. The function returns the faces of the direction with the smaller
+    total area. For a part with only one side, such as a Möbius strip, it returns no faces, because no flips make them
+    consistent.
     """
     neighbors: dict[int, list[tuple[int, bool]]] = defaultdict(list)
     at_edge: dict[tuple[int, int], list[tuple[int, bool]]] = defaultdict(list)
@@ -242,7 +243,6 @@ def _opposed_faces(model: Model) -> np.ndarray:
 
 
 def _edges_of_many_faces(faces: np.ndarray) -> np.ndarray:
-    """Return the edges (k,2) with three or more faces."""
     edges = np.sort(faces[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1)
     found, counts = np.unique(edges, axis=0, return_counts=True)
     return found[counts > 2]

@@ -8,7 +8,7 @@ from typing import Literal
 from ..pattern.nest.items import Grain
 
 MILLIMETERS = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "in": 25.4}
-# values of Options.orientation, except "grain", which needs a chosen wire
+# Options.orientation also has the value "grain". It is missing here, because it needs a chosen wire.
 Orientation = Literal["wire", "boundary", "up", "best"]
 FROM_MODEL = ("uv", "sharp")
 BLEND = ".blend"
@@ -105,14 +105,13 @@ class Request(ModelRequest):
 
     @property
     def all_paths(self) -> list[Path]:
-        """Return the paths of all files that may be written. If a .blend file has several objects, the files of single
-        objects are missing, because only Blender knows the objects."""
+        """Return the paths of all files that may be written, except the files of single objects in a .blend file. Only
+        Blender knows these objects."""
         drawn = [path(kind) for kind in self.formats for path in (self.pattern_path, self.marker_path)]
         return [*drawn, self.picture_path, self.report_path]
 
     @property
     def line_files(self) -> list[Path]:
-        """Return the paths of the files with seams and wires."""
         return [Path(name) for name in self.lines if name not in ("", *FROM_MODEL)]
 
     @property

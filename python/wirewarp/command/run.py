@@ -30,9 +30,9 @@ def run(arguments: Arguments) -> int:
     # Matrices are small and there are many models, so threads for each matrix would only slow the run down.
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     for request in with_left([each for each in arguments.requests if isinstance(each, Request)]):
-        _remove_staged(request)  # before all models, because skipped models would keep their hidden folders
+        _remove_staged(request)  # now, because skipped models would keep their hidden folders
     worst = 0
-    # with disable=None, the bar is drawn only if standard error is a terminal
+    # With disable=None, the bar is drawn only if standard error is a terminal.
     with (
         tqdm(total=len(arguments.requests), unit="model", file=sys.stderr, disable=None) as bar,
         closing(_in_order(arguments, bar)) as lines,
@@ -71,7 +71,7 @@ def _in_order(arguments: Arguments, bar: "tqdm[None]") -> Generator[Line, None, 
                 following += 1
     finally:
         results.close()
-        for request in begun.values():  # requests that are unfinished because the run was stopped
+        for request in begun.values():  # unfinished, because the run was stopped
             _remove_staged(request)
 
 

@@ -12,7 +12,7 @@ from pathlib import Path
 from .request import InputError, Request
 
 HIDDEN = ".wirewarp-"  # prefix of the names of staged folders
-EARLIER = ".earlier"  # folder in the staged folder for the files of the previous run
+EARLIER = ".earlier"  # subfolder of a staged folder, for the files of the previous run
 
 
 @contextmanager
@@ -43,7 +43,7 @@ def listed_files(report: Path) -> list[str]:
     """Return the names of the files that a report lists, including the report; none if the file is not our report."""
     try:
         names = json.loads(report.read_text(encoding="utf-8"))["line"]["files"]
-        # only names of files beside the report are accepted, because another program may have written the report
+        # Names of files in other folders are ignored, because another program may have written the report.
         return [name for name in names if Path(name).name == name]
     except (FileNotFoundError, ValueError, KeyError, TypeError):
         return []

@@ -13,8 +13,8 @@ from .request import AnyRequest, InputError
 READY, NEEDS_STRETCH = "ready to cut", "needs stretch fabric"
 FAILED, REFUSED, STOPPED = "not ready to cut", "refused", "stopped"
 PROPOSED, NOTHING = "proposed", "nothing to propose"
-# The command ends with the exit code of the worst model. After flattening, 0 means that no piece failed, and that some
-# fabric stretches far enough.
+# The command ends with the exit code of the worst model. NEEDS_STRETCH has code 0, because some fabric stretches far
+# enough.
 EXIT_CODES = {READY: 0, NEEDS_STRETCH: 0, PROPOSED: 0, FAILED: 1, NOTHING: 1, REFUSED: 2, STOPPED: 3}
 Line = dict[str, Any]
 R = TypeVar("R", bound=AnyRequest)
@@ -38,7 +38,6 @@ def finished(
 
 
 def _word_of(found: Verdict) -> str:
-    """Return the word for this verdict in the printed line."""
     if found.is_ready:
         return READY
     return NEEDS_STRETCH if found.kind is Kind.NEEDS_STRETCH else FAILED

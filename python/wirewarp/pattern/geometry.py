@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Plane geometry of lines and outlines. An outline is closed and does not repeat its first point."""
+"""Calculates with lines and outlines in the plane. An outline is closed and does not repeat its first point."""
 
 import math
 from collections.abc import Sequence
@@ -42,7 +42,10 @@ def signed_area(outline: np.ndarray) -> float:
 
 
 def are_inside(points: np.ndarray, outlines: Sequence[np.ndarray]) -> np.ndarray:
-    """Return (p,) bool: whether each point (p,2) is inside. Rays from points inside cross an odd number of sides."""
+    """Return (p,) bool: whether each point (p,2) is inside the outlines.
+
+    A ray from a point inside crosses an odd number of sides.
+    """
     a, b = _sides(outlines)
     x, y = points[:, :1], points[:, 1:]
     crosses = (a[:, 1] > y) != (b[:, 1] > y)
@@ -90,7 +93,6 @@ def innermost_point(outlines: Sequence[np.ndarray], lines_inside: Sequence[np.nd
 
 
 def _distances(points: np.ndarray, obstacles: np.ndarray) -> np.ndarray:
-    """Return the distance (p,) of each point (p,2) from the nearest of the obstacles (o,2)."""
     x, y = (points[:, axis, None] - obstacles[:, axis] for axis in (0, 1))
     return np.sqrt((x * x + y * y).min(axis=1))
 
@@ -156,7 +158,6 @@ def _box(outlines: Sequence[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _sides(outlines: Sequence[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
-    """Return the first ends (s,2) and the second ends (s,2) of all sides."""
     a = np.concatenate([np.empty((0, 2)), *outlines])
     return a, np.concatenate([np.empty((0, 2)), *(np.roll(outline, -1, axis=0) for outline in outlines)])
 

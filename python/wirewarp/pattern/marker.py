@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A marker: the places of a pattern's pieces on the fabric. Save it, because another search finds other places."""
+"""Defines markers. A marker contains the places of a pattern's pieces on the fabric. Save it, because another search
+finds other places."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
@@ -24,7 +25,7 @@ class Size:
     width: float
     height: float
     area: float
-    x: float  # place of the centroid from the lower left corner; differs if a piece is turned or mirrored
+    x: float  # centroid from the lower left corner; it changes if a piece is turned or mirrored
     y: float
 
     def is_like(self, other: "Size") -> bool:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The parts of a pattern piece, for every kind of file. Lengths are in millimeters, and y points upwards."""
+"""Defines the parts of a pattern piece, for every kind of file. Lengths are in millimeters, and y points upwards."""
 
 import re
 from collections.abc import Collection
@@ -13,7 +13,7 @@ from .geometry import Motion
 LineRole = Literal["cut", "inner_cut", "sew", "wire", "grain", "fold", "card leader", "name leader"]
 PointRole = Literal["notch", "drill", "clip"]
 TextRole = Literal["card", "line name"]
-# roles of lines that lead to texts beside a piece
+# These are the roles of lines that lead to texts beside a piece.
 LEADERS: dict[TextRole, LineRole] = {"card": "card leader", "line name": "name leader"}
 KINDS = {  # parts that a maker may leave out of a file, with the roles of their lines, points and texts
     "sew": ("sew",),
@@ -125,7 +125,6 @@ class PatternPiece:
         return high - low
 
     def with_only(self, roles: Collection[str]) -> "PatternPiece":
-        """Return the piece with only the lines, points and texts of these roles."""
         return replace(
             self,
             lines=[line for line in self.lines if line.role in roles],

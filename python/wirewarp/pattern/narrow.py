@@ -15,9 +15,9 @@ if TYPE_CHECKING:
 
 SCRAP = 0.1  # share of the area; parts below it, such as the tip of a tail, do not count
 MOST = 0.5  # least share of the area that disks must cover; far below 1, because disks never fill corners
-# Number of steps of the radius, and of halvings of the last step. A step is 1/24 of the radius of a disk with the area
-# of the shape. The search finds each waist that is narrower than its surroundings by one step. After ten halvings, the
-# error is 1/24,000 of this radius, less than a thread even in a piece a meter wide.
+# The search increases the radius in STEPS steps, and halves the last step HALVINGS times. A step is 1/24 of the radius
+# of a disk with the area of the shape. The search finds each waist that is narrower than its surroundings by one step.
+# After ten halvings, the error is 1/24,000 of this radius, less than a thread even in a piece a meter wide.
 STEPS, HALVINGS = 24, 10
 ARC, ROUGH_ARC = 1e-3, 0.03  # errors of round corners as shares of the radius: for widths, and for areas
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A pattern, with the methods that make, change, lay out and write it."""
+"""Defines a pattern, with the methods that make, change, lay out and write it."""
 
 import math
 from collections.abc import Mapping, Sequence

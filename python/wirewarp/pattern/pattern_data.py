@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The data of a pattern, from which every file and drawing is made."""
+"""Defines the data of a pattern, from which every file and drawing is made."""
 
 import math
 from collections.abc import Iterable
@@ -55,7 +55,7 @@ class Written:
     sheets: int  # pages of a PDF; 1 for other files
     pieces: int
     off: float  # largest distance in millimeters between a point in the file and its place in the pattern
-    warnings: list[str]  # sentences for the maker
+    warnings: list[str]
 
     def __str__(self) -> str:
         what = f"{counted(self.pieces, 'piece')} on {counted(self.sheets, 'sheet')}"

@@ -10,7 +10,7 @@ from .._errors import FlattenError
 
 OFTEN = 0.1  # least seconds between two calls of progress
 Progress = Callable[[str, float], bool | None]  # gets the stage and the completed share; returns False to cancel
-# Start of each stage of making and writing a pattern, as a share of the total time for a garment of 20 pieces.
+# Each stage of making and writing a pattern starts at this share of the total time, for a garment of 20 pieces.
 STAGES = {
     "allowance": 0.0,
     "marks and lines": 0.2,

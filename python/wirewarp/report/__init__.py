@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The report of a flattening: all lengths, the verdict, hints, and rows for tables.
+"""Makes the report of a flattening: all lengths, the verdict, hints, and rows for tables.
 
 The Blender add-on and the command line share this code.
 """

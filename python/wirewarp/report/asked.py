@@ -7,8 +7,8 @@ import numpy as np
 
 from .. import BoundaryReport, Piece, WireReport
 
-# Largest relative error of a length that counts as kept. The library checks every edge to 1e-9, but the lengths of
-# lines include the rounding errors of all their edges.
+# A length counts as kept up to this relative error. The library checks every edge to 1e-9, but the lengths of lines
+# include the rounding errors of all their edges.
 LENGTH_LIMIT = 1e-8
 
 

@@ -16,7 +16,7 @@ COARSE_ADVICE = (
 )
 LEAST_TURN = np.radians(15.0)  # radians at one vertex; a line with smaller turns looks round on fabric
 LEAST_ERROR = 1e-3  # meters between a curve and the middle of an edge; scissors cannot follow a line more closely
-# Radians. A larger turn counts as an intended corner, because a curve with such turns could not be recognized.
+# A larger turn, in radians, counts as an intended corner, because a curve with such turns could not be recognized.
 CORNER = np.radians(60.0)
 # On a curve, one of the neighbors of a vertex turns in the same direction, by at least this share of the vertex's turn.
 # Beside a corner, the line is straight.
@@ -42,7 +42,7 @@ def coarse_hints(pieces: Sequence[Piece], meters: float) -> list[Hint]:
 def _outlines(piece: Piece) -> Iterator[tuple[np.ndarray, np.ndarray]]:
     """Yield the vertices of the model (k,) and their places (k,2) for each section of the outline.
 
-    A closed outline begins and ends with its last two and first two points, so that each vertex has two neighbors.
+    A closed outline has one more point at each end, so that each vertex has two neighbors.
     """
     faces = np.asarray(piece.faces, dtype=np.int64)
     sides = np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]])
@@ -66,7 +66,7 @@ def _curved(points: np.ndarray) -> Iterator[tuple[int, float]]:
     for row, turn in enumerate(turns):
         neighbors = np.array([beside[row], beside[row + 2]]) * np.sign(turn)
         is_curved = (neighbors >= ALIKE * abs(turn)) & (neighbors <= CORNER)
-        # distance between the middle of an edge and the arc through its ends, if the arc turns by `turn` along the edge
+        # This is the distance between the middle of an edge and the arc through its ends. The arc turns by `turn`.
         error = max(lengths[row], lengths[row + 1]) * np.tan(abs(turn) / 4) / 2
         if LEAST_TURN < abs(turn) <= CORNER and error > LEAST_ERROR and is_curved.any():
             yield row + 1, float(abs(turn))

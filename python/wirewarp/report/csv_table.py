@@ -10,7 +10,7 @@ from .model import Lengths, Piece, Report, WirePart
 from .names import open_edges, piece_names, pieces_of_wires, seam_name, side_names
 from .words import LengthText
 
-DIGITS = 6  # number of decimals
+DIGITS = 6
 
 
 def report_csv(report: Report, units: LengthText) -> str:

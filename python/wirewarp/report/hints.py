@@ -13,11 +13,11 @@ from .strain import PieceStrain, connected_regions, edge_keys, percent_text, thr
 from .wording import needs_text, strain_text
 from .words import tolerance_text
 
-# Strain above which a dart may help. Stretch fabric can stretch so far, but pulls at such places.
+# Above this strain, a dart may help. Stretch fabric can stretch so far, but pulls at such places.
 STRAIN_LIMIT = 0.08
 LARGEST_SHARE = 0.25  # share of a piece's area; if more is strained, only the worst part is shown
-MOST_PIECES = 4  # largest number of pieces in the list
-MOST_REGIONS = 2  # largest number of places in one piece, besides the place with the largest strain
+MOST_PIECES = 4  # largest number of pieces with hints
+MOST_REGIONS = 2  # largest number of places in one piece; the place with the largest strain is added
 LEAST_AMOUNT = 0.1  # share of the piece's largest Region.amount; smaller places, mostly single faces, get no hint
 TORN, STRAINED, BEYOND_FABRIC, WIRE_AT_LIMIT = "torn", "strained", "beyond_cloth", "wire_at_limit"
 TORN_ADVICE = (
@@ -108,7 +108,7 @@ def _regions(piece: Piece, strain: PieceStrain, places: Places) -> list[Region]:
 
 
 def _worst_part(strain: np.ndarray, areas: np.ndarray) -> float:
-    """Return the strain that triangles with the share LARGEST_SHARE of the area exceed.
+    """Return the strain that is exceeded in the share LARGEST_SHARE of the area.
 
     areas (q,): areas of the triangles.
     """
@@ -134,7 +134,7 @@ def thread_hints(pieces: Sequence[Piece], threads: Sequence[Threads | None], pla
 
 
 def _limit(threads: Threads, way: str) -> float:
-    """Return the stretch in one direction of the fabric above which a dart may help, as a fraction."""
+    """Return the largest stretch in one direction that needs no dart, as a fraction."""
     known: float | None = getattr(threads.gives, way)
     return known if known is not None else STRAIN_LIMIT + (getattr(threads.worn, way) or 0.0)
 
@@ -172,7 +172,7 @@ def wire_hints(wires: Sequence[Wire]) -> list[Hint]:
 
 
 def torn_hints(vertices: np.ndarray, outline: np.ndarray) -> list[Hint]:
-    """Return one hint about all edges at the same place that are not joined, or no hint. They may be apart on purpose.
+    """Return one hint about all overlapping edges that are not joined, or no hint. They may be apart on purpose.
 
     vertices (n,3): vertices of the model. outline (k,2): edges of the model with one face.
     """

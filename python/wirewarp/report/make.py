@@ -29,7 +29,7 @@ from .strain import (
     wanted_strain,
 )
 
-AT_LIMIT = 1e-6  # largest difference between change and tolerance, as fractions, at which a wire is at its limit
+AT_LIMIT = 1e-6  # as a fraction; a wire is at its limit if its change is this close to its tolerance
 UNUSED_TOLERANCES = "This method keeps every wire rigid, so tolerances were not used."
 
 
@@ -205,7 +205,7 @@ class _Maker:
     def _seam(self, index: int, seam: SeamReport, failed: set[int]) -> model.Seam:
         asked = [seam.length_3d * (1 + seam.variation) * (1 + ease) for ease in seam.eases]
         pairs = zip(seam.length_2d, asked, strict=True)
-        # for NaN, the comparison is false, so the seam is not ok
+        # For NaN, the comparison is false, so the seam is not ok.
         within = all(abs(length - wanted) <= LENGTH_LIMIT * seam.length_3d for length, wanted in pairs)
         return model.Seam(
             index=index,

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The report as dataclasses. Lengths and areas are in units of the model. Indices of elements refer to the model.
+"""Defines the report as dataclasses.
+
+Lengths and areas are in units of the model. Indices of elements refer to the model.
 
 Names of fields are the keys of the JSON form (json_form.py). A missing number is None, for example the flat length of a
 piece without a layout.
@@ -60,8 +62,6 @@ class WirePart(Lengths):
 
 @dataclass(kw_only=True)
 class Wire(WirePart):
-    """A whole wire."""
-
     vertices: list[int]
     wire_id: int = 0  # id of the mark in Blender; 0 elsewhere
     marked_id: int = 0  # id on its edges in Blender; copies of a wire have the same id
@@ -114,7 +114,7 @@ class Threads:
     along: float
     shear: float  # radians by which the angle between the threads differs from a right angle
     gives: Ways  # maximum stretch of the fabric
-    worn: Ways  # built-in stretch, which is intended and which the pieces already contain
+    worn: Ways  # intended stretch when worn, for which the pieces are already cut smaller
 
     @property
     def over(self) -> bool:
@@ -152,7 +152,7 @@ class Piece:
     index: int
     name: str
     piece_id: int = 0  # id of the piece in Blender; 0 elsewhere
-    ok: bool  # all guarantees are met
+    ok: bool  # whether all guarantees are met
     has_layout: bool
     faces: int
     triangles: int
@@ -163,9 +163,9 @@ class Piece:
     stretch: float | None  # stretch_figure() in strain.py; with a fabric, the larger of Threads.across and along
     aspect_ratio_max: float | None
     stretch_max: float | None  # largest stretch of a triangle
-    stretch_faces: list[int]  # faces around this triangle
+    stretch_faces: list[int]  # faces around the triangle with the largest stretch
     ease_max: float | None  # largest compression of a triangle
-    ease_faces: list[int]  # faces around this triangle
+    ease_faces: list[int]  # faces around the triangle with the largest compression
     angle_deviation_rms: float | None
     angle_deviation_max: float | None
     flipped_faces: int
@@ -235,7 +235,7 @@ class Issue:
     wires: list[int] = field(default_factory=list)  # indices of the wires that the sentence names
     proposed_seams: Pairs = field(default_factory=list)  # edges that fix the piece if they become seams
     proposed_tolerances: list[LooserWire] = field(default_factory=list)
-    both_sides: bool = False  # the proposal is for this piece and its mirror image
+    both_sides: bool = False  # whether the proposal is for this piece and its mirror image
 
     @property
     def has_place(self) -> bool:

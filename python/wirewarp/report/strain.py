@@ -129,20 +129,17 @@ def thread_strains(metrics: Metrics) -> dict[str, np.ndarray]:
 
 
 def _numbers(values: np.ndarray, collapsed: float) -> np.ndarray:
-    """Return the values, with the number `collapsed` for values that are not finite."""
     found: np.ndarray = np.where(np.isfinite(values), values, collapsed)
     return found
 
 
 def triangle_areas(vertices: np.ndarray, triangles: np.ndarray) -> np.ndarray:
-    """Return the areas (m,) of the triangles (m,3). vertices (n,3): places of their vertices."""
     a, b, c = (vertices[triangles[:, corner]] for corner in range(3))
     areas: np.ndarray = np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2
     return areas
 
 
 def triangles_around(piece: Piece, triangle: int) -> np.ndarray:
-    """Return the triangles (k,) of a piece that share a vertex with this triangle, including the triangle."""
     return np.flatnonzero(np.isin(piece.faces, piece.faces[triangle]).any(axis=1))
 
 

@@ -31,7 +31,6 @@ def failed(count: int, of: int) -> str:
 
 
 def failed_models(names: str) -> str:
-    """Return the sentence about failed models. names: list of the names of models that failed as a whole."""
     return f"Do not cut: {names} failed"
 
 

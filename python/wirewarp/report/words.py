@@ -5,8 +5,8 @@ import math
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-# For some units of length, areas have a larger unit, because areas in mm² would have six digits. Values: the larger
-# unit, and its length in the unit of length.
+# For some units of length, areas have a larger unit, because areas in mm² would have six digits. The values are the
+# larger unit of length and its length in the smaller unit.
 _AREA_UNITS = {"mm": ("cm", 10.0), "um": ("cm", 1e4), "thou": ("in", 1000.0)}
 _DECIMALS = {"mm": 2, "cm": 3, "m": 4, "in": 3}
 _AREA_DECIMALS = {"mm": 1, "um": 1, "cm": 1, "in": 2, "thou": 2, "ft": 3}
@@ -23,7 +23,7 @@ def quoted(names: Iterable[str]) -> str:
 
 
 def paragraph(sentences: Iterable[str]) -> str:
-    """Return the sentences in one line, each with a period. Blender's status bar would drop line breaks."""
+    """Return the sentences in one line, because Blender's status bar would drop line breaks. Add missing periods."""
     return " ".join(each if each.endswith((".", "?", ":")) else f"{each}." for each in sentences)
 
 

@@ -19,7 +19,7 @@ from ..units import INCH
 from .dxf_tags import Tags, block_names, escaped_text, plain_text, section
 
 LONGEST_NAME = 20  # number of letters; AccuMark cuts off longer names
-CORNER = math.radians(30)  # radians; where the outline turns more, a point is a turn point, otherwise a curve point
+CORNER = math.radians(30)  # radians; a point with a larger turn of the outline is a turn point, otherwise a curve point
 TURN_POINT, CURVE_POINT = "2", "3"
 NOTCH_WIDTH = 2.0  # millimeters at the edge of the piece
 TEXT_HEIGHT = 5.0  # millimeters
@@ -97,7 +97,7 @@ class _Writer:
         fields |= {"Size": "1"} if self._is_aama else {}
         middle = piece.bounds[0] + piece.size / 2
         self._add_fields(tags, fields, middle)
-        # apparel DXF has no entity for leader lines
+        # Apparel DXF has no entity for leader lines.
         for line in (line for line in piece.lines if line.role not in LEADERS.values()):
             self._add_line(tags, line.role, line.points, line.closed)
         for point in piece.points:

@@ -53,7 +53,7 @@ class Tags:
         self._lines += other._lines
 
     def number(self, millimeters: float) -> str:
-        return f"{round(float(millimeters) * self._scale, self._decimals) + 0.0:.{self._decimals}f}"  # no -0
+        return f"{round(float(millimeters) * self._scale, self._decimals) + 0.0:.{self._decimals}f}"  # + 0.0 avoids -0
 
     def at(self, point: np.ndarray, first: int = 10, z: float | None = None) -> list[tuple[int, str]]:
         """Return the pairs (group code, value) of a point (2,). first: group code of x."""

@@ -37,10 +37,11 @@ class Format:
     label: str
     description: str
     write: Writer
-    # returns the cutting lines (k,2) in millimeters, and shares no code with the writers
+    # This function returns the cutting lines (k,2) in millimeters. It shares no code with the writers, because it
+    # checks their files.
     read_cut_lines: Callable[[Path], Iterator[np.ndarray]]
     options: tuple[Option, ...] = ()
     has_pages: bool = False  # whether the writer also accepts `paper` and `keep_places`
     is_along_cloth: bool = False  # whether x is along the fabric in markers
-    # returns the size (2,) of a file without pages, in millimeters
+    # This function returns the size (2,) of a file without pages, in millimeters.
     size_of: Callable[[PatternData], np.ndarray] = lambda pattern: pattern.size

@@ -38,7 +38,7 @@ def write_pdf(
     for number, sheet in enumerate(planned.all_sheets):
         yield "sheets", number / len(planned.all_sheets)
         content = Content()
-        for layer, strokes, texts in sheet.marks(planned.pattern):  # drawn before the lines of pieces
+        for layer, strokes, texts in sheet.marks(planned.pattern):
             content.in_layer(layer, strokes, texts)
         if sheet.is_clipped:
             content.clip(sheet.corner, sheet.corner + sheet.size)

@@ -82,7 +82,7 @@ class Document:
         """Begin a document. hidden: layers that are off until the reader turns them on."""
         self.page_count = 0
         self._pdf = pydyf.PDF()
-        # a shortened title may end in half a surrogate pair
+        # A shortened title may end with half of a surrogate pair, which cannot be encoded.
         whole = title.encode("utf-16", "replace").decode("utf-16")
         self._pdf.info["Title"] = pydyf.String(whole)
         self._pdf.info["Creator"] = pydyf.String("WireWarp")
@@ -101,7 +101,7 @@ class Document:
         properties = {"OCGs": pydyf.Array(references.values()), "D": pydyf.Dictionary(default)}
         self._pdf.catalog["OCProperties"] = pydyf.Dictionary(properties)
         self._pdf.catalog["PageMode"] = "/UseOC"
-        # the print dialog does not scale the pages
+        # The print dialog must not scale the pages.
         self._pdf.catalog["ViewerPreferences"] = pydyf.Dictionary({"PrintScaling": "/None"})
         shown = pydyf.Dictionary({_key(layer): reference for layer, reference in references.items()})
         self._resources = {"Properties": shown, "Font": pydyf.Dictionary({"F": self._font.reference})}

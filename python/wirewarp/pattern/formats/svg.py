@@ -24,7 +24,7 @@ from .read_back import read_svg
 SVG, INKSCAPE = "http://www.w3.org/2000/svg", "http://www.inkscape.org/namespaces/inkscape"
 MARGIN = 10.0  # millimeters around the drawing
 DECIMALS = 4  # decimals of the coordinates, which are in millimeters
-# characters that XML 1.0 does not allow
+# This matches all characters that XML 1.0 does not allow.
 NO_CHARACTER = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 
 
@@ -40,7 +40,7 @@ class Preset:
     stroke: float | None = None  # width of all lines in millimeters; None: each line has its own width
     has_texts: bool = True
     has_dashes: bool = True
-    # whether lengths are in pixels (96 per inch), without a viewBox, for programs that ignore units and viewBox
+    # If true, lengths are in pixels (96 per inch), without a viewBox, because some programs ignore units and viewBox.
     in_pixels: bool = False
 
 
@@ -113,7 +113,7 @@ def _document(pattern: PatternData, preset: Preset) -> Steps[ElementTree.Element
         yield "writing", number / len(pattern.pieces)
         drawing.add_piece(piece.moved(offset))
     drawing.add_square(side, label, pattern.allowance_text, square)
-    for element in root.iter():  # names may contain characters that XML does not allow
+    for element in root.iter():
         element.text = element.text and NO_CHARACTER.sub("\ufffd", element.text)
         for key, value in element.items():
             element.set(key, NO_CHARACTER.sub("\ufffd", value))

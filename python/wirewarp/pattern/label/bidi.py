@@ -128,7 +128,6 @@ def _neutral(weak: Sequence[str], outer: str) -> list[str]:
 
 
 def _direction(kind: str) -> str:
-    """Return the direction of a class: "L" or "R" for letters, "R" for numbers, and "" for signs."""
     return "R" if kind in NUMBERS else kind if kind in ("L", "R") else ""
 
 

@@ -88,7 +88,7 @@ def with_card_anew(
 
 
 def _card(cards: list[tuple[str, ...]], outlines: list[np.ndarray], kinds: list[Sequence[np.ndarray]]) -> list[Text]:
-    """Return the first card that can be read, or none if the piece is too small for any.
+    """Return the first card whose letters are large enough to read, or no card.
 
     cards: the lines of each card, the card with the most text first. kinds: as for place_text().
     """

@@ -57,8 +57,6 @@ def add_font_folder(folder: str | Path) -> None:
 
 
 class Font:
-    """One face of a font file."""
-
     def __init__(self, path: Path, index: int = 0) -> None:
         """Open the font. Raises errors of the libraries if the file is not a font."""
         self._path, self._index = path, index
@@ -66,7 +64,7 @@ class Font:
         if path.suffix.lower() == ".woff2":
             from fontTools.ttLib import TTFont
 
-            # loads only the letters, because loading all glyphs takes ten times as long
+            # Only the letters are loaded, because loading all glyphs takes ten times as long.
             with TTFont(path, lazy=True) as quick:
                 self._letters = set(quick.getBestCmap() or {})
         else:

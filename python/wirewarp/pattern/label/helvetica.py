@@ -4,7 +4,7 @@
 import unicodedata
 
 ENCODING = "cp1252"  # WinAnsiEncoding in PDF
-# Adobe's widths of the characters from space to tilde, in thousandths of the height.
+# These are Adobe's widths of the characters from space to tilde, in thousandths of the height.
 WIDTHS = (
     278, 278, 355, 556, 556, 889, 667, 191, 333, 333, 389, 584, 278, 333, 278, 278, 556, 556, 556, 556, 556, 556,
     556, 556, 556, 556, 278, 278, 584, 584, 584, 556, 1015, 667, 667, 722, 722, 667, 611, 778, 722, 278, 500, 667,

@@ -18,11 +18,13 @@ from .text_place import text_width
 
 NEAREST, FARTHEST, STEP = 2.0, 40.0, 0.5  # millimeters from the named line to the middle of the text
 TURNS = (0, 30, -30, 60, -60, 90, -90, 135, -135, 180)  # degrees from the direction straight out, the best turn first
-# Angles of the text in degrees, the easiest to read first. Turned text stays close to a narrow piece.
+# These angles of the text, in degrees, are tried in this order, the easiest to read first. Turned text stays close to a
+# narrow piece.
 ANGLES = (0.0, 90.0, 45.0, -45.0)
-# Largest distance of a text from the box of the cutting lines, in millimeters. Texts of neighboring pieces cannot meet.
+# A text is at most this far from the box of the cutting lines, in millimeters, so that texts of two pieces do not meet.
 REACH = GAP / 2
-# Largest distance from the cutting lines, in millimeters. Sheets overlap by more, so the text is on the piece's sheet.
+# A text is at most this far from the cutting lines, in millimeters. Sheets overlap by more, so the text is on the sheet
+# of the piece.
 NEAR = OVERLAP - STEP
 
 
@@ -102,8 +104,11 @@ class Beside:
 
 
 def _leaders(text: Text, centers: np.ndarray, target: np.ndarray) -> np.ndarray:
-    """Return a leader line (3,2) for each center (c,2) of the text. The line does not cross the letters: it leads from
-    the target to the nearer end of the top or bottom edge of the text, and then along this edge."""
+    """Return a leader line (3,2) for each center (c,2) of the text.
+
+    The line does not cross the letters, because it leads from the target to an end of the top or bottom edge of the
+    text, and then along this edge.
+    """
     sides = np.where((target - centers) @ axes(text) > 0, 1, -1)
     along, up = (sides[:, [side]] * axes(text)[:, side] for side in (0, 1))
     edges = centers + (text.height / 2 + 2 * CLEAR) * up

@@ -12,7 +12,7 @@ from .leaders import Beside
 from .room import Room
 from .text_place import text_width
 
-# heights of the letters to try, in millimeters; if none fits, the name is placed beside the piece
+# These are the heights of letters to try, in millimeters. If none fits, the name is placed beside the piece.
 HEIGHTS = (4.5, 3.5, 2.5)
 BESIDE = 0.75  # millimeters between a line and the letters of its name
 ALONG_SEAM = (0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8)  # places along a line to try, as shares of its length
@@ -44,7 +44,6 @@ def _out_of_room(line: Line) -> tuple[list[Text], np.ndarray]:
 
 
 def _short(line: Line) -> str:
-    """Return the short name of a line, for places with little room."""
     return short_name(line.name) if line.role == "sew" else line.name
 
 

@@ -11,7 +11,8 @@ from ..model import Text
 from .text_place import LINE, text_width
 
 CLEAR = 0.5  # millimeters between a text and its neighbors
-# Places of the strokes that represent a line of text, in heights of the text. No other text fits between two strokes.
+# These are the places of the strokes that represent a line of text, in heights of the text. No other text fits between
+# two strokes.
 STROKES = np.linspace(-0.5, 0.5, 5)
 
 Segments = tuple[np.ndarray, np.ndarray]  # first and second ends (s,2) of segments
@@ -47,7 +48,6 @@ class Room:
 
 
 def joined(parts: list[Segments]) -> Segments:
-    """Return all segments together. parts may be empty."""
     first, second = (np.concatenate([np.empty((0, 2)), *(part[end] for part in parts)]) for end in (0, 1))
     return first, second
 

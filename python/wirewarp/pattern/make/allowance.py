@@ -39,7 +39,7 @@ def _joins(points: np.ndarray, normals: np.ndarray, width: float) -> list[np.nda
     with np.errstate(divide="ignore", invalid="ignore"):  # divides by 0 if the line turns back on itself
         tangent = turn / (1 + cosine)  # tangent of half the turn
         mitre = corners + width * (before + after) / (1 + cosine)[:, None]
-    # the distance between the mitre's point and the corner is width * sqrt(1 + tangent^2)
+    # The distance between the mitre's point and the corner is width * sqrt(1 + tangent^2).
     far = np.isnan(tangent) | (1 + tangent**2 > MITRE_LIMIT**2)
     is_left = (turn > 0) | ((turn == 0) & (cosine < 0))
     is_mitre = ~far & (is_left | _fits(points, tangent, width))
@@ -129,7 +129,6 @@ def cut_lines(loops: Sequence[Sequence[Section]]) -> CutLines:
 
 
 def _allowance(loop: Sequence[Section], origin: np.ndarray) -> list[Polygon]:
-    """Return the polygons of the strips and corners of one outline."""
     strips = [[_on_grid(strip(part.points, part.width), origin)] if part.width > 0 else [] for part in loop]
     corners = []
     for number, first in enumerate(loop if len(loop) > 1 else []):

@@ -24,10 +24,11 @@ from .seams import SewnSide, fixed_starts, row_of
 class Copies:
     """Copies and folds, by the index of the drawn piece."""
 
-    # the other pieces of equal shape, each with its map to the drawn piece
+    # These are the other pieces of equal shape, each with its map to the drawn piece.
     others: dict[int, list[tuple[int, Congruence]]]
     folds: dict[int, tuple[np.ndarray, Congruence]]  # the fold (2,2), and the reflection that maps the piece to itself
-    # by seam: the vertex of the model at which sides that are whole outlines begin; copies map start to start
+    # The keys are seams. The values are the vertices of the model at which whole outlines of a seam begin. Copies map
+    # these starts to each other.
     starts: dict[int, int]
 
     @property
@@ -57,7 +58,7 @@ def copies_of(laid: Sequence[Laid], pieces: Sequence[PatternPiece], pairs: bool,
         yield from reversing
 
     def fits(first: int, second: int, each: Congruence) -> bool:
-        """Return whether the map takes seams to seams, and starts to starts. If it does, store the starts."""
+        """Return whether the map takes seams to seams and their starts to starts. If it does, store the starts."""
         begun, sewn = dict(found.starts), set()
         for side, image, sources in _matched(laid[first], laid[second], each):
             if side.seam is None or image.seam is None:
@@ -124,7 +125,7 @@ class CopiedSides:
 
 def copied_sides(copies: Copies, laid: Sequence[Laid], seams: Sequence[Sequence[SewnSide]]) -> CopiedSides:
     forward = {id(own.side): own.is_forward for sides in seams for own in sides}
-    # by seam: the seams to which copies map it, and whether the images run in the other direction
+    # The keys are seams. The values are the seams to which copies map the key, and whether the image is reversed.
     turns: dict[int, list[tuple[int, bool]]] = defaultdict(list)
     images: dict[int, list[Side]] = defaultdict(list)
     maps = [(first, second, each) for first, others in copies.others.items() for second, each in others]
@@ -146,8 +147,8 @@ def copied_sides(copies: Copies, laid: Sequence[Laid], seams: Sequence[Sequence[
 def _matched(first: Laid, second: Laid, found: Congruence) -> list[tuple[Side, Side, np.ndarray]]:
     """Return all matches of a side of the first piece with the image of a side of the second piece.
 
-    A match is the first side, the second side, and the vertices (k,) of the second side in the order of the points of
-    the first side.
+    A match is the first side, the second side, and the vertices (k,) of the second side. These vertices are in the
+    order of the points of the first side.
     """
     matched = []
     for side in (side for loop in first.loops for side in loop):

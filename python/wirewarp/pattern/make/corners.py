@@ -81,7 +81,7 @@ def _fold_back(turn: float, a: float, b: float) -> np.ndarray:
 
 
 def _extend(turn: float, a: float, b: float) -> np.ndarray:
-    """Return the straight path between the points where each cutting line meets the other, extended stitching line."""
+    """Return the straight path between two points, at which a cutting line meets the other stitching line, extended."""
     return np.array([[-a / math.tan(turn), -a], [b / math.sin(turn), 0.0]])
 
 

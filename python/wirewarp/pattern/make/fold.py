@@ -14,7 +14,8 @@ from .pieces import FOLD_NAME
 
 ON_FOLD = 0.05  # millimeters; a point nearer to the fold is on the fold
 BESIDE_FOLD = 15.0  # millimeters between the fold and a grain arrow along it
-# Sine of an angle. A grain at a smaller angle to the fold counts as parallel, because nobody aligns fabric better.
+# A grain at a smaller angle to the fold counts as parallel, because nobody aligns fabric better. This is the sine of
+# the angle.
 ALONG = math.sin(math.radians(0.5))
 
 

@@ -40,7 +40,7 @@ def marks(
             if any(id(own.side) in closed for own in sides):
                 continue
             sewn = SewnLengths.of(sides)
-            # seams of back pieces have double notches
+            # Seams of back pieces have double notches.
             if any(own.side.piece in at_back for seam in group.turned for own in seams[seam]):
                 doubled = [place + aside for place in places for aside in (-DOUBLE / 2, DOUBLE / 2)]
                 places = [place % sewn.whole for place in doubled] if is_ring else doubled
@@ -105,8 +105,10 @@ def _legs(laid: Sequence[Laid]) -> set[int]:
 def _places(
     group: SeamGroup, seams: Sequence[Sequence[SewnSide]], wire_ends: Mapping[int, np.ndarray], spacing: float
 ) -> dict[int, list[float]]:
-    """Return the places of notches of each seam of a group, as sewn lengths from the start of the seam. If all sides
-    are whole outlines, one notch is at the start."""
+    """Return the places of notches of each seam of a group, as SewnLengths from the start of the seam.
+
+    If all sides are whole outlines, one notch is at the start.
+    """
     sewn = {seam: SewnLengths.of(seams[seam]) for seam in group.turned if seams[seam]}
     if not sewn:  # true for pieces without a layout
         return {}
@@ -122,7 +124,7 @@ def _places(
     for place in sorted(ends):
         if APART < place < length - APART and (not taken or place > taken[-1] + APART):
             taken.append(place)
-    # a notch at the start is possible only if all seams of the group are rings
+    # The start can have a notch only if all seams of the group are rings.
     is_ring = all(_is_ring(seams[seam]) for seam in sewn)
     begin = [0.0] if spacing and is_ring else []
     between = symmetric_places if group.is_symmetric else places_along
@@ -140,7 +142,6 @@ def _is_ring(sides: Sequence[SewnSide]) -> bool:
 
 
 def _wire_ends(piece: Laid) -> np.ndarray:
-    """Return the ends (w,2) of all wires of a piece."""
     return np.array([end for wire in piece.wires for end in (wire.points[0], wire.points[-1])]).reshape(-1, 2)
 
 

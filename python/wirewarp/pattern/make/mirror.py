@@ -10,7 +10,7 @@ import numpy as np
 from ..geometry import distances_to
 from ..model import PatternPiece
 
-# Largest rise of a unit vector that counts as level. Rounding must not decide which half is drawn if a fold is level.
+# A unit vector with at most this rise counts as level. Rounding must not decide which half is drawn if a fold is level.
 LEVEL = 1e-9
 ALIKE = 0.1  # millimeters between a point and its image, less than the width of a printed line
 IN_PHASE = 1e-3  # share by which a match may be worse than the best match, because a piece may have several axes
@@ -41,7 +41,6 @@ class Congruence:
         return np.array([image.real, image.imag])
 
     def image(self, points: np.ndarray) -> np.ndarray:
-        """Return the images of points (k,2)."""
         numbers = points @ (1, 1j)
         images = self.turn * (np.conj(numbers) if self.is_mirror else numbers) + self.shift
         return np.column_stack([images.real, images.imag])
@@ -71,7 +70,7 @@ def congruences(first: PatternPiece, second: PatternPiece, *, is_mirror: bool) -
     # largest if both outlines are in phase, and the angle of the largest sum is the turn.
     match = np.fft.ifft(np.fft.fft(steps) * np.conj(np.fft.fft(turned)))
     best = np.flatnonzero(np.abs(match) >= (1 - IN_PHASE) * np.abs(match).max(initial=np.finfo(float).tiny))
-    # sorts by closeness to the turn -1 (reflection in a vertical axis), or 1 (no rotation)
+    # The matches are sorted by closeness to the turn -1 (reflection in a vertical axis), or 1 (no rotation).
     sign = 1 if is_mirror else -1
     for phase in sorted(best.tolist(), key=lambda phase: round(sign * float(match[phase].real / abs(match[phase])), 6)):
         turn = complex(match[phase] / abs(match[phase]))
@@ -127,7 +126,7 @@ def _covers(lines: list[np.ndarray], others: list[np.ndarray]) -> bool:
 
 
 def _crossings(piece: PatternPiece, point: np.ndarray, along: np.ndarray) -> np.ndarray:
-    """Return where the line through the point crosses the cutting lines, as lengths from the point."""
+    """Return the lengths (n,) from the point to the places where the line through it crosses the cutting lines."""
     aside = np.array([-along[1], along[0]])
     found = []
     for line in piece.of_role("cut"):

@@ -17,8 +17,8 @@ from .sections import LEAST_GAP, Dart
 
 DEEPEST = 5.0  # millimeters: largest depth of a notch
 SHARE = 0.5  # depth as a share of the allowance; notches never reach the stitching line
-ACROSS = 0.3  # depth without allowance, as a share of the distance across the piece; opposite notches do not meet
-NEXT_TO = 2e-3  # millimeters; a ray starts this far from its own line, so that it does not meet the line; a tolerance
+ACROSS = 0.3  # depth without allowance, as a share of the distance across the piece, so opposite notches do not meet
+NEXT_TO = 2e-3  # millimeters; rays start this far from their own line, so that they miss it; also a tolerance
 LEAST_SPACING = 1.0  # millimeters between notches
 MOST = 10_000  # largest number of notches along one seam
 CLEAR = 0.2  # share of the spacing; no notch is closer to another notch or to the end of the seam

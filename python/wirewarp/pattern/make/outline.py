@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Flat pieces in millimeters, and their outlines as chains between junctions."""
+"""Defines flat pieces in millimeters, and divides their outlines into chains between junctions."""
 
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
@@ -69,7 +69,8 @@ def _wires(piece: "Piece", sides: np.ndarray) -> list[FlatWire]:
     return found
 
 
-# Millimeters from the origin. Any fabric is smaller, and Clipper's integers allow a million times this distance.
+# No point may be farther from the origin, in millimeters. Any fabric is smaller, and Clipper's integers allow a million
+# times this distance.
 FARTHEST = 1e8
 
 
@@ -81,7 +82,7 @@ class Side:
     sources: np.ndarray  # (k,) vertices of the model; a closed side repeats its first vertex
     points: np.ndarray  # (k,2)
     seam: int | None  # index into the result's seams; None if nothing is sewn to it
-    is_turned: bool  # whether it runs against the direction of the model's triangles, because the piece is mirrored
+    is_turned: bool  # whether the side runs against the direction of the triangles (in a mirrored piece)
 
     @property
     def is_closed(self) -> bool:
@@ -90,7 +91,6 @@ class Side:
 
     @property
     def along(self) -> np.ndarray:
-        """Return the length (k,) along the side from its start to each point."""
         return lengths_along(self.points)
 
 

@@ -74,7 +74,6 @@ def lay_all(pieces: Sequence[FlatPiece], widths: Widths, corner: str, darts: str
 
 
 def _lay(index: int, piece: FlatPiece, loops: list[list[Side]], outlines: list[Outline]) -> Laid:
-    """Return the piece with its cutting lines and wires."""
     cut = cut_lines([outline.sections for outline in outlines if outline.sections])
     wires = [Line("wire", piece.vertices[wire.vertices], name=wire.name, kind=wire.kind) for wire in piece.wires]
     return Laid(index, piece.name, loops, outlines, cut, wires, piece.grain)

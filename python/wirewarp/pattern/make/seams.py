@@ -13,7 +13,7 @@ from ..geometry import lengths_along, right_normals
 from ..units import UnitSystem
 from .outline import Side
 
-LEAST = 0.5  # millimeters; a smaller difference needs no ease. Errors of single precision are far smaller
+LEAST = 0.5  # millimeters; a smaller difference needs no ease, and errors of single precision are far smaller
 GATHERED = 0.15  # share of the shorter side; a side with more ease is gathered, because it would get pleats
 
 
@@ -78,7 +78,7 @@ class SewnSide:
             elif self.side.is_closed:
                 steps = points[[-2, 0, 1]]
         normal = right_normals(steps).sum(axis=0)
-        # the sum of the normals is 0 if the outline turns back on itself
+        # The sum of the normals is 0 if the outline turns back on itself.
         normal /= max(float(np.linalg.norm(normal)), np.finfo(float).tiny)
         return points[row] + share * (points[row + 1] - points[row]), normal if self.is_forward else -normal
 
@@ -96,7 +96,7 @@ class SewnLengths:
     @classmethod
     def of(cls, sides: Sequence[SewnSide]) -> "SewnLengths":
         lengths = [side.along for side in sides]
-        # of equally long sides, the first side is chosen
+        # The lengths are rounded, so that the first of equally long sides is chosen.
         return cls(min(lengths, key=lambda along: round(float(along[-1]) / SAME_LENGTH)))
 
     @property
@@ -104,7 +104,7 @@ class SewnLengths:
         return float(self.along[-1])
 
     def on(self, side: SewnSide, place: float) -> float:
-        """Return the length along a side at this place, which is a sewn length from the start of the seam."""
+        """Return the length along a side at this place. place: sewn length from the start of the seam."""
         return float(np.interp(place, self.along, side.along))
 
     def of_side(self, side: SewnSide, lengths: np.ndarray) -> np.ndarray:
@@ -182,11 +182,11 @@ def turn_between(first: Side, second: Side) -> float:
 def sewn_first(loops: Sequence[Sequence[Side]]) -> set[tuple[int, int]]:
     """Return pairs (vertex, seam): at the junction at this vertex, the seam is sewn before seams that cross its end.
 
-    When a seam is sewn, lines that cross it should continue straight. At each junction, the first seam is therefore
-    the seam across which its two neighbors form the straightest line, or the shortest of several such seams. More seams
-    are chosen if they share no corner with a chosen seam. If two neighbors rank equally, as at the pole of a ball,
-    neither is chosen, so that symmetric pieces stay symmetric. The choice is the same for both sides of a seam, so that
-    both allowances end in the same way.
+    When a seam is sewn, lines that cross it should continue straight. At each junction, the first seam is therefore the
+    seam whose two neighbors form the straightest line, or the shortest of several such seams. More seams are chosen if
+    they share no corner with a chosen seam. If two neighbors rank equally, as at the pole of a ball, neither is chosen,
+    so that symmetric pieces stay symmetric. The choice is the same for both sides of a seam, so that both allowances
+    end in the same way.
     """
     angles: dict[int, dict[int, list[float]]] = defaultdict(lambda: defaultdict(list))
     beside: dict[tuple[int, int], set[int]] = defaultdict(set)

@@ -18,12 +18,12 @@ from .seams import is_dart, sewn_first
 from .widths import Widths
 
 Darts = Literal["close", "cut", "slit"]
-# Radians. A gap with a smaller angle is a dart. A wider gap, such as the gap of a cone, is cut out.
+# A gap with a smaller angle, in radians, is a dart. A wider gap, such as the gap of a cone, is cut out.
 WIDEST_DART = math.radians(50)
 WIDEST_FOLD = 50.0  # millimeters of fabric in a closed dart, 25 on each side; tailors cut wider darts out
 LEAST_GAP = 0.01  # millimeters; a narrower dart has no room between its legs, and is cut as one line
-# A cap is the cutting line across the mouth of a closed dart. A cap is straight if its peak would be farther than
-# this multiple of the mouth from the middle of the mouth.
+# A cap is the cutting line across the mouth of a closed dart. Its peak may be this multiple of the mouth away from the
+# middle of the mouth. Otherwise, the cap is straight.
 HIGHEST_CAP = 1.0
 
 
@@ -130,10 +130,10 @@ def outline(loop: Sequence[Side], widths: Widths, rules: Rules) -> Outline:
         following = loop[(number + 1) % count]
         if rules.darts == "close" and is_leg(side):
             dart = next((dart for dart in darts if dart.first is side), None)
-            # without a gap, the outline continues past the dart
+            # Without a gap, the outline continues past the dart.
             if dart and np.linalg.norm(dart.mouth[1] - dart.mouth[0]) > LEAST_GAP:
                 before, after = by_side[number - 1][-1], by_side[(number + 2) % count][0]
-                # if two darts begin at the same point, no part of the outline is between them
+                # If two darts begin at the same point, no part of the outline is between them.
                 cap = dart.mouth if None in (before.width, after.width) else _cap(dart, before, after)
                 sections.append(Section(cap, _width_before(by_side, number)))
             continue

@@ -20,7 +20,7 @@ from .sections import WIDEST_DART
 
 RANKS: dict[StepKind, int] = {"dart": 0, "flat": 1, "ring": 2, "all around": 2, "closing": 3}
 Likeness = tuple[set[int], float]  # pieces of a seam, and its length in millimeters
-# Millimeters. In a shorter seam, an opening as wide as a hand (75 mm) would be more than half of the seam.
+# In a seam below this many millimeters, an opening as wide as a hand (75 mm) would be more than half of the seam.
 ROOM_FOR_GAP = 150.0
 
 
@@ -58,8 +58,10 @@ def sewing_steps(
 
 
 def _gaps(laid: Sequence[Laid], seams: Mapping[int, Sequence[Side]]) -> set[int]:
-    """Return one seam for each body without an open edge: its straightest seam that is long enough for an opening, or
-    its longest seam if all are too short."""
+    """Return one seam for each body without an open edge: its straightest seam that is long enough for an opening.
+
+    If all seams are too short, this is the longest seam.
+    """
     bodies = [{piece.index} for piece in laid]
     for sides in seams.values():
         joined = {side.piece for side in sides}
@@ -99,7 +101,6 @@ class _Assemblies:
                     self._legs |= {id(side), id(following)}
 
     def area(self, side: Side) -> float:
-        """Return the area of the assembly to which the side belongs, in square millimeters."""
         return self._areas[self._assembly[side.piece]]
 
     def kind(self, sides: Sequence[Side]) -> StepKind:

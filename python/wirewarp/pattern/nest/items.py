@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Makes the items to nest. An item is a piece as an outline with room around it, and the number of its copies."""
+"""Makes the items to nest. An item is the outline of a piece with room around it, and the number of copies."""
 
 import math
 from collections.abc import Generator, Iterable, Sequence
@@ -13,7 +13,7 @@ from ..geometry import GRID, Motion, signed_area
 from ..model import PatternPiece
 
 Grain = Literal["one way", "both ways", "free"]
-# Millimeters: largest error of simplified outlines, which have fewer points and make searches faster.
+# Outlines are simplified with at most this error, in millimeters, because searches are faster with fewer points.
 NEAR = 0.2
 ROUND = 0.01  # millimeters: error of an arc that consists of straight lines
 
@@ -46,7 +46,7 @@ def room_at_edges(gap: float, grain: Grain) -> float:
     """Return by how many millimeters outlines with room may extend beyond the edges of the fabric.
 
     This is the whole room if the width of outlines is exact. If pieces may turn freely, their simplified outlines may
-    be narrower by NEAR.
+    be narrower by NEAR, so the result is smaller by NEAR.
     """
     return room(gap) - (NEAR if grain == "free" else 0.0)
 

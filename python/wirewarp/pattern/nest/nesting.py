@@ -66,7 +66,7 @@ def nesting(
     search = _Search(pieces, cloth, times, units)
     best: Marker | None = None
     try:
-        # closing() ends the search after an error, so that no process continues
+        # The function closing() ends the search after an error, so that no process continues.
         with closing(search.markers(seconds)) as markers:
             for marker in markers:
                 yield "nesting", share()

@@ -44,7 +44,6 @@ class _Profile:
 
 class TooLargeError(Exception):
     def __init__(self, item: int) -> None:
-        """Store the index of the item that is too large."""
         super().__init__(item)
         self.item = item
 
@@ -106,7 +105,7 @@ class SlidePacking:
             taken = np.lib.stride_tricks.sliding_window_view(front, len(profile.low))
             y = (taken - profile.low).max(axis=1)
             end = np.round(y + profile.height, 1)
-            # in whole millimeters, so that the leftmost of nearly equal places is chosen
+            # The waste is rounded to whole millimeters, so that the leftmost of nearly equal places is chosen.
             wasted = np.round((y[:, None] + profile.low - taken).mean(axis=1))
             row = int(np.lexsort((wasted, end))[0])
             rank = (float(end[row]), float(wasted[row]))
@@ -122,7 +121,7 @@ def _profile(item: Item, angle: float, row: float) -> _Profile:
     rows = max(math.ceil(points[:, 0].max() / row - 1e-9), 1)
     low, high = np.full(rows, math.inf), np.full(rows, -math.inf)
     for a, b in zip(points, np.roll(points, -1, axis=0), strict=True):
-        # each side of the outline is divided at the borders of rows, so that each part is in one row
+        # Each side of the outline is divided at the borders of rows, so that each part is in one row.
         left, right = sorted((a[0], b[0]))
         borders = row * np.arange(math.floor(left / row) + 1, math.ceil(right / row))
         shares = np.sort((borders - a[0]) / (b[0] - a[0])) if len(borders) else np.empty(0)

@@ -20,7 +20,7 @@ from .slide_packing import Place
 PROGRAM = Path(__file__).with_name("spyrrow_process.py")
 OFTEN = 0.02  # seconds between checks for results
 OVERTIME = 5.0  # seconds to wait for a search that does not end by itself
-NO_WINDOW = getattr(subprocess, "CREATE_NO_WINDOW", 0)  # exists on Windows, which would show a console
+NO_WINDOW = getattr(subprocess, "CREATE_NO_WINDOW", 0)  # hides the console on Windows; other systems lack the flag
 
 
 class SpyrrowError(Exception):

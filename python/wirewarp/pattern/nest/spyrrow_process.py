@@ -53,9 +53,11 @@ def main() -> None:
 
 
 def _end_with_caller(folder: Path) -> None:
-    """End this process when its caller ends. Nobody writes to the standard input, which closes when the caller ends.
-    folder: folder with the task, which is removed."""
-    os.read(0, 1)  # waits; reading sys.stdin would hold a lock, with which Python cannot end
+    """End this process when its caller ends. The standard input then closes, and nobody writes to it before.
+
+    folder: folder with the task, which is removed.
+    """
+    os.read(0, 1)  # waits; reading sys.stdin would hold a lock that keeps Python from ending
     shutil.rmtree(folder, ignore_errors=True)  # Windows keeps files that this process has open
     os._exit(1)
 

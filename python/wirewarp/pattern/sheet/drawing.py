@@ -48,7 +48,7 @@ LAYERS = tuple(dict.fromkeys(look.layer for look in LOOKS.values()))
 
 
 ARROW = 6.0  # millimeters: length of the heads of grain arrows
-CROSS = 4.0  # millimeters; the cross of a drill hole is half as wide as CROSS and the diameter together
+CROSS = 4.0  # millimeters; the cross of a drill hole is (CROSS + diameter) / 2 wide
 
 
 @dataclass(frozen=True)
@@ -89,7 +89,6 @@ def strokes_of(piece: PatternPiece) -> Iterator[Stroke]:
 
 
 def _arrow_heads(line: np.ndarray) -> list[np.ndarray]:
-    """Return an arrow head (3,2) for each end of the line (2,2)."""
     heads = []
     for tip, other in (line, line[::-1]):
         back = (other - tip) / np.linalg.norm(other - tip) * min(ARROW, np.linalg.norm(other - tip) / 3)
@@ -114,6 +113,6 @@ def letters_baselines(text: Text, line_height: float) -> Iterator[tuple[str, np.
 def base_lines(text: Text, line_height: float) -> Iterator[tuple[str, float]]:
     """Yield each line of the text with the distance of its base line below the center of the text, in millimeters."""
     for number, line in enumerate(text.lines):
-        # 0.36 is half of the height of capitals, as a share of the font size
+        # The number 0.36 is half of the height of capitals, as a share of the font size.
         below = line_height * (number - (len(text.lines) - 1) / 2) + 0.36
         yield line, below * text.height

@@ -22,8 +22,8 @@ SIZE = np.array([166.0, 158.0])  # size of the squares and bars in millimeters; 
 CORNER = 4.0  # millimeters between the lower left corner of the block and its bars
 NAME_TEXT, NEIGHBOR_TEXT = 5.0, 4.0  # millimeters: height of the name of a sheet, and of the names of its neighbors
 NAME_PLACES = np.linspace(0, 1, 9)  # places to try for the name of a sheet, as shares of its width and height
-# Places to try for the name of a neighbor, in millimeters: steps along the edge from its middle, and depths inwards
-# from the middle of the overlap.
+# The name of a neighbor is tried at steps of NEIGHBOR_STEP along the edge, and at these depths inwards from the middle
+# of the overlap. Both are in millimeters.
 NEIGHBOR_STEP, DEPTHS = 12.0, (0.0, OVERLAP, 2 * OVERLAP)
 KEY = (18.0, 150.0)  # millimeters from the lower left corner of the block to the upper left corner of the key
 KEY_ROWS, KEY_WIDTH, KEY_HEIGHT, KEY_SAMPLE, KEY_TEXT = 3, 44.0, 7.0, 12.0, 3.0

@@ -51,7 +51,6 @@ def _piece_rows(pattern: PatternData) -> list[Row]:
 
 
 def _measure_rows(pattern: PatternData) -> list[Row]:
-    """Return the rows for finished measures, such as the lengths of rigid wires."""
     if not pattern.measures:
         return []
     rows = [("", name, pattern.units.measured(length)) for name, length in pattern.measures]
@@ -59,7 +58,6 @@ def _measure_rows(pattern: PatternData) -> list[Row]:
 
 
 def _step_rows(pattern: PatternData) -> list[Row]:
-    """Return the rows for an order in which the seams can be sewn."""
     rows = [(f"{number}  {step.seam}", _step_text(step)) for number, step in enumerate(pattern.steps, start=1)]
     if rows and any(step.has_gap for step in pattern.steps):
         rows.append((f"{len(rows) + 1}", "Turn the work through the gap and close the gap by hand"))

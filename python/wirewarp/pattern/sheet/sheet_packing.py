@@ -14,7 +14,8 @@ import numpy as np
 from ..geometry import are_inside, sampled
 from ..pattern_data import OVERLAP
 
-# Largest number of cells times pieces and turns, in all arrangements on one kind of sheet. This takes half a second.
+# This is the largest number of cells times pieces and turns, in all arrangements on one kind of sheet. So much work
+# takes half a second.
 MOST_WORK = 3_000_000
 CELL = OVERLAP  # millimeters, approximately; the overlap of two sheets is one cell
 
@@ -28,7 +29,7 @@ class Shape:
 
 
 class Placed(NamedTuple):
-    sheets: int  # number of sheets needed
+    sheets: int
     columns: int
     corners: np.ndarray  # (p,2) lower left corners of the pieces, from the lower left corner of all sheets
     turns: list[int]  # for each piece, the index of its placed rotation
@@ -62,7 +63,7 @@ def placed_on_sheets(
         if max(narrowest) > count * per_sheet[0] + 1:  # the overlap at the edge of the last sheet is usable, too
             continue
         for order in orders:
-            # each piece is tried in about as many cells as the result covers
+            # Each piece is tried in about as many cells as the result covers.
             work += sum(len(turned) for turned in shapes) * sum(width * height for width, height in sizes)
             if work > MOST_WORK:
                 return best
@@ -110,7 +111,7 @@ def _placed(
 
 
 def _best_cell(taken: np.ndarray, used: np.ndarray, shape: Shape, per_sheet: np.ndarray) -> tuple[int, int, int]:
-    """Return the least number of new sheets that a piece needs, and its lowest, leftmost start cell (y, x)."""
+    """Return the least number of new sheets that a piece needs, and the lowest of its best start cells (y, x)."""
     cost = _new_sheets(used, shape.needed, per_sheet)
     collides = _collides(taken, shape.cells)
     fits = tuple(slice(min(sizes)) for sizes in zip(cost.shape, collides.shape, strict=True))
@@ -154,7 +155,7 @@ def _new_sheets(used: np.ndarray, needed: np.ndarray, per_sheet: np.ndarray) -> 
     n, m, columns, rows = needed.shape
     unused = np.pad(~used, ((0, columns), (0, rows)), constant_values=True)
     windows = np.lib.stride_tricks.sliding_window_view(unused, (columns, rows))[: used.shape[0], : used.shape[1]]
-    # tensordot() uses BLAS, which is fast
+    # The function tensordot() uses BLAS, which is fast.
     costs = np.tensordot(windows.astype(float), needed.astype(float), axes=([2, 3], [2, 3]))
     return costs.transpose(0, 2, 1, 3).reshape(used.shape[0] * n, used.shape[1] * m).astype(np.int64)
 

@@ -150,7 +150,6 @@ def _taped(pattern: P, paper: str) -> Tiles[P]:
 
 
 def _cut_lines(piece: PatternPiece) -> list[np.ndarray]:
-    """Return the cutting lines (k,2) of a piece, with its lower left corner at 0, 0."""
     return [line.points - piece.bounds[0] for line in piece.of_role("cut")]
 
 
@@ -162,7 +161,6 @@ def _counts(size: np.ndarray, step: np.ndarray) -> np.ndarray:
 
 
 def _check_count(count: int, pattern: PatternData) -> None:
-    """Raise FlattenError if there are too many sheets."""
     if count > MOST_SHEETS:
         size = " x ".join(pattern.units.text(float(side)) for side in pattern.size)
         raise problem(f"The pattern is {size}: more than {MOST_SHEETS} sheets. Check millimeters_per_unit.")
@@ -194,7 +192,7 @@ def _with_tiles(pattern: P, sheet: np.ndarray, columns: int | None = None) -> Ti
 
 
 def _needed(tiles: list[Tile], shown: np.ndarray, shapes: Sequence[Shape]) -> list[Tile]:
-    """Return the sheets without those whose whole content is in overlaps, which other sheets show, too."""
+    """Return the sheets to print. A sheet is left out if other sheets show all its content, too."""
     kept = list(tiles)
     for tile in tiles:
         others = [other for other in kept if other != tile and np.all(np.abs(other.low - tile.low) < shown)]
