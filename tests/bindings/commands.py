@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs commands of python -m wirewarp in the process of the tests.
 
-This process has already loaded the libraries and started the server of processes. A command in a process of its own
-would take a second longer.
+In a process of its own, a command would take a second longer, to load the libraries and to start a server of processes.
 """
 
 import io
@@ -17,14 +16,14 @@ pytest.importorskip("trimesh")
 from wirewarp.command import run as command_run
 from wirewarp.command.arguments import parsed
 
-# A square of 100 mm with one corner lifted; its UV map divides it in the middle into two islands.
+# An OBJ file of a square of 100 mm with a lifted corner. Its UV map has two islands, the halves of the square.
 FOLDED = """v 0 0 0\nv .05 0 0\nv .1 0 0\nv 0 .1 0\nv .05 .1 0\nv .1 .1 .04
 vt 0 0\nvt .4 0\nvt .4 1\nvt 0 1\nvt .6 0\nvt 1 0\nvt 1 1\nvt .6 1
 f 1/1 2/2 5/3 4/4\nf 2/5 3/6 6/7 5/8\n"""
 
 
 def printed(command, *words, code=0):
-    """Return the printed lines, and the text on standard error."""
+    """Run the command, and return its printed lines and the text on standard error. code: expected exit code."""
     output, errors = io.StringIO(), io.StringIO()
     with redirect_stdout(output), redirect_stderr(errors):
         try:

@@ -5,14 +5,28 @@
 """
 
 import signal
+import sys
+from pathlib import Path
 
 import pytest
 from hypothesis import settings
 from wirewarp.pattern.label import fonts, glyphs
 
+# For drawing.py. It is the last folder, because both folders have a file surfaces.py.
+sys.path.append(str(Path(__file__).resolve().parents[1] / "addon"))
+
 settings.register_profile("repeatable", max_examples=150, derandomize=True, deadline=None)
 settings.register_profile("search", max_examples=3_000, deadline=None, database=None, print_blob=True)
 settings.load_profile("repeatable")  # the option --hypothesis-profile selects another profile
+
+
+@pytest.fixture
+def model(tmp_path):
+    from commands import FOLDED  # the import skips the test if trimesh is missing
+
+    path = tmp_path / "Folded.obj"
+    path.write_text(FOLDED)
+    return path
 
 
 @pytest.fixture

@@ -22,11 +22,11 @@ import numpy as np
 import psutil
 
 KILLS = ("worker", "driver", "worker")
-SMALL_PIPE = 4096  # bytes, about ten lines; the run waits for a reader, so it cannot end before it is killed
+SMALL_PIPE = 4096  # bytes, about ten lines; a full pipe halts the run, so that it cannot end before it is killed
 
 
 def write_models(folder, count):
-    """Write OBJ files of 50 to 200 triangles in folders of a hundred: bumpy sheets, some of them divided.
+    """Write OBJ files of sheets of 50 to 200 triangles, in folders of a hundred files.
 
     Every 20th model is closed and cannot be flattened. Every 50th file is not a model.
     """
@@ -48,7 +48,9 @@ def _sheet(random_numbers):
     lines = [f"v {a!r} {b!r} {c!r}" for a, b, c in np.column_stack([x.ravel(), y.ravel(), z.ravel()]).tolist()]
     lines += [f"vt {u!r} {v!r}" for u, v in np.column_stack([x.ravel(), y.ravel()]).tolist()]
     lines += [f"vt {u + 1!r} {v!r}" for u, v in np.column_stack([x.ravel(), y.ravel()]).tolist()]
-    cut = random_numbers.integers(0, columns)  # columns of the first island; 0 for a single island
+    cut = random_numbers.integers(
+        0, columns
+    )  # number of columns in the first island; if it is 0, there is only one island
     wide, count = columns + 1, (columns + 1) * (rows + 1)
     for row in range(rows):
         for column in range(columns):
@@ -74,14 +76,13 @@ def start(models, out, jobs):
         [sys.executable, "-m", "wirewarp", *map(str, words)],
         stdout=subprocess.PIPE,
         text=True,
-        env=os.environ | {"SOURCE_DATE_EPOCH": "0"},  # the same date in both runs
+        env=os.environ | {"SOURCE_DATE_EPOCH": "0"},  # a fixed date, so that both runs write equal files
     )
     fcntl.fcntl(process.stdout, fcntl.F_SETPIPE_SZ, SMALL_PIPE)
     return process
 
 
 def run(models, out, jobs):
-    """Return the printed lines of an undisturbed run."""
     with start(models, out, jobs) as process:
         return [json.loads(line) for line in process.stdout]
 
@@ -92,8 +93,8 @@ def run_with_kills(models, out, jobs, seed=0):
     Return the printed lines of the last run, and the list of kills.
     """
     count = sum(1 for _ in models.rglob("*.obj"))
-    # Kill the runs during the first half of the models. Each kill is at a later line, because a repeated run prints the
-    # lines of finished models again.
+    # Each kill is at a later line than the kill before it, because a repeated run prints the lines of finished models
+    # again. All kills are in the first half of the models.
     places = sorted(random.Random(seed).sample(range(1, count // 2), len(KILLS)))
     killed = []
     while len(killed) < len(KILLS):
@@ -101,16 +102,16 @@ def run_with_kills(models, out, jobs, seed=0):
             for number, _ in enumerate(process.stdout):
                 if len(killed) < len(KILLS) and number >= places[len(killed)]:
                     killed += _kill(process.pid, KILLS[len(killed)])
-        # Some files are not models, so the exit code of a run that is not killed is 2 or 3.
+        # -9: the driver was killed. 2 or 3: some files are not models, or a worker was killed.
         assert process.returncode in (-9, 2, 3), process.returncode
     while any(line["verdict"] == "stopped" for line in run(models, out, jobs)):
-        pass  # until every model that a kill interrupted is finished
+        pass  # repeats until every interrupted model is finished
     # A process that ends just after its driver may leave a hidden folder, which the next run removes.
     return run(models, out, jobs), killed
 
 
 def _kill(driver, kind):
-    """Kill a process of this kind, and return [kind]; return [] if there is none, for example between two models."""
+    """Kill a process of this kind. Return [kind], or [] if no such process runs, for example between two models."""
     if kind == "driver":
         os.kill(driver, 9)
         return [kind]
@@ -136,9 +137,9 @@ def comparable(lines):
 
 
 def check_kills(folder, count, jobs):
-    """Do both runs, and check that no model is lost or duplicated, and that the files are equal.
+    """Flatten models without and with kills. Check that no model is lost or duplicated, and that the files are equal.
 
-    Return the seconds of each run and the number of each verdict.
+    Return the seconds without kills, the seconds with kills, and the number of each verdict.
     """
     models = folder / "models"
     write_models(models, count)
@@ -152,7 +153,7 @@ def check_kills(folder, count, jobs):
     assert comparable(lines) == comparable(once)
     verdicts = Counter(line["verdict"] for line in lines)
     refused = count // 50
-    failed = count // 20 - count // 100  # every 100th file is a 20th and a 50th file, and not a model
+    failed = count // 20 - count // 100  # every 100th file is a 20th and a 50th file, so it is not a model
     assert (verdicts["refused"], verdicts["not ready to cut"]) == (refused, failed)
     assert verdicts["ready to cut"] + verdicts["needs stretch fabric"] == count - refused - failed
     assert contents(folder / "killed") == contents(folder / "once")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Makes patterns for tests, and measures them with Shapely, which WireWarp does not use to make patterns."""
+"""Makes patterns for tests, and measures them with Shapely, which WireWarp itself does not use."""
 
 from functools import cache
 from pathlib import Path
@@ -21,14 +21,14 @@ def sample(name: str, **options) -> Pattern:
 
 
 def quads(points, corners, **options) -> wirewarp.FlattenResult:
-    """Return the flattened planar quads (q,4) between points (n,2) in millimeters."""
+    """Flatten planar quads. points: (n,2) millimeters. corners: (q,4) indices of points."""
     vertices = np.column_stack([np.array(points) / 1000, np.zeros(len(points))])
     faces = [triangle for a, b, c, d in corners for triangle in ((a, b, c), (a, c, d))]
     return wirewarp.flatten(vertices, np.array(faces), **options)
 
 
 def grid(xs, ys, **options) -> wirewarp.FlattenResult:
-    """Return flattened quads between these coordinates in millimeters. Vertices are numbered row by row along x."""
+    """Flatten a grid of quads. xs, ys: coordinates in millimeters. Vertices are numbered row by row along x."""
     row = len(xs)
     first = [row * y + x for y in range(len(ys) - 1) for x in range(row - 1)]
     return quads([(x, y) for y in ys for x in xs], [(a, a + 1, a + row + 1, a + row) for a in first], **options)
@@ -48,13 +48,18 @@ def turn(angle: float) -> np.ndarray:
     return np.array([[cosine, sine], [-sine, cosine]])
 
 
+def marks(piece: PatternPiece, *roles: str) -> list:
+    """Return the notches, clips or drill holes of a piece."""
+    return [point for point in piece.points if point.role in roles]
+
+
 def cut_polygon(piece: PatternPiece) -> shapely.Polygon:
     (outer,) = piece.of_role("cut")
     return shapely.Polygon(outer.points, [line.points for line in piece.of_role("inner_cut")])
 
 
 def sew_polygon(piece: PatternPiece) -> shapely.Polygon:
-    """Return the flattened outlines from the stitching lines: the largest outline, with the other outlines as holes."""
+    """Return the area inside the stitching lines: a polygon whose holes are the inner outlines."""
     rings = shapely.polygonize([line_string(line) for line in piece.of_role("sew")]).geoms
     return max(rings, key=lambda ring: shapely.Polygon(ring.exterior).area)
 
@@ -64,7 +69,7 @@ def line_string(line: Line) -> shapely.LineString:
 
 
 def letters(text: Text) -> shapely.Polygon:
-    """Return the approximate place of a text of one line, as if its letters were half as wide as high."""
+    """Return a rectangle around a text of one line, for letters that are half as wide as high."""
     half = np.array([len(text.lines[0]) / 2, 1.0]) * text.height / 2
     turned = shapely.affinity.rotate(shapely.box(*-half, *half), text.angle, origin=(0, 0))
     return shapely.affinity.translate(turned, *text.center)
@@ -87,7 +92,7 @@ def extent(pixels: np.ndarray, scale: float = SCALE) -> tuple[float, float]:
 
 
 def proof_words(pattern: Pattern, path: Path, paper="a0") -> str:
-    """Return the words on the pages after the pattern, with single spaces."""
+    """Write the pattern with its proof, and return the words on the pages of the proof, with single spaces."""
     pattern.write(path, paper=paper, proof=True)
     pages = list(pypdfium2.PdfDocument(path))
     assert len(pages) == len(pattern.page_sizes(paper, proof=True))

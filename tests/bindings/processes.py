@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Waits for processes that other processes have started."""
+"""Waits for the end of processes that other processes have started."""
 
 import time
 
@@ -7,7 +7,6 @@ import psutil
 
 
 def wait_until_gone(pid):
-    """Wait until the process has ended, which takes a while on a busy system."""
     end = time.monotonic() + 60
     while not _is_gone(pid):
         assert time.monotonic() < end
@@ -16,6 +15,6 @@ def wait_until_gone(pid):
 
 def _is_gone(pid):
     try:
-        return psutil.Process(pid).status() == psutil.STATUS_ZOMBIE  # in containers, its exit code may never be read
+        return psutil.Process(pid).status() == psutil.STATUS_ZOMBIE  # in a container, zombies may stay
     except psutil.NoSuchProcess:
         return True

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Makes reports of samples as the command line does."""
+"""Makes reports of samples, as python -m wirewarp does."""
 
 from samples import SAMPLES, eases_of, flatten, flattened_with_eases, wires_of
 from wirewarp.report import Report, make_report

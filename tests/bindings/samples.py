@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Flattens the samples of the add-on with the Python package. Tests share the results, so they only read them."""
+"""Flattens the add-on's samples with the Python package. Tests share the results, so no test may change a result."""
 
 import sys
 from functools import cache
@@ -15,7 +15,7 @@ SAMPLES = {shape.name: shape for shape in all_shapes()}
 
 
 def wires_of(shape: Shape, tolerance: float | None = None) -> list[wirewarp.Wire]:
-    """Return the wires of a sample. tolerance: replaces the tolerance of all wires."""
+    """Return the wires of a sample. tolerance: if it is not None, it replaces the tolerances of all wires."""
     tolerances = [wire.tolerance if tolerance is None else tolerance for wire in shape.wires]
     return [wirewarp.Wire(wire.vertices, own, wire.name) for wire, own in zip(shape.wires, tolerances, strict=True)]
 
@@ -36,7 +36,7 @@ def flatten(shape: Shape, tolerance: float | None = None, eases=(), **options) -
 
 
 def flattened(name: str, tolerance: float | None = None, **options) -> wirewarp.FlattenResult:
-    """Return the flattened sample, which is computed once."""
+    """Return the flattened sample. Each result is computed once."""
     return _flattened(name, tolerance, tuple(sorted(({"method": "refined"} | options).items())))
 
 

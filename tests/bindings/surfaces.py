@@ -10,8 +10,10 @@ Mesh = tuple[np.ndarray, np.ndarray]
 
 
 def grid(columns: int, rows: int, point: Callable[[float, float], tuple[float, float, float]]) -> Mesh:
-    """Return a grid with vertex (i, j) at index j * (columns + 1) + i and at point(i / columns, j / rows). The faces
-    point along the cross product of the derivatives with respect to the first and the second parameter."""
+    """Return a grid of triangles. Its vertex j * (columns + 1) + i is at point(i / columns, j / rows).
+
+    The faces point along the cross product of the derivatives of `point` by its first and its second argument.
+    """
     vertices = [point(i / columns, j / rows) for j in range(rows + 1) for i in range(columns + 1)]
     faces = []
     for j in range(rows):
@@ -38,9 +40,7 @@ def spherical_patch(columns: int = 8, rows: int = 8) -> Mesh:
 
 
 def tetrahedron() -> Mesh:
-    return np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]), np.array(
-        [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]]
-    )
+    return np.eye(4, 3, -1), np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]])
 
 
 def column_chain(columns: int, rows: int, i: int) -> list[int]:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""python -m wirewarp batch runs each model of folders and lists in its own process, exactly once."""
+"""python -m wirewarp batch flattens each model of folders and lists once, in a process of its own."""
 
 import json
 import os
@@ -28,16 +28,13 @@ from works_apart import hang_or_wait, square_or_crash, take_memory_and_hang
 
 posix = pytest.mark.skipif(os.name != "posix", reason="uses shell scripts and limits of POSIX")
 NEVER = Limits(3600.0, 10**12)
-# Without this line, tests that run in the background ignore SIGINT, and so do their child processes.
+# A test that runs in the background ignores SIGINT, and its child processes would do the same without this line.
 HEARS_CTRL_C = "import signal; signal.signal(signal.SIGINT, signal.default_int_handler)"
-COMMAND = """
-import runpy
-runpy.run_module("wirewarp", run_name="__main__")
-"""
+COMMAND = "; import runpy; runpy.run_module('wirewarp', run_name='__main__')"
 
 
 def run_apart(*words, **how):
-    """Run the command in its own process. Return its output and its errors. how: options of subprocess.run."""
+    """Run the command in a process of its own. Return its output and its errors. how: options of subprocess.run."""
     command = [sys.executable, "-m", "wirewarp", "batch", *map(str, words)]
     done = subprocess.run(command, stderr=subprocess.PIPE, text=True, **{"stdout": subprocess.PIPE} | how)
     assert done.returncode == 2, done.stderr
@@ -58,6 +55,10 @@ def files(folder):
     return sorted(path.relative_to(folder).as_posix() for path in folder.rglob("*") if path.is_file())
 
 
+def contents(folder):
+    return {name: (folder / name).read_bytes() for name in files(folder)}
+
+
 def test_models_of_folders_keep_their_places_and_are_done_once(models, tmp_path):
     words = (models, "--out", tmp_path / "out", "--format", "svg", "--jobs", 2)
     lines, errors = run(*words)
@@ -71,12 +72,12 @@ def test_models_of_folders_keep_their_places_and_are_done_once(models, tmp_path)
 def test_the_next_run_removes_leftovers_of_a_killed_run(models, tmp_path):
     words = (models, "--out", tmp_path / "out", "--format", "svg")
     run(*words)
-    done = {name: (tmp_path / "out" / name).read_bytes() for name in files(tmp_path / "out")}
+    done = contents(tmp_path / "out")
     request = parsed(["batch", *map(str, words)]).requests[0]
-    left = staged_folder(request)  # the context is entered but never left, as after a kill
+    left = staged_folder(request)  # the test enters this context but never leaves it, like a killed run
     (left.__enter__() / "a.svg").write_text("half")
     assert all("skipped" in line for line in run(*words)[0])
-    assert {name: (tmp_path / "out" / name).read_bytes() for name in files(tmp_path / "out")} == done
+    assert contents(tmp_path / "out") == done
 
 
 def test_models_of_a_list_have_options_of_their_own(models, tmp_path):
@@ -93,16 +94,13 @@ def test_each_command_has_its_own_default_number_of_jobs(models):
     assert jobs == [1, os.cpu_count()]
 
 
-def test_the_parts_of_a_render_farm_process_every_model_once(models):
+def test_the_parts_of_a_render_farm_process_every_model_once(models, tmp_path):
     parts = [parsed(["batch", str(models), "--out", "out", "--part", f"{part}/3"]).requests for part in (1, 2, 3)]
     whole = parsed(["batch", str(models), "--out", "out"]).requests
     assert [len(part) for part in parts] == [1, 1, 0] and [*parts[0], *parts[1]] == whole
-
-
-@pytest.mark.parametrize("part", ["0/3", "4/3", "3", "1/0"])
-def test_an_invalid_part_is_refused_in_one_sentence(models, tmp_path, part):
-    errors = run(models, "--out", tmp_path / "out", "--part", part, code=2)[1]
-    assert f"'{part}' is not a part: give 1/20 to 20/20" in errors.splitlines()[-1]
+    for part in ("0/3", "4/3", "3", "1/0"):
+        errors = run(models, "--out", tmp_path / "out", "--part", part, code=2)[1]
+        assert f"'{part}' is not a part: give 1/20 to 20/20" in errors.splitlines()[-1]
 
 
 def test_finished_models_are_recognized_in_any_folder_and_with_any_blender(models, tmp_path, monkeypatch):
@@ -178,7 +176,7 @@ def test_ctrl_c_halfway_through_a_start_ends_what_was_started(tmp_path, monkeypa
     assert active_children() == []
 
 
-# The server of processes loads this module first.
+# A module that the server of processes loads first.
 LOADS_SLOWLY = """
 import os, time
 open(os.environ["BEGUN"], "w").close()
@@ -209,20 +207,21 @@ def test_ctrl_c_while_the_server_loads_prints_no_traceback(tmp_path):
         assert process.stderr.read() == "stopped\n"
 
 
-def test_a_hanging_model_is_stopped_at_the_time_limit(tmp_path):
-    results = dict(
-        each_apart(hang_or_wait, [("wait", tmp_path / "never")], 1, Limits(0.0, 10**12), command_run.MODULES)
-    )
-    (stopped,) = results.values()
-    assert (stopped.code, stopped.sentence) == ("time_limit", "The model took longer than 0 seconds: see --time-limit.")
+SHORT, SMALL = Limits(0.0, 10**12), Limits(3600.0, 500 * 10**6)
+
+
+@pytest.mark.parametrize(
+    ("work", "task", "limits", "option", "sentence"),
+    [
+        (hang_or_wait, ("wait", Path("never")), SHORT, "time-limit", "took longer than 0 seconds"),
+        (take_memory_and_hang, 600 * 10**6, SMALL, "memory-limit", "needed over 0.5 GB of memory"),
+    ],
+)
+def test_a_model_is_stopped_at_its_limits(work, task, limits, option, sentence):
+    ((_, stopped),) = each_apart(work, [task], 1, limits, command_run.MODULES)
+    assert stopped.code == option.replace("-", "_")
+    assert stopped.sentence == f"The model {sentence}: see --{option}."
     assert stopped.seconds > 0
-
-
-def test_a_model_that_takes_all_memory_is_stopped():
-    results = dict(each_apart(take_memory_and_hang, [600 * 10**6], 1, Limits(3600.0, 500 * 10**6), command_run.MODULES))
-    (stopped,) = results.values()
-    assert stopped.sentence == "The model needed over 0.5 GB of memory: see --memory-limit."
-    assert stopped.code == "memory_limit"
 
 
 def test_lines_are_in_order_and_the_worst_decides_the_exit_code(models, tmp_path, monkeypatch, capsys):
@@ -253,13 +252,13 @@ def test_a_full_disk_gives_one_sentence_and_keeps_old_files(models, tmp_path):
 
     words = (models / "a.obj", "--out", tmp_path / "out", "--format", "svg")
     run(*words)
-    before = {name: (tmp_path / "out" / name).read_bytes() for name in files(tmp_path / "out")}
+    before = contents(tmp_path / "out")
     limit = {"preexec_fn": lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (2000, 2000))}
     lines, errors = run_apart(*words, "--allowance", "5mm", **limit)
     line = json.loads(lines)
     assert (line["verdict"], line["codes"], errors) == ("refused", ["file"], "")
     assert "File too large" in line["problems"][0]
-    assert {name: (tmp_path / "out" / name).read_bytes() for name in files(tmp_path / "out")} == before
+    assert contents(tmp_path / "out") == before
 
 
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="no /dev/full")
@@ -303,7 +302,6 @@ for form in job["formats"]:
 
 
 def bag():
-    """Return the report of two triangles of half a square meter each."""
     square, triangles = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], float), [[0, 1, 2], [0, 2, 3]]
     report = make_report(flatten(square, triangles, seams=[[0, 2]]), square, triangles, name="Bag")
     report.notes.append(Note("It is inside out.", is_warning=True))
@@ -316,7 +314,7 @@ def refused_bag():
 
 @pytest.fixture
 def blender(tmp_path):
-    """Return a program that writes the same kind of answer as flatten_in_blender.py. tests/addon tests that script."""
+    """Return a program that answers like Blender with flatten_in_blender.py, which tests/addon tests."""
     program = tmp_path / "blender"
     program.write_text(BLENDER.format(python=sys.executable, reports=json.dumps([bag(), refused_bag()])))
     program.chmod(0o755)
@@ -365,26 +363,28 @@ def test_a_stopped_model_leaves_no_files(blender, tmp_path):
     assert list((tmp_path / "out").glob("*")) == []
 
 
-@posix
-def test_a_closed_pipe_gives_one_sentence_and_leaves_no_hidden_files(models, blender, tmp_path):
-    """The pipe is closed, as by `| head`, so the line of the first model cannot be printed. The second model hangs."""
+@pytest.fixture
+def hanging(models, blender, tmp_path):
+    """Return arguments of a run in which the first model is flattened while the second hangs."""
     (models / "b hangs").mkdir()
     (models / "b hangs" / "hangs.blend").write_bytes(b"BLENDER")
+    return [models, "--out", tmp_path / "out", "--format", "svg", "--blender", blender, "--jobs", "2"]
+
+
+@posix
+def test_a_closed_pipe_gives_one_sentence_and_leaves_no_hidden_files(hanging, tmp_path):
+    """The pipe is closed, as by `| head`, so the line of the first model cannot be printed."""
     shut, stdout = os.pipe()
     os.close(shut)
-    words = (models, "--out", tmp_path / "out", "--format", "svg", "--blender", blender, "--jobs", 2)
-    _, errors = run_apart(*words, stdout=stdout)
+    _, errors = run_apart(*hanging, stdout=stdout)
     os.close(stdout)
     assert errors == "The lines cannot be printed: Broken pipe\n"
     assert all(not path.name.startswith(".") for path in (tmp_path / "out").rglob("*"))
 
 
 @posix
-def test_ctrl_c_ends_everything_and_leaves_no_hidden_files(models, blender, tmp_path):
-    (models / "b hangs").mkdir()
-    (models / "b hangs" / "hangs.blend").write_bytes(b"BLENDER")
-    words = ["batch", models, "--out", tmp_path / "out", "--format", "svg", "--blender", blender, "--jobs", "2"]
-    command = [sys.executable, "-c", HEARS_CTRL_C + COMMAND, *words]
+def test_ctrl_c_ends_everything_and_leaves_no_hidden_files(hanging, tmp_path):
+    command = [sys.executable, "-c", HEARS_CTRL_C + COMMAND, "batch", *hanging]
     piped = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True}
     with subprocess.Popen(command, start_new_session=True, **piped) as process:
         assert json.loads(process.stdout.readline())["verdict"] == "ready to cut"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The examples in examples/batch work with HyperQueue and Flamenco."""
+"""The files in examples/batch work with HyperQueue and Flamenco."""
 
 import json
 import shutil

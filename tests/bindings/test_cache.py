@@ -14,7 +14,7 @@ COLUMNS, ROWS = 12, 6
 
 @pytest.fixture
 def sheet():
-    """Return arguments of flatten(): three bumps in a row with seams between them and a wire across each."""
+    """Return arguments of flatten() for three bumps in a row, with seams between them and a wire across each bump."""
 
     def point(u, v):
         return 3 * u, v, 0.2 * abs(math.sin(3 * math.pi * u)) * math.sin(3 * v)
@@ -35,9 +35,9 @@ def contents(result):
 
 
 def run_again(cache, arguments, reused):
-    """Return the result of a run with the cache, and check it.
+    """Run with and without the cache, check that both results are equal, and return the result.
 
-    A run without the cache must have an equal result. reused: expected number of reused pieces.
+    reused: expected number of reused pieces.
     """
     result = wirewarp.flatten(**arguments, cache=cache)
     fresh = wirewarp.flatten(**arguments)
@@ -48,7 +48,7 @@ def run_again(cache, arguments, reused):
     return result
 
 
-def test_the_same_input_is_not_solved_again(sheet):
+def test_the_same_input_is_solved_again_only_after_the_cache_is_cleared(sheet):
     cache = Cache()
     run_again(cache, sheet, 0)
     assert cache.size == 3
@@ -57,6 +57,10 @@ def test_the_same_input_is_not_solved_again(sheet):
     assert set(stages) == {"charts", "measure"}
     result = run_again(cache, sheet, 3)
     assert [piece.report.seconds for piece in result.pieces] == [{}] * 3
+    assert repr(cache) == "Cache(size=3)"
+    cache.clear()
+    assert cache.size == 0
+    run_again(cache, sheet, 0)
 
 
 def test_only_the_piece_of_a_changed_wire_is_solved(sheet):
@@ -65,12 +69,11 @@ def test_only_the_piece_of_a_changed_wire_is_solved(sheet):
     chain = sheet["wires"][1].vertices
     run_again(cache, sheet | {"wires": [sheet["wires"][0], Wire(chain, 0.04, "wire 6"), sheet["wires"][2]]}, 2)
     run_again(cache, sheet | {"wires": [sheet["wires"][0], sheet["wires"][2]]}, 2)
-    # Only the last run is kept, and names do not matter.
+    # The cache has the pieces of the last run only, so the middle piece is solved again. Names do not matter.
     run_again(cache, sheet | {"wires": [Wire(wire.vertices, wire.tolerance) for wire in sheet["wires"]]}, 2)
 
 
 def test_pieces_are_reused_if_only_the_numbers_of_their_elements_change(sheet):
-    """Vertices and faces added before all others shift every index."""
     cache = Cache()
     run_again(cache, sheet, 0)
     more = half_cylinder()
@@ -101,7 +104,7 @@ def test_a_canceled_piece_is_solved_in_the_next_run(sheet):
     cache = Cache()
     cancelled = wirewarp.flatten(**sheet, cache=cache, progress=lambda stage, fraction: stage == "charts")
     ends = [piece.report.termination for piece in cancelled.pieces]
-    assert "cancelled" in ends  # at least the piece of the calling thread; the other threads may finish first
+    assert "cancelled" in ends  # always the piece of the calling thread; pieces of other threads may be finished
     assert cache.size == ends.count("converged")
     run_again(cache, sheet, cache.size)
 
@@ -113,16 +116,7 @@ def test_a_canceled_run_keeps_reused_pieces(sheet):
     vertices[1, 2] += 0.01
     changed = sheet | {"vertices": vertices}
     wirewarp.flatten(**changed, cache=cache, progress=lambda *call: False)
-    assert cache.size == 3, "the cache has not changed, because the run ended before any piece"
+    assert cache.size == 3, "the run ended before any piece, so the cache must not change"
     wirewarp.flatten(**changed, cache=cache, progress=lambda stage, fraction: stage == "charts")
     assert cache.size == 2
     run_again(cache, sheet | {"vertices": vertices}, 2)
-
-
-def test_a_cleared_cache_knows_nothing(sheet):
-    cache = Cache()
-    run_again(cache, sheet, 0)
-    assert repr(cache) == "Cache(size=3)"
-    cache.clear()
-    assert cache.size == 0
-    run_again(cache, sheet, 0)

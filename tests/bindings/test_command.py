@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""python -m wirewarp reads models from files, gives the same result as Python, and reports faults in a sentence."""
+"""python -m wirewarp flattens files with the same results as Python, and reports each fault in one sentence."""
 
 import errno
 import itertools
@@ -27,15 +27,8 @@ LOST_VERTEX = """ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nprop
 element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n3 0 0 9\n"""
 
 
-@pytest.fixture
-def model(tmp_path):
-    path = tmp_path / "Folded.obj"
-    path.write_text(FOLDED)
-    return path
-
-
 def write_sample(name, path):
-    """Write a sample with its quads, seams and wires. Return the options for its seams and wires."""
+    """Write a sample as OBJ, and its seams and wires as JSON beside it. Return the options that name these files."""
     shape = SAMPLES[name]
     lines = [f"v {x!r} {y!r} {z!r}" for x, y, z in np.asarray(shape.vertices, dtype=float).tolist()]
     lines += ["f " + " ".join(str(corner + 1) for corner in face) for face in shape.faces]
@@ -49,7 +42,7 @@ def write_sample(name, path):
 
 
 def lengths(result):
-    """Return the flat lengths of all outlines and wires. result: a dict."""
+    """Return the flat lengths of all outlines and wires. result: a result or report as a dict."""
     chains = [chain for piece in result["pieces"] for chain in (*piece["boundaries"], *piece["wires"])]
     return sorted(chain["length_2d"] for chain in chains)
 
@@ -126,15 +119,20 @@ def test_the_picture_shows_the_pieces_in_scale(model, tmp_path):
     pixels = np.array(Image.open(tmp_path / "out" / "Folded-strain.png")).astype(int)
     assert max(pixels.shape) == pytest.approx(2000, abs=100)
     is_black = pixels.sum(axis=2) < 60
-    # The margin is 60 pixels, and the outlines fill the width between the margins.
+    # The margins are 60 pixels wide, and the outlines fill the width between them.
     columns = np.flatnonzero(is_black[:-100].any(axis=0))
     assert (columns[0], columns[-1]) == pytest.approx((60, pixels.shape[1] - 60), abs=4)
-    # The bar of the legend is 100 mm; the report contains the size of the layout.
+    # The bar of the legend is 100 mm long. The report contains the size of the layout.
     report = json.loads((tmp_path / "out" / "Folded.json").read_text())
     across = np.ptp([x for piece in report["pieces"] for x, _ in piece["vertices"]])
-    last = is_black[-60 - 12 - 10 : -60 - 12 + 10]
-    bar = max(longest_run(row) for row in last)
+    bar = max(longest_run(row) for row in is_black[-60 - 12 - 10 : -60 - 12 + 10])
     assert bar == pytest.approx(0.1 / across * (columns[-1] - columns[0]), rel=0.02)
+
+
+def longest_run(row):
+    """Return the length of the longest run of true values."""
+    changes = np.flatnonzero(np.diff(np.concatenate([[0], row.astype(int), [0]])))
+    return max(changes[1::2] - changes[::2], default=0)
 
 
 def test_a_missing_pillow_is_reported(model, tmp_path, monkeypatch):
@@ -142,11 +140,6 @@ def test_a_missing_pillow_is_reported(model, tmp_path, monkeypatch):
     (request,) = parsed(["flatten", str(model), "--out", str(tmp_path / "out"), "--picture"]).requests
     (problem,) = flatten_model(request)["problems"]
     assert problem == "Pictures are drawn by pillow, which is missing: pip install wirewarp[command]"
-
-
-def longest_run(row):
-    changes = np.flatnonzero(np.diff(np.concatenate([[0], row.astype(int), [0]])))
-    return max(changes[1::2] - changes[::2], default=0)
 
 
 def test_finished_models_are_skipped_until_something_changes(model, tmp_path):
@@ -157,7 +150,7 @@ def test_finished_models_are_skipped_until_something_changes(model, tmp_path):
     assert again["skipped"] and again["verdict"] == "ready to cut"
     assert (tmp_path / "out" / "Folded.pdf").stat().st_mtime_ns == before
     assert "skipped" not in run(*words, "--allowance", "5mm")[0][0]
-    assert "skipped" not in run(*words)[0][0]  # not skipped, because the report has another allowance now
+    assert "skipped" not in run(*words)[0][0]  # the report now has an allowance of 5 mm
     (tmp_path / "out" / "Folded.svg").unlink()
     assert "skipped" not in run(*words)[0][0]
     model.write_text(FOLDED.replace(".04", ".03"))
@@ -196,7 +189,7 @@ def contents(folder):
 
 
 def failing_at(number):
-    """Return a Path.replace that fails once, at the move with this number to or from the folder "out"."""
+    """Return a Path.replace that fails once: at the move with this number, counted from 0, into or out of "out"."""
     replace, count = Path.replace, itertools.count()
 
     def failing(self, target):
@@ -208,16 +201,16 @@ def failing_at(number):
 
 
 @pytest.mark.parametrize("is_killed", [False, True])
-# A run moves three old files out of the folder, then three new files in. The move with this number fails.
 @pytest.mark.parametrize("number", range(6))
 def test_files_of_two_runs_are_never_mixed(model, tmp_path, monkeypatch, number, is_killed):
+    """A run moves three old files out of the folder "out", then three new files into it. One of these moves fails."""
     words = ["flatten", str(model), "--out", str(tmp_path / "out")]
     flatten_model(parsed([*words, "--format", "svg,dxf"]).requests[0])
     before = contents(tmp_path / "out")
     (request,) = parsed([*words, "--format", "svg,plt", "--allowance", "5mm"]).requests
     with monkeypatch.context() as patched:
         patched.setattr(Path, "replace", failing_at(number))
-        if is_killed:  # nobody puts the old files back
+        if is_killed:  # a killed run does not move the old files back
             patched.setattr(staged, "_remove", lambda *_: None)
         line = flatten_model(request)
     assert (line["verdict"], line["codes"]) == ("refused", ["file"]) and "Permission denied" in line["problems"][0]
@@ -233,7 +226,7 @@ def test_files_of_other_programs_do_not_change(model, tmp_path, name):
     theirs = tmp_path / "out" / name
     theirs.parent.mkdir()
     theirs.write_text("{}")
-    (tmp_path / "out" / "Folded.pdf").write_text("theirs")  # no conflict with a run that writes SVG
+    (tmp_path / "out" / "Folded.pdf").write_text("theirs")  # the run writes no PDF, so this file is no conflict
     words = (model, "--out", tmp_path / "out", "--format", "svg")
     ((line,), _) = run(*words, code=2)
     (problem,) = line["problems"]

@@ -5,21 +5,13 @@ import json
 
 import numpy as np
 import pytest
-from commands import FOLDED
 from commands import flatten as run
 from wirewarp.report import percent_text
 
 
-@pytest.fixture
-def model(tmp_path):
-    path = tmp_path / "Folded.obj"
-    path.write_text(FOLDED)
-    return path
-
-
 def test_stretch_and_thickness_change_the_areas_of_pieces(model, tmp_path):
     def areas(*words):
-        _, _ = run(model, "--out", tmp_path / "out", "--seams", "uv", *words)
+        run(model, "--out", tmp_path / "out", "--seams", "uv", *words)
         report = json.loads((tmp_path / "out" / "Folded.json").read_text())
         return [piece["metrics"]["area_2d"] for piece in report["pieces"]]
 
@@ -58,7 +50,7 @@ def test_eases_and_a_fabric_change_the_pieces(model, tmp_path):
     ],
 )
 def test_the_verdict_names_the_necessary_stretch(tmp_path, bulge, words, verdict, code):
-    """A square of 100 mm with a hill in its middle: every length is exact, and the pattern is written."""
+    """The model is a square of 100 mm with a hill. For every verdict, all lengths are exact and files are written."""
     x, y = np.meshgrid(np.linspace(-1, 1, 13), np.linspace(-1, 1, 13))
     points = np.column_stack([x.ravel(), y.ravel(), 0.4 * bulge * ((1 - x * x) * (1 - y * y)).ravel()]) * 0.05
     corners = [13 * row + column for row in range(12) for column in range(12)]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Files of models may have any encoding. Materials do not change the model."""
+"""Models are read from files in any encoding. Their materials have no effect."""
 
 import numpy as np
 import pytest
@@ -12,7 +12,7 @@ from wirewarp.command.model import read_model
     [
         b"\xef\xbb\xbf",  # a byte order mark
         "# Größe: Ärmel\ng Rückenteil\n".encode("cp1252"),
-        # the last byte of the line is a backslash, which must not continue the line
+        # In Shift-JIS, the last byte of this line is a backslash, which must not join the line and the next line.
         "# 前身頃の表\n".encode("shift-jis"),
         "# Größe 前身頃\nusemtl Stoff\n".encode(),
     ],
@@ -29,7 +29,7 @@ def test_names_and_comments_may_be_in_any_encoding(tmp_path, head):
 def test_materials_change_neither_numbers_nor_maps(tmp_path):
     first, second = FOLDED[: FOLDED.index("f ")], FOLDED[FOLDED.index("f ") :].splitlines()
     (tmp_path / "a.mtl").write_text("newmtl red\nKd 1 0 0\nnewmtl blue\nKd 0 0 1\n")
-    # The first face has the last material and does not use the first vertex.
+    # In the file, the first face has the second material, and does not use the first vertex.
     (tmp_path / "a.obj").write_text(f"mtllib a.mtl\n{first}usemtl red\n{second[1]}\nusemtl blue\n{second[0]}\n")
     (tmp_path / "b.obj").write_text(f"{first}{second[1]}\n{second[0]}\n")
     colored, plain = read_model(tmp_path / "a.obj"), read_model(tmp_path / "b.obj")

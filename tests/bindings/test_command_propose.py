@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""python -m wirewarp propose prints the cuts of propose_darts() and related functions, one line of JSON per model."""
+"""python -m wirewarp propose prints the cuts that propose_darts(), propose_seams() and similar functions return."""
 
 import json
 
@@ -29,6 +29,20 @@ def edges(line):
     return np.column_stack([line[:-1], line[1:]])
 
 
+def write_seams(folder, lines):
+    """Write lines of vertices, and return the option that makes them seams."""
+    (folder / "seams.json").write_text(json.dumps([[int(vertex) for vertex in line] for line in lines]))
+    return "--seams", folder / "seams.json"
+
+
+def check_energy(model, proposal, folder, *words):
+    """Check that flattening with the proposed lines as seams gives the proposed energy."""
+    seams = write_seams(folder, proposal["lines"])
+    ((listed,), _) = commands.flatten(model, "--out", folder / "out", *words, *seams, "--format", "svg")
+    assert listed["codes"] == []
+    assert listed["figures"]["energy"] == pytest.approx(proposal["energy"], rel=1e-6)
+
+
 @pytest.mark.parametrize(("kind", "function"), [("dart", propose_darts), ("seam", propose_seams)])
 def test_proposals_are_the_same_as_through_python(dome, kind, function):
     (line,) = propose(dome, "--cut", kind, "--count", 2, "--unit", "mm")
@@ -45,11 +59,7 @@ def test_proposals_are_the_same_as_through_python(dome, kind, function):
 
 def test_a_printed_line_can_be_a_seam_of_flatten(dome, tmp_path):
     (line,) = propose(dome, "--unit", "mm", "--count", 1)
-    first = line["proposals"][0]
-    (tmp_path / "seams.json").write_text(json.dumps(first["lines"]))
-    words = (dome, "--out", tmp_path / "out", "--unit", "mm", "--seams", tmp_path / "seams.json", "--format", "svg")
-    ((listed,), _) = commands.flatten(*words)
-    assert listed["figures"]["energy"] == pytest.approx(first["energy"], rel=1e-6)
+    check_energy(dome, line["proposals"][0], tmp_path, "--unit", "mm")
 
 
 def test_cut_sets_of_a_closed_model_can_be_seams_of_flatten(tmp_path):
@@ -61,11 +71,7 @@ def test_cut_sets_of_a_closed_model_can_be_seams_of_flatten(tmp_path):
     assert first["strain"] <= 0.25 and first["strain_before"] is None and first["energy_before"] is None
     width = min(map(piece_width, flatten(model.vertices, model.faces, seams=expected.edges).pieces))
     assert first["narrowest_width_m"] / first["length_m"] == pytest.approx(width / expected.length, rel=1e-6)
-    (tmp_path / "seams.json").write_text(json.dumps(first["lines"]))
-    words = (tmp_path / "ball.obj", "--out", tmp_path / "out", "--seams", tmp_path / "seams.json", "--format", "svg")
-    ((listed,), _) = commands.flatten(*words)
-    assert listed["codes"] == []
-    assert listed["figures"]["energy"] == pytest.approx(first["energy"], rel=1e-6)
+    check_energy(tmp_path / "ball.obj", first, tmp_path)
 
 
 def test_cuts_with_together_are_those_of_the_plan(dome):
@@ -78,8 +84,7 @@ def test_cuts_with_together_are_those_of_the_plan(dome):
 
 def test_seams_to_keep_are_the_same_as_through_python(dome, tmp_path):
     columns = [column_chain(8, 8, column) for column in (2, 4, 6)]
-    (tmp_path / "seams.json").write_text(json.dumps([[int(v) for v in column] for column in columns]))
-    words = ("--seams", tmp_path / "seams.json", "--cut", "fewer", "--strain", "20%", "--unit", "mm")
+    words = (*write_seams(tmp_path, columns), "--cut", "fewer", "--strain", "20%", "--unit", "mm")
     (line,) = propose(dome, *words)
     model = read_model(dome)
     seams = np.concatenate([chain_edges(column) for column in columns])
@@ -102,18 +107,9 @@ def test_seams_to_keep_are_the_same_as_through_python(dome, tmp_path):
     ],
 )
 def test_the_reason_for_removing_no_seam_is_reported(dome, tmp_path, columns, strain, problem):
-    seams = [[int(v) for v in column_chain(8, 8, column)] for column in columns]
-    (tmp_path / "seams.json").write_text(json.dumps(seams))
-    words = ("--seams", tmp_path / "seams.json", "--cut", "fewer", "--strain", strain)
-    (line,) = propose(dome, *words, code=1)
+    seams = write_seams(tmp_path, [column_chain(8, 8, column) for column in columns])
+    (line,) = propose(dome, *seams, "--cut", "fewer", "--strain", strain, code=1)
     assert (line["verdict"], line["codes"], line["problems"]) == ("nothing to propose", ["no_proposal"], [problem])
-
-
-@pytest.mark.parametrize("width", ["0mm", "12mm"])
-def test_widths_are_only_for_cut_sets(dome, width):
-    for words in (("--cut", "dart"), ("--cut", "seam", "--together", "2")):
-        lines, said = commands.propose(dome, *words, "--narrowest", width, code=2)
-        assert lines == [] and "--narrowest is for sets of seams" in said
 
 
 def test_the_least_width_is_in_the_unit_of_the_option(tmp_path):
@@ -130,26 +126,29 @@ def test_the_least_width_is_in_the_unit_of_the_option(tmp_path):
 
 
 @pytest.mark.parametrize(
-    "words",
+    ("words", "sentence"),
     [
-        (),
-        ("--seams", "uv", "--together", "2"),
-        ("--seams", "uv", "--no-seam", "a.json"),
-        ("--seams", "uv", "--longest", "0mm"),
-        ("--seams", "uv", "--narrowest", "0mm"),
+        ("--cut dart --narrowest 0mm", "--narrowest is for sets of seams"),
+        ("--cut seam --together 2 --narrowest 12mm", "--narrowest is for sets of seams"),
+        ("--cut fewer", "--cut fewer"),
+        ("--cut fewer --seams uv --together 2", "--cut fewer"),
+        ("--cut fewer --seams uv --no-seam a.json", "--cut fewer"),
+        ("--cut fewer --seams uv --longest 0mm", "--cut fewer"),
+        ("--cut fewer --seams uv --narrowest 0mm", "--cut fewer"),
+        ("--together 2 --piece 1", "without --piece and --count"),
     ],
 )
-def test_fewer_needs_seams_and_makes_no_cuts(dome, words):
-    lines, said = commands.propose(dome, "--cut", "fewer", *words, code=2)
-    assert lines == [] and "--cut fewer" in said
+def test_options_that_contradict_each_other_are_refused(dome, words, sentence):
+    lines, said = commands.propose(dome, *words.split(), code=2)
+    assert lines == [] and sentence in said
 
 
 def test_cuts_keep_the_limits_on_length_and_place(dome, tmp_path):
     (line,) = propose(dome, "--count", 1, "--unit", "mm")
-    barred = line["proposals"][0]["lines"][0]
-    (tmp_path / "front.json").write_text(json.dumps([barred]))
+    forbidden = line["proposals"][0]["lines"][0]
+    (tmp_path / "front.json").write_text(json.dumps([forbidden]))
     (line,) = propose(dome, "--no-seam", tmp_path / "front.json", "--longest", "6cm", "--unit", "mm")
-    taken = {tuple(sorted(pair)) for pair in edges(barred).tolist()}
+    taken = {tuple(sorted(pair)) for pair in edges(forbidden).tolist()}
     for listed in line["proposals"]:
         assert listed["length_m"] <= 0.06
         assert not taken & {tuple(sorted(pair)) for pair in edges(listed["lines"][0]).tolist()}
@@ -157,7 +156,7 @@ def test_cuts_keep_the_limits_on_length_and_place(dome, tmp_path):
 
 def test_errors_are_in_the_line_of_their_model(dome, tmp_path):
     trimesh.Trimesh(*half_cylinder(), process=False).export(tmp_path / "half.ply")
-    trimesh.creation.box().export(tmp_path / "box.stl")  # twelve triangles, closed
+    trimesh.creation.box().export(tmp_path / "box.stl")
     lines = propose(tmp_path / "half.ply", dome, tmp_path / "box.stl", tmp_path / "top.blend", "--jobs", 2, code=2)
     verdicts = [line["verdict"] for line in lines]
     assert verdicts == ["nothing to propose", "proposed", "refused", "refused"]
@@ -171,10 +170,6 @@ def test_the_energy_is_that_of_the_cloth(dome):
     model, first = read_model(dome), line["proposals"][0]
     cut = flatten(model.vertices, model.faces, seams=edges(first["lines"][0]), options=Options(cloth="woven"))
     assert first["energy"] == pytest.approx(cut.pieces[0].metrics.cloth_energy, rel=1e-6)
-
-
-def test_together_allows_no_chosen_piece(dome):
-    assert "without --piece and --count" in commands.propose(dome, "--together", 2, "--piece", 1, code=2)[1]
 
 
 @pytest.mark.parametrize("text", ["[" * 100_000, "[[0, 18446744073709551616]]"])

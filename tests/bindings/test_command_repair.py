@@ -34,9 +34,14 @@ def test_a_good_mesh_does_not_change():
     assert np.array_equal(found.model.faces, model.faces)
 
 
-def test_vertices_closer_than_the_precision_of_files_are_merged_and_keep_their_numbers():
+def torn_sheet():
+    """Return a square and a triangle, whose common edge has two vertices at each end, less than 1e-5 apart."""
     apart = [*SQUARE, (1 + 1e-6, 0, 0), (2, 0, 0), (1, 1 + 1e-6, 0)]
-    found = repaired(model_of(apart, [(0, 1, 2), (0, 2, 3), (4, 5, 6)]))
+    return model_of(apart, [(0, 1, 2), (0, 2, 3), (4, 5, 6)])
+
+
+def test_vertices_closer_than_the_precision_of_files_are_merged_and_keep_their_numbers():
+    found = repaired(torn_sheet())
     assert found.done == ["2 overlapping vertices merged"]
     assert found.model.faces.tolist() == [[0, 1, 2], [0, 2, 3], [1, 5, 2]]
 
@@ -47,7 +52,7 @@ def test_vertices_that_are_merely_near_stay_apart():
 
 
 def test_a_face_without_area_is_removed_and_its_neighbor_divided():
-    """The diagonal of a square has a vertex in its middle that the left triangle does not use."""
+    """A vertex is in the middle of a square's diagonal. The triangle on the left of the diagonal does not use it."""
     vertices = [*SQUARE, (0.5, 0.5, 0)]
     uv = np.array([SQUARE[list(face), :2] for face in [(0, 2, 3)]] + [np.zeros((3, 2))] * 3)
     faces = [(0, 2, 3), (0, 4, 2), (0, 1, 4), (1, 2, 4)]
@@ -61,7 +66,7 @@ def test_a_face_without_area_is_removed_and_its_neighbor_divided():
 
 
 def test_two_faces_without_area_are_removed_and_their_neighbors_joined():
-    """Two faces without area are on one line. Each has a vertex on the long edge of the other face."""
+    """Both faces without area are on one line. Each of them has a vertex on the long edge of the other."""
     vertices = [(0, 0, 0), (3, 0, 0), (1, 0, 0), (2, 0, 0), (1, 1, 0), (1, -1, 0)]
     faces = [(0, 1, 2), (1, 0, 3), (0, 2, 4), (2, 1, 4), (0, 5, 3), (3, 5, 1)]
     found = repaired(model_of(vertices, faces))
@@ -88,10 +93,7 @@ def test_a_moebius_strip_does_not_change():
 
 
 def test_lines_of_the_file_are_translated():
-    """The lines have a merged vertex, a divided edge, and the side of a flipped face."""
-    apart = repaired(
-        model_of([*SQUARE, (1 + 1e-6, 0, 0), (2, 0, 0), (1, 1 + 1e-6, 0)], [(0, 1, 2), (0, 2, 3), (4, 5, 6)])
-    )
+    apart = repaired(torn_sheet())
     assert apart.chain(np.array([0, 4, 6])) == [0, 1, 2]
     assert apart.pairs(np.array([(4, 6), (1, 4)])).tolist() == [[1, 2]]
     divided = repaired(model_of([*SQUARE, (0.5, 0.5, 0)], [(0, 2, 3), (0, 4, 2), (0, 1, 4), (1, 2, 4)]))
@@ -125,16 +127,15 @@ def test_edges_of_three_faces_become_seams():
 
 def test_a_model_that_fails_is_repaired_on_request(tmp_path):
     path = tmp_path / "double.obj"
-    path.write_text(FOLDED + "f 1/1 2/2 5/3 4/4\n")  # a duplicate face
+    path.write_text(FOLDED + "f 1/1 2/2 5/3 4/4\n")
     ((line,), _) = run(path, "--out", tmp_path / "out", code=1)
     assert line["verdict"] == "not ready to cut"
     ((line,), _) = run(path, "--out", tmp_path / "out", "--repair")
-    assert line["repairs"] == ["2 duplicate faces removed"]  # the two triangles of the repeated face
+    assert line["repairs"] == ["2 duplicate faces removed"]  # triangles of the repeated quad
     assert line["pieces"] == 1 and "repairs" in json.loads((tmp_path / "out" / "double.json").read_text())["line"]
 
 
 def test_suggested_seams_are_marked_on_request(tmp_path):
-    """A tube needs one cut."""
     count = 12
     turn = 2 * np.pi * np.arange(count) / count
     rings = [f"v {np.cos(a) / 20} {np.sin(a) / 20} {z}" for z in (0, 0.1) for a in turn]
@@ -156,7 +157,7 @@ def test_the_widest_of_several_suggested_tolerances_is_used_once(monkeypatch):
 
     def flattened_again(*_, wires, **__):
         rounds.append([wire.tolerance for wire in wires])
-        return result((0, 0.05))  # the wire has this tolerance already
+        return result((0, 0.05))  # less than the tolerance that the wire has by now
 
     monkeypatch.setattr(proposals, "flatten", flattened_again)
     lines = Lines([Wire([0, 1]), Wire([1, 2])])

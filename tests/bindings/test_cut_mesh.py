@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""cut_mesh() and straighten_path() return correct arrays. tests/native tests their lines and the mesh."""
+"""cut_mesh() and straighten_path() return correct arrays, and refuse invalid paths."""
 
 import pickle
+from collections.abc import Callable
 
 import numpy as np
 import pytest
@@ -12,13 +13,13 @@ Lines = list[wirewarp.SurfacePath]
 
 
 def across(columns: int, at: float, end: float) -> wirewarp.SurfacePath:
-    """Return a path in a grid over the unit square at height `at`, from the left side to x = `end`."""
+    """Return a level path in a grid over the unit square, from the left side to x = `end`, at y = `at`."""
     cell = int(at * columns)
     faces, coordinates = [], []
     fraction = at * columns - cell
     for column in range(int(end * columns)):
-        lower = 2 * (cell * columns + column)  # corners: lower left, lower right, upper right
-        # Through the upper left triangle to the diagonal, then through the lower right triangle to its right edge.
+        lower = 2 * (cell * columns + column)  # this face has the lower left, lower right and upper right corner
+        # The path runs through the upper left triangle to the diagonal, then through the lower right triangle.
         faces += [lower + 1, lower]
         coordinates += [(1 - fraction, 0, fraction), (1 - fraction, 0, fraction)]
     faces.append(lower)
@@ -55,7 +56,14 @@ def test_paths_and_sources_can_be_pickled_and_written_as_json() -> None:
     assert path.to_dict()["faces"] == [1, 0, 3, 2, 2]
 
 
-POINTS = np.eye(3)[:2]  # two points, at corners of a triangle
+POINTS = np.eye(3)[:2]  # barycentric coordinates of two corners of a triangle
+
+
+def check_refusal(code: str, said: str, call: Callable[[], object]) -> None:
+    with pytest.raises(wirewarp.FlattenError) as caught:
+        call()
+    assert caught.value.code == code
+    assert str(caught.value).startswith(said)
 
 
 @pytest.mark.parametrize(
@@ -71,10 +79,7 @@ POINTS = np.eye(3)[:2]  # two points, at corners of a triangle
     ],
 )
 def test_invalid_paths_are_refused(faces: object, coordinates: object, code: str, said: str) -> None:
-    with pytest.raises(wirewarp.FlattenError) as caught:
-        wirewarp.SurfacePath(faces, coordinates)
-    assert caught.value.code == code
-    assert str(caught.value).startswith(said)
+    check_refusal(code, said, lambda: wirewarp.SurfacePath(faces, coordinates))
 
 
 @pytest.mark.parametrize(
@@ -88,11 +93,7 @@ def test_invalid_paths_are_refused(faces: object, coordinates: object, code: str
     ],
 )
 def test_invalid_arguments_of_cut_mesh_are_refused(paths: Lines, snap: float, code: str, said: str) -> None:
-    vertices, faces = spherical_patch(4, 4)
-    with pytest.raises(wirewarp.FlattenError) as caught:
-        wirewarp.cut_mesh(vertices, faces, paths, snap=snap)
-    assert caught.value.code == code
-    assert str(caught.value).startswith(said)
+    check_refusal(code, said, lambda: wirewarp.cut_mesh(*spherical_patch(4, 4), paths, snap=snap))
 
 
 def test_a_straightened_dart_is_shorter_with_the_same_ends():
@@ -120,8 +121,4 @@ def test_a_straightened_dart_is_shorter_with_the_same_ends():
     ],
 )
 def test_paths_that_cannot_be_straightened_are_refused(path, code, sentence):
-    vertices, faces = spherical_patch(4, 4)
-    with pytest.raises(wirewarp.FlattenError) as caught:
-        wirewarp.straighten_path(vertices, faces, path)
-    assert caught.value.code == code
-    assert str(caught.value).startswith(sentence)
+    check_refusal(code, sentence, lambda: wirewarp.straighten_path(*spherical_patch(4, 4), path))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Documents describe the package correctly: their examples run, and their tables are complete."""
+"""The examples for patterns run, and the table of options is complete."""
 
 import json
 import re

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""There is one exception type, and one enum of codes. Each code has a meaning and a remedy."""
+"""A FlattenError has a code with a meaning and a remedy, elements of the mesh, suggestions, and its sentence."""
 
 import copy
 import importlib
@@ -57,64 +57,48 @@ def test_an_error_is_a_value_error_that_reads_as_its_sentence():
     }
     plain = FlattenError("cancelled", "Cancelled.")
     assert (plain.proposed_seams, plain.proposed_tolerances, plain.arguments) == ((), (), {})
-
-
-def test_an_error_needs_a_known_code():
     with pytest.raises(ValueError, match="bad_luck"):
         FlattenError("bad_luck", "Something went wrong.")
 
 
 @pytest.mark.parametrize("clone", [copy.copy, copy.deepcopy, lambda error: pickle.loads(pickle.dumps(error))])
 def test_an_error_survives_copying_and_pickling(clone):
-    twin = clone(EXAMPLE)
-    assert type(twin) is FlattenError
-    assert twin.to_dict() == EXAMPLE.to_dict()
-    assert str(twin) == str(EXAMPLE)
+    copied = clone(EXAMPLE)
+    assert type(copied) is FlattenError
+    assert copied.to_dict() == EXAMPLE.to_dict()
+    assert str(copied) == str(EXAMPLE)
 
 
-def refused_option() -> FlattenError:
-    with pytest.raises(FlattenError) as caught:
-        wirewarp.Options(gap=2)
-    return caught.value
-
-
-def refused_seam() -> FlattenError:
-    with pytest.raises(FlattenError) as caught:
-        flatten(*half_cylinder(), seams=[[0, 1], [0, 40]])
-    assert (caught.value.code, caught.value.edges) == (ErrorCode.seam_not_an_edge, ((0, 40),))
-    assert not caught.value.has_layout
-    return caught.value
-
-
-def refused_wire() -> FlattenError:
-    vertices, faces = half_cylinder()
-    wires = [wirewarp.Wire([0, 1], name="Hip"), wirewarp.Wire([1, 0], name="Waist")]
-    with pytest.raises(FlattenError) as caught:
-        flatten(vertices, faces, wires=wires)
-    return caught.value
-
-
-def tube() -> FlattenError:
-    """Return the error of a tube. Its two outlines are triangles, one twice as large as the other."""
+def flatten_tube() -> None:
+    """Raise the error of a tube. Its two outlines are triangles, one twice as large as the other."""
     around = 2 * np.pi * np.arange(3) / 3
     ring = np.stack([np.cos(around), np.sin(around)], axis=1)
     vertices = np.vstack([np.c_[ring, np.zeros(3)], np.c_[2 * ring, np.full(3, 9.0)]])
     faces = [[i, (i + 1) % 3, 3 + i] for i in range(3)] + [[(i + 1) % 3, 3 + (i + 1) % 3, 3 + i] for i in range(3)]
     (piece,) = flatten(vertices, faces).pieces
-    return piece.error
+    raise piece.error
+
+
+NAMES = ["Hip", "Waist"]
+WIRES = [wirewarp.Wire([0, 1], name="Hip"), wirewarp.Wire([1, 0], name="Waist")]
 
 
 @pytest.mark.parametrize(
-    ("make", "arguments"),
+    ("call", "code", "arguments"),
     [
-        (refused_option, {"name": "gap", "value": "2", "allowed": "be between 0 and 1"}),
-        (refused_seam, {}),
-        (refused_wire, {"wires": [0, 1], "wire_names": ["Hip", "Waist"]}),
-        (tube, {"lengths": pytest.approx([6 * np.sqrt(3), 3 * np.sqrt(3)])}),
+        (lambda: Options(gap=2), "invalid_option", {"name": "gap", "value": "2", "allowed": "be between 0 and 1"}),
+        (lambda: flatten(*half_cylinder(), seams=[[0, 1], [0, 40]]), "seam_not_an_edge", {}),
+        (lambda: flatten(*half_cylinder(), wires=WIRES), "edge_in_two_wires", {"wires": [0, 1], "wire_names": NAMES}),
+        (flatten_tube, "boundary_too_short", {"lengths": pytest.approx([6 * np.sqrt(3), 3 * np.sqrt(3)])}),
     ],
+    ids=["option", "seam", "wires", "tube"],
 )
-def test_an_error_carries_the_values_of_its_sentence(make, arguments):
-    error = make()
+def test_an_error_carries_the_values_of_its_sentence(call, code, arguments):
+    with pytest.raises(FlattenError) as caught:
+        call()
+    error = caught.value
+    assert error.code == code and not error.has_layout
+    assert code != "seam_not_an_edge" or error.edges == ((0, 40),)
     for name, value in arguments.items():
         assert error.arguments[name] == value
     for name in error.arguments:
@@ -133,9 +117,10 @@ def test_proposed_seams_can_be_passed_as_seams():
 
 
 def test_seams_are_proposed_for_a_piece_that_only_the_stretch_makes_infeasible():
-    """The stretch shortens the legs of a slim triangle to a fifth, but its seam only to three fifths.
+    """The stretch shortens the legs of a slim triangle to a fifth. Its base becomes too long to be the third side.
 
-    The seam joins the triangle to a square. It runs across the grain of one piece and along the grain of the other.
+    The base is a seam with a square, along the grain of one piece and across the grain of the other. It is cut at the
+    mean length of both sides, three fifths.
     """
     around = [(i / 4, 0, 0) for i in range(5)] + [(0.5, 0.08, 0)]
     vertices = [*around, *((i / 4, 0, -1) for i in range(5))]
@@ -154,7 +139,6 @@ def test_seams_are_proposed_for_a_piece_that_only_the_stretch_makes_infeasible()
 
 
 def test_the_package_works_inside_another_package(tmp_path, monkeypatch):
-    """An add-on may contain a copy of the package, which has its own error classes."""
     shutil.copytree(Path(wirewarp.__file__).parent, tmp_path / "carrier" / "wirewarp")
     monkeypatch.syspath_prepend(tmp_path)
     inner = importlib.import_module("carrier.wirewarp")

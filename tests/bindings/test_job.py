@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""wirewarp.start() flattens a mesh while Python continues."""
+"""Jobs flatten meshes and search for cuts while Python continues."""
 
 import copy
 import gc
@@ -23,7 +23,7 @@ def test_a_job_ends_with_the_result_of_flatten():
     vertices, faces = spherical_patch(20, 20)
     wires = [wirewarp.Wire([0, 1, 2], name="edge")]
     options = wirewarp.Options(fairness=0.2)
-    other = wirewarp.start(*half_cylinder(20, 20))  # several jobs may run at once
+    other = wirewarp.start(*half_cylinder(20, 20))  # runs at the same time
     job = wirewarp.start(vertices, faces, wires=wires, options=options)
     result = job.result()
     assert np.array_equal(other.result().corner_uv, wirewarp.flatten(*half_cylinder(20, 20)).corner_uv)
@@ -53,20 +53,17 @@ def test_a_canceled_job_reports_it():
     assert [piece.error.code for piece in job.result().pieces] == [wirewarp.ErrorCode.cancelled]
 
 
-def test_errors_of_bad_input_are_raised_by_result():
-    vertices, faces = half_cylinder()
-    job = wirewarp.start(vertices, [[0, 1, 10_000_000]])
-    for _ in range(2):
-        with pytest.raises(wirewarp.FlattenError) as caught:
-            job.result()
-        assert caught.value.code == wirewarp.ErrorCode.vertex_out_of_range
+def code_of(call):
+    with pytest.raises(wirewarp.FlattenError) as caught:
+        call()
+    return caught.value.code
 
 
-def test_arguments_of_a_wrong_type_are_refused_at_once():
-    with pytest.raises(wirewarp.FlattenError):
-        wirewarp.start(*half_cylinder(), options=3)
-    with pytest.raises(wirewarp.FlattenError):
-        wirewarp.start(*half_cylinder(), cache={})
+def test_start_refuses_wrong_types_and_result_raises_errors_of_the_mesh():
+    for wrong in ({"options": 3}, {"cache": {}}):
+        assert code_of(lambda wrong=wrong: wirewarp.start(*half_cylinder(), **wrong)) == "invalid_type"
+    job = wirewarp.start(half_cylinder()[0], [[0, 1, 10_000_000]])
+    assert [code_of(job.result) for _ in range(2)] == ["vertex_out_of_range"] * 2
 
 
 @pytest.mark.parametrize(
@@ -84,26 +81,21 @@ def test_proposals_are_found_in_a_job(start, find, limits):
     found = job.result()
     assert job.progress()[0] == "cuts" and job.result() is found
     assert [each.to_dict() for each in found] == [each.to_dict() for each in find(*mesh, **limits)]
-    for code, refused in (("no_proposal", {}), ("invalid_option", {"strain": -1.0})):
-        job = start(*half_cylinder(), **refused)
-        with pytest.raises(wirewarp.FlattenError) as caught:
-            job.result()
-        assert caught.value.code == code
+    assert code_of(start(*half_cylinder()).result) == "no_proposal"
+    assert code_of(start(*half_cylinder(), strain=-1.0).result) == "invalid_option"
     with pytest.raises(wirewarp.FlattenError, match="no_seam"):
-        start(*mesh, no_seam="all")  # a wrong type is refused immediately
+        start(*mesh, no_seam="all")
     job = start(*spherical_patch(100, 100))
     job.cancel()
-    with pytest.raises(wirewarp.FlattenError) as caught:
-        job.result()
-    assert caught.value.code == wirewarp.ErrorCode.cancelled
+    assert code_of(job.result) == "cancelled"
 
 
 def test_a_job_without_references_is_canceled():
     cache = wirewarp.Cache()
     job = wirewarp.start(*spherical_patch(300, 300), cache=cache)
     del job
-    gc.collect()  # returns when the thread of the job has ended
-    assert cache.size == 0  # the canceled piece is not kept
+    gc.collect()  # waits until the job's thread has ended
+    assert cache.size == 0  # a cache keeps no canceled pieces
 
 
 @pytest.mark.skipif(not hasattr(signal, "pthread_kill"), reason="this system sends no signals to threads")
@@ -137,10 +129,9 @@ def test_ctrl_c_while_waiting_cancels():
 
 def test_a_job_is_neither_copied_nor_pickled_nor_made_without_start():
     job = wirewarp.start(*half_cylinder())
-    with pytest.raises(TypeError, match="cannot be copied or pickled"):
-        copy.copy(job)
-    with pytest.raises(TypeError, match="cannot be copied or pickled"):
-        pickle.dumps(job)
+    for clone in (copy.copy, pickle.dumps):
+        with pytest.raises(TypeError, match="cannot be copied or pickled"):
+            clone(job)
     with pytest.raises(TypeError):
         wirewarp.Job()
     with pytest.raises(TypeError):
@@ -179,8 +170,7 @@ def test_a_job_is_not_in_a_forked_process():
     child.start()
     child.join(60)
     assert child.exitcode == 0
-    for _ in range(3):
-        assert "not in one forked from it" in answers.get()
+    assert all("not in one forked from it" in answers.get() for _ in range(3))
     assert not job.result().pieces[0].error
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Pieces of markers are on the fabric, apart, along the grain, and as many as requested. Shapely measures them."""
+"""On a marker, all requested pieces are on the fabric, apart from each other and along the grain."""
 
 import json
 import math
@@ -48,7 +48,7 @@ def check_lies_on_cloth(pattern: Pattern, marker: Marker) -> None:
 @pytest.mark.parametrize(("name", "grain"), [("Fitted top", "one way"), ("Jeans", "both ways"), ("Toy", "free")])
 def test_pieces_lie_apart_on_the_cloth_along_the_grain(name, grain, engine):
     pattern = sample(name)
-    width = max(float(piece.size[0]) for piece in pattern.pieces)  # the widest piece fits exactly
+    width = max(float(piece.size[0]) for piece in pattern.pieces)
     marker = pattern.nested(width + (1 if grain == "free" else 0), gap=3.0, grain=grain, seconds=1)
     check_lies_on_cloth(pattern, marker)
     allowed = {"one way": {0}, "both ways": {0, 180}}.get(grain)
@@ -58,7 +58,7 @@ def test_pieces_lie_apart_on_the_cloth_along_the_grain(name, grain, engine):
 
 
 def test_squares_fill_the_cloth():
-    # 4 x 3 squares of 100 mm with gaps of 10 mm, and 0.4 mm for simplified outlines.
+    # There are 4 x 3 squares of 100 mm, 10 mm apart. Each gap is 0.4 mm wider, because outlines are simplified.
     pattern = Pattern.from_result(rectangle(100, 100), allowance=0).with_quantities({1: (12, 0)})
     marker = pattern.nested(435, gap=10.0, seconds=0)
     assert marker.length == pytest.approx(3 * 100 + 2 * 10.4, abs=0.1)
@@ -75,12 +75,6 @@ def test_every_copy_is_placed_including_mirrored_ones(engine):
     check_lies_on_cloth(paired, marker)
 
 
-def test_a_piece_of_two_folds_cannot_be_opened():
-    two = Pattern.from_result(rectangle(100, 60), folds=[(0, 3), (1, 2)])
-    with pytest.raises(wirewarp.FlattenError, match="has 2 folds"):
-        two.nested(400, seconds=0)
-
-
 def test_texts_beside_a_small_piece_do_not_change_the_piece():
     marked = Pattern.from_result(rectangle(20, 2), folds=[(0, 3)], allowance=0, piece_names=["Cuff"])
     assert marked.pieces[0].of_role("card leader")
@@ -88,7 +82,7 @@ def test_texts_beside_a_small_piece_do_not_change_the_piece():
     for pattern in (marked, marked.with_only(["sew"])):
         (piece,) = pattern.laid_on(marker).pieces
         assert sorted(piece.size) == pytest.approx([2, 40])
-        # no texts, because other pieces may be at their places
+        # The texts are left out, because other pieces of the marker may be at their places.
         assert not piece.texts and not piece.of_role("card leader")
 
 
@@ -141,7 +135,7 @@ def test_a_marker_is_stored_as_json_and_refuses_other_pieces():
 
 
 def dented(x, y):
-    """Return a rectangle of 100 x 60 mm, with one point of its upper side moved to x, y."""
+    """Return a rectangle of 100 x 60 mm whose upper side is bent at the point x, y."""
     points = [(0, 0), (50, 0), (100, 0), (100, 60), (x, y), (0, 60)]
     (piece,) = quads(points, [(0, 1, 4, 5), (1, 2, 3, 4)]).pieces
     flat = flat_piece(piece, "Yoke", 1000.0)
@@ -172,7 +166,7 @@ def test_better_markers_are_shown_and_a_stop_keeps_the_best(engine):
     pattern = sample("Toy")
 
     def progress(stage, fraction):
-        asked.append(fraction < 0.02 or not shown)  # continues until the first marker exists, however long that takes
+        asked.append(fraction < 0.02 or not shown)  # false after 2% of the time, if a marker exists by then
         return asked[-1]
 
     marker = pattern.nested(1000, seconds=100, preview=shown.append, progress=progress)
@@ -188,7 +182,7 @@ def test_errors_of_spyrrow_are_reported_and_pieces_are_packed_without_it(monkeyp
     described, searched = wirewarp.pattern.nest.spyrrow_nesting._described, wirewarp.pattern.nest.nesting.searched
 
     def searched_to_the_end(*what):
-        """Search to the end, however long the process takes to start."""
+        """Search for 60 s instead of 3 s, because the process may start slowly."""
         yield from list(searched(*what[:-1], 60.0))
 
     monkeypatch.setattr("wirewarp.pattern.nest.nesting.searched", searched_to_the_end)
@@ -205,7 +199,7 @@ def test_errors_of_spyrrow_are_reported_and_pieces_are_packed_without_it(monkeyp
 
 @pytest.fixture
 def searches(monkeypatch):
-    """Return a list of the processes that are started from now on."""
+    """Return a list to which each new process of a search is added."""
     pytest.importorskip("spyrrow")
     started = []
 
@@ -223,7 +217,7 @@ def test_the_search_process_ends_if_progress_raises(searches):
         if searches:
             raise ZeroDivisionError
 
-    # The traceback keeps the frames of the search alive, so garbage collection cannot end the process.
+    # `raised` keeps the frames of the search alive, so garbage collection cannot end the process.
     with pytest.raises(ZeroDivisionError) as raised:
         sample("Hat").nested(1400, seconds=600, progress=progress)
     (search,) = searches
@@ -279,12 +273,17 @@ def test_bad_input_gives_one_sentence(options, words):
 
 def test_imperial_units_are_reported_in_inches(tmp_path):
     pattern = Pattern.from_result(rectangle(254, 254), allowance=0, units="imperial")
-    with pytest.raises(wirewarp.FlattenError, match=r"is 10.00 in x 10.00 in: too large for a roll of 9 in"):
-        pattern.nested(9 * 25.4)
-    with pytest.raises(wirewarp.FlattenError, match=r"is 10.00 in x 10.00 in: too large for a roll of 9 in"):
-        pattern.write(tmp_path / "x.pdf", paper=9 * 25.4)
+    for use in (pattern.nested, lambda width: pattern.write(tmp_path / "x.pdf", paper=width)):
+        with pytest.raises(wirewarp.FlattenError, match=r"is 10.00 in x 10.00 in: too large for a roll of 9 in"):
+            use(9 * 25.4)
     marker = pattern.nested(12 * 25.4, seconds=0)
     assert marker.sentence(pattern.units) == "1 piece on 10 in of fabric 12 in wide, 83% of it used"
+
+
+def test_a_piece_of_two_folds_cannot_be_opened():
+    two = Pattern.from_result(rectangle(100, 60), folds=[(0, 3), (1, 2)])
+    with pytest.raises(wirewarp.FlattenError, match="has 2 folds"):
+        two.nested(400, seconds=0)
 
 
 @pytest.mark.parametrize("quantities", [{2: (1, 0)}, {1: (0, 0)}, {1: (1, -1)}, {1: (1.5, 0)}, {1: (1, 2, 3)}])
@@ -320,7 +319,7 @@ def test_a_long_marker_has_several_pages_that_overlap(tmp_path):
     pages = [page.get_size() for page in pypdfium2.PdfDocument(tmp_path / "long.pdf")]
     assert np.array(pages) * 25.4 / 72 == pytest.approx(np.array(sizes), abs=0.01)
     assert len(sizes) == 2 and max(size.max() for size in sizes) <= 5000
-    # Margins of 10 mm around both pages, 158 mm for the test square on the first page, and 10 mm of overlap.
+    # Both pages have margins of 10 mm, the first page has 158 mm for the test square, and the pages overlap by 10 mm.
     assert sum(size[1] for size in sizes) == pytest.approx(length + 2 * 20 + 158 + 10)
     with pytest.raises(wirewarp.FlattenError, match=r"needs a roll of 920 mm, not 910 mm"):
         laid.page_sizes(910.0)

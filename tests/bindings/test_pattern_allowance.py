@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""For any outline, the cutting line is one loop with the requested widths. Each type of corner has its shape."""
+"""The cutting line around any outline is one loop at the requested distances, and each type of corner has its shape."""
 
 import math
 
@@ -13,16 +13,13 @@ from wirewarp.pattern.make.allowance import Corner, Section, cut_lines
 from wirewarp.pattern.make.corners import CORNER_TYPES
 
 
-def random_outline(random: np.random.Generator) -> np.ndarray:
+def random_sections(random: np.random.Generator) -> list[Section]:
+    """Return the sections of a wavy outline around a circle of 200 mm."""
     count = random.integers(12, 200)
     angles = np.linspace(0, 2 * np.pi, count, endpoint=False)
     waves = range(1, int(random.integers(2, 9)))
     radius = 200 + sum(random.uniform(0, 60) / k * np.cos(k * angles + random.uniform(0, 7)) for k in waves)
-    return np.column_stack([radius * np.cos(angles), radius * np.sin(angles)])
-
-
-def random_sections(random: np.random.Generator) -> list[Section]:
-    points = random_outline(random)
+    points = np.column_stack([radius * np.cos(angles), radius * np.sin(angles)])
     starts = np.sort(random.choice(len(points), int(random.integers(2, min(9, len(points) // 2))), replace=False))
     points, ends = np.roll(points, -starts[0], axis=0), [*(starts[1:] - starts[0]), len(points)]
     closed, begins = np.concatenate([points, points[:1]]), [0, *ends[:-1]]
@@ -46,12 +43,12 @@ def test_any_widths_around_any_outline_make_one_loop(seed):
     (outer,) = found.outer
     cut = shapely.Polygon(outer)
     assert cut.is_valid and cut.buffer(1e-3).contains(outline)
-    closed = cut.buffer(0.01, join_style="mitre").buffer(-0.01, join_style="mitre")  # fills slits
+    closed = cut.buffer(0.01, join_style="mitre").buffer(-0.01, join_style="mitre")  # without slits up to 0.02 mm wide
     assert closed.area - cut.area < 0.5
     corners = shapely.MultiPoint([section.points[-1] for section in loop])
     zone = 4 * max(section.width for section in loop)
     lines = [shapely.LineString(section.points) for section in loop]
-    # An area that the allowance encloses outside the piece is a bay of the outline, not a slit between strips.
+    # A pocket is a gap that the allowance encloses. Its outline keeps the width of every section, too.
     for pocket in found.pockets:
         places = shapely.points(pocket)
         for section, line in zip(loop, lines, strict=True):
@@ -68,15 +65,12 @@ def test_any_widths_around_any_outline_make_one_loop(seed):
     for number, (section, line) in enumerate(zip(loop, lines, strict=True)):
         nearest = places[distances.argmin(axis=0) == number]
         feet = shapely.line_interpolate_point(line, shapely.line_locate_point(line, nearest))
-        on_edges = shapely.distance(feet, vertices) > 1e-6  # a miter is slightly farther from a vertex
+        on_edges = shapely.distance(feet, vertices) > 1e-6  # not at vertices, where a miter is slightly farther away
         assert np.all(np.abs(shapely.distance(feet, nearest)[on_edges] - section.width) < 0.01)
 
 
 def square(widths, corner: Corner) -> list[Section]:
-    """Return the sections of a square of 100 mm, beginning at the lower left corner.
-
-    corner: type of the lower right corner.
-    """
+    """Return the sides of a square of 100 mm, the lower side first. corner: type of the lower right corner."""
     points = np.array([[0.0, 0], [100, 0], [100, 100], [0, 100], [0, 0]])
     corners = [corner, Corner(), Corner(), Corner()]
     return [Section(points[i : i + 2], widths[i], corners[i]) for i in range(4)]
@@ -88,15 +82,15 @@ def square(widths, corner: Corner) -> list[Section]:
         ("mitre", 10, 10, 100),
         ("mitre", 20, 10, 200),
         ("step", 20, 20, 400),  # equal widths have no step
-        ("fold-back", 20, 10, 200),  # at a right angle, the area is the same as that of a miter
-        ("extend", 10, 10, 50),  # a straight line between the ends of both allowances: half of the corner's 100 mm²
+        ("fold-back", 20, 10, 200),  # at a right angle, the same area as for a miter
+        ("extend", 10, 10, 50),  # a straight line between the ends of both allowances cuts the 100 mm² in half
         ("round", 10, 10, 25 * math.pi),
         ("mitre", 0, 10, 0),
     ],
 )
 def test_each_type_of_corner_has_its_area(kind, a, b, area):
     (outer,) = cut_lines([square([a, b, 0, 0], Corner(kind))]).outer
-    sides = 100 * a + 100 * b  # allowances do not extend beyond corners whose other side has no allowance
+    sides = 100 * a + 100 * b  # each ends at a corner whose other side has no allowance
     assert signed_area(outer) == pytest.approx(100 * 100 + sides + area, abs=0.3 if kind == "round" else 0.01)
 
 
@@ -115,7 +109,7 @@ def test_a_hole_gets_its_allowance_inside_and_a_hole_too_small_is_not_cut():
     hole = np.array([[50.0, 50], [50, 150], [150, 150], [150, 50], [50, 50]])
     found = cut_lines([[Section(outer, 10.0)], [Section(hole, 10.0)]])
     assert signed_area(found.holes[0]) == pytest.approx(-(80**2), abs=0.01)
-    for width in (49.99, 50.0):  # 49.99 mm would leave a hole of 0.02 mm, about as small as rounding errors
+    for width in (49.99, 50.0):  # the hole of 100 mm would become 0.02 mm or 0 mm wide
         assert cut_lines([[Section(outer, 10.0)], [Section(hole, width)]]).holes == []
 
 
@@ -127,7 +121,7 @@ def test_a_gap_that_the_allowance_closes_is_a_pocket():
     assert len(found.outer) == 1 and found.holes == []
     area = shapely.Polygon(room).buffer(-10, join_style="mitre").area
     assert sum(-signed_area(pocket) for pocket in found.pockets) == pytest.approx(area, abs=0.01)
-    hole = np.array([(5.0, 5), (5, 35), (195, 35), (195, 5), (5, 5)])  # a piece may have holes and pockets
+    hole = np.array([(5.0, 5), (5, 35), (195, 35), (195, 5), (5, 5)])
     both = cut_lines([[Section(points, 10.0)], [Section(hole, 10.0)]])
     assert [-signed_area(line) for line in (*both.holes, *both.pockets)] == pytest.approx([170 * 10, area], abs=0.01)
 
@@ -136,7 +130,7 @@ def test_a_gap_that_the_allowance_closes_is_a_pocket():
 @pytest.mark.parametrize("lean", [-0.45, 0.0, 0.45])
 @pytest.mark.parametrize(("mouth", "depth"), [(60, 8), (40, 40), (40, 6), (20, 60), (8, 5), (4, 60), (4, 8), (300, 4)])
 def test_a_notch_in_a_section_is_filled_as_far_as_the_width(mouth, depth, lean, width):
-    """A section turns inward at the notch, whose sides may be shorter than the allowance is wide."""
+    """The outline has a V-shaped notch, whose sides may be shorter than the allowance is wide."""
     top = [(200 + mouth / 2, 100), (200 + lean * mouth, 100 - depth), (200 - mouth / 2, 100)]
     points = np.array([(0, 0), (400, 0), (400, 100), *top, (0, 100), (0, 0)], dtype=float)
     (outer,) = cut_lines([[Section(points, width)]]).outer
@@ -147,7 +141,7 @@ def test_a_notch_in_a_section_is_filled_as_far_as_the_width(mouth, depth, lean, 
 @pytest.mark.parametrize("of_next", [False, True])
 @pytest.mark.parametrize("wide_first", [False, True])
 def test_at_obtuse_corners_the_wider_allowance_ends_on_the_narrower_cutting_line(wide_first, of_next):
-    """With miters, every edge of a convex polygon has its own allowance along its whole length."""
+    """The cutting line around an octagon with miters is the intersection of half planes, one for each edge."""
     angles = 2 * np.pi * np.arange(8) / 8
     points = 200 * np.column_stack([np.cos(angles), np.sin(angles)])
     expected, loop = shapely.box(-500, -500, 500, 500), []
@@ -173,7 +167,7 @@ def right_of(a, b):
 
 
 def half_strip(section, at_end):
-    """Return half of a straight section's allowance: the half at its end, or the half at its start."""
+    """Return the allowance of half of a straight section, at the section's end or at its start."""
     a, b = section.points
     near, far = (b, (a + b) / 2) if at_end else (a, (a + b) / 2)
     aside = section.width * right_of(a, b)
@@ -204,7 +198,7 @@ def test_an_allowance_that_folds_back_lies_on_the_piece_and_leaves_its_neighbor_
         if turn <= np.pi / 2:
             assert cut.buffer(1e-3).contains(half_strip(other, at_end=other is first))
         if back.width + other.width > 2.2 * min(back.width, other.width):
-            continue  # a corner that would extend too far becomes a miter
+            continue  # such a corner would extend too far, so it is a miter instead
         a, b = back.points
         aside = right_of(a, b)
         whole = shapely.Polygon([a, b, b + 3 * back.width * aside, a + 3 * back.width * aside])
@@ -222,12 +216,12 @@ def test_a_tip_inside_of_a_section_is_a_mitre_that_is_cut_square_at_its_limit(de
     half = math.radians(degrees / 2)
     tip, leg = np.array([0.0, 0.0]), 400.0
     ends = leg * np.array([[-math.cos(half), -math.sin(half)], [-math.cos(half), math.sin(half)]])
-    outline = np.array([ends[1], [-1.5 * leg, 0.0], ends[0], tip, ends[1]])  # the outline does not start at the tip
+    outline = np.array([ends[1], [-1.5 * leg, 0.0], ends[0], tip, ends[1]])  # one section, with the tip inside
     (outer,) = cut_lines([[Section(outline, width)]]).outer
     straight_on = shapely.LineString([tip, (50 * width, 0)]).intersection(shapely.LinearRing(outer))
     expected = min(2.5 * width, width / math.sin(half))
     assert shapely.distance(straight_on, shapely.Point(tip)) == pytest.approx(expected, abs=1e-3)
-    if expected == 2.5 * width:  # the cut is square to the middle line of the tip
+    if expected == 2.5 * width:  # the miter is cut off at a right angle to the middle line of the tip
         edge = outer[np.abs(outer[:, 0] - expected) < 1e-3]
         reach = (width - expected * math.sin(half)) / math.cos(half)
         assert np.sort(edge[:, 1]) == pytest.approx([-reach, reach], abs=2e-3)

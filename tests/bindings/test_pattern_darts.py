@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Patterns have darts that are closed, cut out or slit."""
+"""The darts of a pattern are closed, cut out or slit."""
 
 import math
 
@@ -7,16 +7,15 @@ import numpy as np
 import pytest
 import shapely
 import wirewarp
-from patterns import cut_polygon, grid, line_string, sample, sew_polygon
+from patterns import cut_polygon, grid, line_string, marks, sample, sew_polygon
 from wirewarp.pattern import Chain, FlatPiece, Pattern
 
 
 def dart(mouth: float, depth: float) -> wirewarp.FlattenResult:
-    """Return the flattening of a model: a rectangle of 300 x 200 mm with an open dart in the middle of its lower edge.
+    """Flatten a rectangle of 300 x 200 mm with a dart in the middle of its lower edge.
 
-    On the model, the dart is sewn. mouth, depth: millimeters.
+    mouth, depth: millimeters on the flat piece. On the model, the legs of the dart meet, so the model is a cone.
     """
-    # With sewn legs, the model is a cone, so the flat piece opens by itself.
     half = mouth / 2
     leg = math.hypot(half, depth)
     rise = math.sqrt(leg**2 - depth**2)
@@ -31,23 +30,22 @@ def dart(mouth: float, depth: float) -> wirewarp.FlattenResult:
 def test_a_dart_is_closed_cut_out_or_slit():
     result = dart(40, 100)
     areas = {}
-    for how in ("close", "cut", "slit"):
+    for how, count in (("close", 1), ("cut", 0), ("slit", 1)):
         (piece,) = Pattern.from_result(result, darts=how, allowance=3).pieces
         areas[how] = cut_polygon(piece).area
-        holes = [point for point in piece.points if point.role == "drill"]
-        assert len(holes) == (0 if how == "cut" else 1)
+        assert len(marks(piece, "drill")) == count
     assert areas["close"] > areas["cut"] > areas["slit"]
     (piece,) = Pattern.from_result(result, allowance=0.0).pieces
     gap = cut_polygon(piece).difference(sew_polygon(piece))
-    (hole,) = [point for point in piece.points if point.role == "drill"]
-    assert gap.contains(shapely.Point(hole.at))  # the hole is in the fold of the dart, where the seam hides it
+    (hole,) = marks(piece, "drill")
+    assert gap.contains(shapely.Point(hole.at))  # in the dart's fold, which is hidden after sewing
 
 
 @pytest.mark.parametrize("mouth", [50, 100])
 def test_closed_darts_have_notches_on_the_extensions_of_their_legs(mouth):
-    """Once the dart is folded, the legs meet, and so do the notches."""
+    """When the dart is folded, its legs meet, and so do its notches."""
     (piece,) = Pattern.from_result(dart(mouth, 120), allowance=12.0).pieces
-    notches = [point for point in piece.points if point.role == "notch"]
+    notches = marks(piece, "notch")
     legs = [line.points for line in piece.of_role("sew") if line.width is None]
     ends = [leg if np.array_equal(leg[-1], legs[1 - number][0]) else leg[::-1] for number, leg in enumerate(legs)]
     assert len(notches) == len(ends) == 2
@@ -59,7 +57,7 @@ def test_closed_darts_have_notches_on_the_extensions_of_their_legs(mouth):
         assert notch.depth == pytest.approx(5.0)
     for how in ("cut", "slit"):
         (piece,) = Pattern.from_result(dart(mouth, 120), darts=how, notch_spacing=0).pieces
-        assert not [point for point in piece.points if point.role == "notch"]
+        assert not marks(piece, "notch")
 
 
 @pytest.mark.parametrize(("mouth", "is_folded"), [(120, True), (140, False)])
@@ -75,8 +73,7 @@ def test_a_dart_that_would_fold_over_50_mm_is_cut_out(mouth, is_folded):
 def test_a_closed_dart_without_a_gap_has_one_notch():
     sheet = grid([-100, 0, 100], [0, 100, 200], seams=[(1, 4)])
     (piece,) = Pattern.from_result(sheet).pieces
-    (notch,) = (point for point in piece.points if point.role == "notch")
-    (hole,) = (point for point in piece.points if point.role == "drill")
+    (notch,), (hole,) = marks(piece, "notch"), marks(piece, "drill")
     assert notch.direction == pytest.approx((hole.at - notch.at) / np.linalg.norm(hole.at - notch.at))
 
 
@@ -88,12 +85,12 @@ def least_distance(piece):
 
 
 def test_closed_darts_that_begin_at_one_point_have_their_allowance_there():
-    """Three pieces of the toy have two darts that begin at one point of their outline."""
+    """On three pieces of the toy, two darts begin at one point of the outline."""
     assert min(map(least_distance, sample("Toy", allowance=10.0).pieces)) > 9.99
 
 
 def test_closed_darts_are_cut_out_if_nothing_else_is_on_the_outline():
-    """The piece is a star of 8 points, which are one point of the model."""
+    """The piece is a star. Its 8 outer points are one point of the model, so its outline has only legs of darts."""
     count = 8
     rows = np.arange(2 * count)
     is_inner, angles = rows % 2 == 1, np.pi / count * rows
@@ -108,7 +105,7 @@ def test_closed_darts_are_cut_out_if_nothing_else_is_on_the_outline():
 
 
 def test_no_notch_starts_on_a_distant_cutting_line():
-    # Between the legs of a narrow cut-out dart, the allowances merge and cannot be notched.
+    # Between the legs of a narrow dart that is cut out, the allowances merge, so there can be no notches.
     (piece,) = Pattern.from_result(dart(40, 100), darts="cut").pieces
     outline = sew_polygon(piece)
     assert all(outline.distance(shapely.Point(point.at)) < 10.01 for point in piece.points)

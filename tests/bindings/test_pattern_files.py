@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Other libraries read SVG and DXF correctly, HPGL has every outline, and all formats follow one set of rules."""
+"""Files of all formats have every outline in actual size, and a failure or a stop leaves the old file."""
 
 import io
 import re
@@ -15,13 +15,14 @@ import pypdfium2
 import pytest
 import shapely
 import wirewarp
+from drawing import LABEL, SVG, points_of
 from patterns import SCALE, cut_points, extent, flattened, rectangle, sample
 from PIL import Image
 from wirewarp.pattern import FORMATS, STAGES, Pattern
 
 
 def same_up_to_moves(found: list[np.ndarray], wanted: list[np.ndarray], within: float) -> None:
-    """Check that every outline is in the file in actual size; its place does not matter."""
+    """Check that the outlines have the wanted shapes and sizes, wherever they are in the file."""
     assert len(found) == len(wanted)
     shapes = sorted((normalized(points) for points in found), key=lambda points: (len(points), points.sum()))
     others = sorted((normalized(points) for points in wanted), key=lambda points: (len(points), points.sum()))
@@ -34,22 +35,15 @@ def normalized(points: np.ndarray) -> np.ndarray:
     return points - points.min(axis=0)
 
 
-# ---- SVG
-
-
 def test_svg_has_every_outline_in_millimeters(tmp_path):
     pattern = sample("Carnival mask", allowance=2.0)
     pattern.write(tmp_path / "mask.svg")
     root = ElementTree.parse(tmp_path / "mask.svg").getroot()
     assert root.get("width").endswith("mm")
     assert root.get("viewBox") == f"0 0 {root.get('width')[:-2]} {root.get('height')[:-2]}"
-    found = []
-    for path in root.iter("{http://www.w3.org/2000/svg}path"):
-        if path.get("data-role") in ("cut", "inner_cut"):
-            assert path.get("d").endswith("Z")
-            numbers = np.array([float(number) for number in re.findall(r"-?[\d.]+", path.get("d"))]).reshape(-1, 2)
-            found.append(numbers * (1, -1))
-    same_up_to_moves(found, cut_points(pattern), 2e-4)
+    paths = [path for path in root.iter(f"{SVG}path") if path.get("data-role") in ("cut", "inner_cut")]
+    assert all(path.get("d").endswith("Z") for path in paths)
+    same_up_to_moves([points_of(path) * (1, -1) for path in paths], cut_points(pattern), 2e-4)
 
 
 def test_presets_for_cutters(tmp_path):
@@ -59,16 +53,15 @@ def test_presets_for_cutters(tmp_path):
     assert "dasharray" not in text and "<text" not in text and set(re.findall(r'width="([\d.]+)"', text)) == {"0.1"}
     pattern.write(tmp_path / "cricut.svg", preset="cricut")
     root = ElementTree.parse(tmp_path / "cricut.svg").getroot()
-    (cut,) = [path for path in root.iter("{http://www.w3.org/2000/svg}path") if path.get("data-role") == "cut"]
-    points = np.array([float(number) for number in re.findall(r"-?[\d.]+", cut.get("d"))]).reshape(-1, 2)
-    assert sorted(np.ptp(points, axis=0)) == pytest.approx([96.2 / 25.4 * 96, 254 / 25.4 * 96], abs=1e-3)
+    (cut,) = [path for path in root.iter(f"{SVG}path") if path.get("data-role") == "cut"]
+    assert sorted(np.ptp(points_of(cut), axis=0)) == pytest.approx([96.2 / 25.4 * 96, 254 / 25.4 * 96], abs=1e-3)
     with pytest.raises(wirewarp.FlattenError, match="preset is 'plasma'"):
         pattern.write(tmp_path / "x.svg", preset="plasma")
 
 
 @pytest.mark.parametrize("ending", [suffix[1:] for suffix in FORMATS])
 def test_names_in_any_script(tmp_path, no_fonts, ending):
-    """A name cut off as UTF-16 may end in half a surrogate pair, which becomes a question mark or is left out."""
+    """Some of the texts contain half of a surrogate pair. Files have a replacement for it, or leave it out."""
     names = ["Ärmel", "袖", "كم", "Рукав", 'a"b\\c(d', "\x00\ud800\ufffe<&>"]
     texts = {"title": "型紙 №1\ud83d", "material": "\ude00", "date": "\ud83d"}
     path = tmp_path / f"ball.{ending}"
@@ -80,8 +73,8 @@ def test_names_in_any_script(tmp_path, no_fonts, ending):
         assert pypdfium2.PdfDocument(path).get_metadata_value("Title") == "型紙 №1?"
     if ending == "svg":
         root = ElementTree.parse(path).getroot()
-        labels = [group.get("{http://www.inkscape.org/namespaces/inkscape}label") for group in root]
-        assert labels[1:7] == [*names[:5], 3 * "\ufffd" + "<&>"]  # the replacement character
+        labels = [group.get(LABEL) for group in root]
+        assert labels[1:7] == [*names[:5], 3 * "\ufffd" + "<&>"]
 
 
 def test_without_texts_there_are_no_leader_lines(tmp_path):
@@ -110,17 +103,17 @@ def test_svg_is_drawn_in_actual_size_by_another_renderer(tmp_path, preset):
 def rendered_svg(path) -> np.ndarray:
     """Return a mask (h,w) of the pixels with a line, bottom row first."""
     resvg = pytest.importorskip("resvg_py", exc_type=ImportError)
-    image = Image.open(
-        io.BytesIO(resvg.svg_to_bytes(svg_path=str(path), dpi=96, zoom=SCALE * 25.4 / 96, background="#ffffff"))
-    )
+    drawn = resvg.svg_to_bytes(svg_path=str(path), dpi=96, zoom=SCALE * 25.4 / 96, background="#ffffff")
+    image = Image.open(io.BytesIO(drawn))
     return np.array(image.convert("L"))[::-1] < 200
 
 
-# ---- DXF
+def vertices_of(polyline: ezdxf.entities.Polyline) -> np.ndarray:
+    return np.array([vertex.dxf.location.vec2 for vertex in polyline.vertices])
 
 
 @pytest.mark.parametrize("dialect", ["astm", "aama"])
-def test_apparel_dxf_is_read_by_two_libraries(tmp_path, dialect):
+def test_ezdxf_and_dxfgrabber_read_apparel_dxf(tmp_path, dialect):
     pattern = sample("Fitted top", hem=30.0)
     pattern.write(tmp_path / "top.dxf", dialect=dialect)
     document = ezdxf.readfile(tmp_path / "top.dxf")
@@ -131,7 +124,7 @@ def test_apparel_dxf_is_read_by_two_libraries(tmp_path, dialect):
     found = []
     for block in blocks:
         (outline,) = [line for line in block.query("POLYLINE") if line.dxf.layer == "1"]
-        points = np.array([vertex.dxf.location.vec2 for vertex in outline.vertices])
+        points = vertices_of(outline)
         assert outline.is_closed and np.array_equal(points[0], points[-1])
         found.append(points)
         assert len([line for line in block.query("LINE") if line.dxf.layer == "7"]) == 1
@@ -143,12 +136,8 @@ def test_apparel_dxf_is_read_by_two_libraries(tmp_path, dialect):
             assert shapely.Polygon(points).contains(shapely.Point(at + direction))
     same_up_to_moves(found, cut_points(pattern), 0.011)
     grabbed = dxfgrabber.readfile(str(tmp_path / "top.dxf"))
-    again = [
-        np.array([point[:2] for point in entity.points])
-        for block in grabbed.blocks
-        for entity in block
-        if entity.dxftype == "POLYLINE" and entity.layer == "1"
-    ]
+    lines = [each for block in grabbed.blocks for each in block if each.dxftype == "POLYLINE" and each.layer == "1"]
+    again = [np.array([point[:2] for point in line.points]) for line in lines]
     same_up_to_moves(again, cut_points(pattern), 0.011)
 
 
@@ -160,8 +149,7 @@ def test_inches_in_apparel_dxf(tmp_path):
     for block in document.blocks:
         for line in block.query("POLYLINE"):
             if line.dxf.layer == "1":
-                points = np.array([vertex.dxf.location.vec2 for vertex in line.vertices])
-                sides[block.name] = np.ptp(points[:, 0])
+                sides[block.name] = np.ptp(vertices_of(line)[:, 0])
     assert sides == pytest.approx({"PIECE_1": 12.0, "CONTROL_100MM": 100 / 25.4}, abs=1e-4)
     texts = [entity.dxf.text for entity in document.modelspace().query("TEXT")]
     assert "Units: ENGLISH" in texts
@@ -186,17 +174,11 @@ def test_plain_dxf_has_named_layers_and_true_extents(tmp_path):
     document = ezdxf.readfile(tmp_path / "mask.dxf")
     assert document.audit().errors == []
     assert {"CUT", "SEW", "NOTCHES", "SCALE"} <= {layer.dxf.name for layer in document.layers}
-    found = [
-        np.array([vertex.dxf.location.vec2 for vertex in line.vertices])
-        for line in document.modelspace().query("POLYLINE")
-        if line.dxf.layer == "CUT"
-    ]
+    lines = document.modelspace().query("POLYLINE")
+    found = [vertices_of(line) for line in lines if line.dxf.layer == "CUT"]
     same_up_to_moves(found, cut_points(pattern), 1e-4)
     low, high = document.header["$EXTMIN"], document.header["$EXTMAX"]
     assert low[0] == pytest.approx(-110) and high[0] == pytest.approx(max(pattern.size[0], 100), abs=1e-3)
-
-
-# ---- HPGL
 
 
 def test_plotter_commands_draw_every_outline_last(tmp_path):
@@ -218,9 +200,6 @@ def test_plotter_commands_draw_every_outline_last(tmp_path):
             lines[-1][1].extend(numbers)
     found = [np.array(numbers).reshape(-1, 2) / 40 for pen, numbers in lines if pen == "SP1"]
     same_up_to_moves(found, cut_points(pattern), 0.026)
-
-
-# ---- all formats
 
 
 def test_a_failure_leaves_the_old_file_as_it_was(tmp_path, monkeypatch):
@@ -258,7 +237,7 @@ def test_a_wrong_file_replaces_nothing(tmp_path, monkeypatch, ending):
 def test_a_stop_leaves_the_old_file(tmp_path, monkeypatch, ending):
     monkeypatch.setattr("wirewarp.pattern.progress.OFTEN", 0.0)
     path, pattern = tmp_path / f"strip.{ending}", Pattern.from_result(rectangle(150, 300))
-    asked: list[tuple[str, float]] = []
+    asked = []
     pattern.write(path, progress=lambda *reported: asked.append(reported))
     assert asked[-1][0] == "reading again" and all(0 <= fraction < 1 for _, fraction in asked)
     begins = [STAGES[stage] for stage, _ in asked]
@@ -286,7 +265,7 @@ def test_exceptions_of_progress_keep_the_old_file(tmp_path, monkeypatch):
         if len(list(tmp_path.iterdir())) > 1:  # while the new file is written
             raise ZeroDivisionError
 
-    # The traceback keeps the frames of the run alive, so garbage collection cannot remove the new file.
+    # `raised` keeps the frames of the run alive, so garbage collection cannot remove the new file.
     with pytest.raises(ZeroDivisionError) as raised:
         sample("Hat").write(path, progress=progress)
     assert path.read_bytes() == b"old" and list(tmp_path.iterdir()) == [path], raised
@@ -294,7 +273,7 @@ def test_exceptions_of_progress_keep_the_old_file(tmp_path, monkeypatch):
 
 def test_a_pattern_can_be_stopped_while_it_is_made(monkeypatch):
     monkeypatch.setattr("wirewarp.pattern.progress.OFTEN", 0.0)
-    asked: list[str] = []
+    asked = []
     Pattern.from_result(flattened("Hat"), progress=lambda stage, _: asked.append(stage))
     assert list(dict.fromkeys(asked)) == list(STAGES)[:3] == ["allowance", "marks and lines", "texts"]
     for stage in dict.fromkeys(asked):
@@ -317,10 +296,8 @@ def test_omitted_kinds_of_lines_are_in_no_file(tmp_path):
     pattern = sample("Hat")
     plain = pattern.with_only(["notches"])
     plain.write(tmp_path / "plain.svg")
-    roles = {
-        path.get("data-role") for path in ElementTree.parse(tmp_path / "plain.svg").iter() if path.get("data-role")
-    }
-    assert roles <= {"cut", "inner_cut", "notch", "clip", "drill", "scale"} and {"cut", "notch"} <= roles
+    roles = {element.get("data-role") for element in ElementTree.parse(tmp_path / "plain.svg").iter()}
+    assert {"cut", "notch"} <= roles <= {None, "cut", "inner_cut", "notch", "clip", "drill", "scale"}
     everything = pattern.with_only(["sew", "wires", "grain", "notches", "texts", "line names"])
     assert [len(piece.lines) for piece in everything.pieces] == [len(piece.lines) for piece in pattern.pieces]
     with pytest.raises(wirewarp.FlattenError, match="kinds has 'seams'"):
@@ -329,12 +306,9 @@ def test_omitted_kinds_of_lines_are_in_no_file(tmp_path):
 
 @pytest.mark.parametrize("suffix", FORMATS)
 def test_formats_list_every_option_for_dialogs(tmp_path, suffix):
-    """Each format lists exactly the options of its writer, except paper and keep_places, which belong to pages."""
     chosen = FORMATS[suffix]
-    pages = ["paper", "keep_places"] if chosen.has_pages else []
-    assert sorted(signature(chosen.write).parameters) == sorted(
-        ["path", "pattern", *pages, *(option.name for option in chosen.options)]
-    )
+    others = ["path", "pattern", *(["paper", "keep_places"] if chosen.has_pages else [])]
+    assert sorted(signature(chosen.write).parameters) == sorted([*others, *(option.name for option in chosen.options)])
     for option in chosen.options:
         for value in [choice.value for choice in option.choices] or [False, True]:
             Pattern.from_result(rectangle(60, 40)).write(tmp_path / f"a{suffix}", **{option.name: value})

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The narrowest width is correct for shapes whose width is known in closed form."""
+"""The narrowest width of a shape is the diameter of the largest disk that can move through the shape."""
 
 import numpy as np
 import pytest
@@ -36,7 +36,7 @@ def turned(outline):
         ([circle(2), circle(1)[::-1]], 1.0),  # a ring
         ([dumbbell(1, 1, 0.3)], 0.3),
         ([dumbbell(1, 0.6, 0.3)], 0.3),
-        ([dumbbell(1, 0.2, 0.1)], 2.0),  # the small end does not count, because it is less than a tenth of the area
+        ([dumbbell(1, 0.2, 0.1)], 2.0),  # the smaller disk is ignored, because it has less than a tenth of the area
     ],
 )
 def test_the_width_is_the_diameter_of_the_largest_disk_that_moves_through(outlines, width):
@@ -52,7 +52,6 @@ def test_an_outline_without_area_has_no_width():
 
 
 def test_a_piece_is_measured_flat():
-    """The pieces are strips of a half cylinder of radius 1 and length 2. Each flat strip is a rectangle."""
     vertices, faces = half_cylinder()
     for piece in flatten(vertices, faces, seams=chain_edges(column_chain(8, 4, 4))).pieces:
         sides = np.ptp(piece.vertices, axis=0)
@@ -60,7 +59,10 @@ def test_a_piece_is_measured_flat():
 
 
 def sheet(columns, rows, is_hole, options=None):
-    """Return a flat sheet of unit squares without the squares for which is_hole(x, y) is true, and its vertices."""
+    """Flatten a flat sheet of unit squares. Return the piece and the vertices of the sheet.
+
+    The sheet lacks the squares with lower left corners x, y for which is_hole(x, y) is true.
+    """
     lower, left = np.divmod(np.arange((rows + 1) * (columns + 1)), columns + 1)
     vertices = np.column_stack([left, lower, 0 * lower]).astype(float)
     cells = [(x, y) for y in range(rows) for x in range(columns) if not is_hole(x, y)]
@@ -86,17 +88,17 @@ def test_only_the_allowances_at_the_narrow_place_need_room_there(is_mirrored):
     index = {tuple(place): vertex for vertex, place in enumerate(vertices[:, :2].astype(int).tolist())}
     assert piece_width(piece) == pytest.approx(BAR, rel=NEAR)
     assert has_room(piece, 0.49) and not has_room(piece, 0.51)
-    # edges down the left end, where the hem is twice as wide as the bar
+    # The left end is far away from the bar. A hem there may be twice as wide as the bar.
     far = [(index[0, y + 1], index[0, y]) for y in range(3)]
     assert has_room(piece, 0.4, far, np.full(3, 2 * BAR))
-    below = [(index[3, 1], index[4, 1])]  # counterclockwise, so the bar is on the left
+    below = [(index[3, 1], index[4, 1])]  # the lower edge of the bar, with the bar on its left
     assert has_room(piece, 0.4, below, [0.59]) and not has_room(piece, 0.4, below, [0.61])
-    assert has_room(piece, 0.4, np.flip(below), [0.61])  # the other side of this edge is not part of the piece
+    assert has_room(piece, 0.4, np.flip(below), [0.61])  # the side without the piece has no allowance
     assert has_room(piece, 0.0) and not has_room(piece, 5.0)
 
 
 def test_pieces_along_edges_contain_a_whole_edge():
-    """The edges are in turn seams between three strips, edges inside a strip, and an edge that only ends on a seam."""
+    """Two seams divide a half cylinder into three strips. An edge that only ends on a seam is in one strip."""
     vertices, faces = half_cylinder()
     left, right = column_chain(8, 4, 2), column_chain(8, 4, 6)
     pieces = flatten(vertices, faces, seams=[*chain_edges(left), *chain_edges(right)]).pieces

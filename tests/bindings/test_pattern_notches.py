@@ -7,7 +7,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 import wirewarp
-from patterns import grid
+from patterns import grid, marks
 from wirewarp.pattern import Pattern
 from wirewarp.pattern.make.notches import check_spacing, drill_hole, places_along, symmetric_places
 from wirewarp.pattern.make.outline import Side
@@ -16,10 +16,15 @@ from wirewarp.pattern.make.sections import Dart
 CORNERS, RADIUS = 24, 100.0  # millimeters
 
 
-def disc_in_ring(*more_seams):
-    """Return a disc in a ring, separated by a seam along the circle between them.
+def flat(points, faces, **options):
+    """Flatten a flat mesh. points: (n,2) millimeters."""
+    return wirewarp.flatten(np.column_stack([np.array(points) / 1000, np.zeros(len(points))]), faces, **options)
 
-    Vertex 0 is the center. The vertices of the inner and the outer circle follow.
+
+def disc_in_ring(*more_seams):
+    """Flatten a disc in a ring, with a seam between them.
+
+    Vertex 0 is the center. The vertices of the inner circle and then of the outer circle follow.
     """
     angles = 2 * math.pi * np.arange(CORNERS) / CORNERS
     circle = RADIUS * np.column_stack([np.cos(angles), np.sin(angles)])
@@ -29,12 +34,12 @@ def disc_in_ring(*more_seams):
     outer = [(1 + a, 1 + CORNERS + a, 1 + CORNERS + b, 1 + b) for a, b in around]
     faces = [*inner, *((a, b, c) for a, b, c, _ in outer), *((a, c, d) for a, _, c, d in outer)]
     seams = [(1 + a, 1 + b) for a, b in around] + list(more_seams)
-    return wirewarp.flatten(np.column_stack([points / 1000, np.zeros(len(points))]), np.array(faces), seams=seams)
+    return flat(points, faces, seams=seams)
 
 
 def notches(result, spacing):
     pattern = Pattern.from_result(result, allowance=0, darts="cut", notch_spacing=spacing)
-    return [[point for point in piece.points if point.role == "notch"] for piece in pattern.pieces]
+    return [marks(piece, "notch") for piece in pattern.pieces]
 
 
 def test_a_seam_all_around_begins_at_a_notch_and_has_a_second_notch():
@@ -43,19 +48,19 @@ def test_a_seam_all_around_begins_at_a_notch_and_has_a_second_notch():
     assert [len(own) for own in found] == [2, 2]
     apart = [np.linalg.norm(first.at - second.at) for first, second in found]
     assert apart[0] == pytest.approx(apart[1], abs=0.01)
-    assert RADIUS < apart[0] < 1.95 * RADIUS  # with opposite notches, the ring could be sewn on half a turn off
+    assert RADIUS < apart[0] < 1.95 * RADIUS  # if they were opposite, the ring could be sewn on half a turn off
     assert [len(own) for own in notches(ring, 0.0)] == [0, 0]
 
 
 def test_seams_that_meet_on_a_smooth_outline_end_at_notches():
     halves = disc_in_ring((1, 1 + CORNERS), (1 + CORNERS // 2, 1 + CORNERS + CORNERS // 2))
-    # The disc has notches at the ends and middles of two seams. Each half of the ring has corners at these ends, so it
-    # has notches only in the middles of three seams.
+    # The disc has notches at the ends and in the middles of two seams. Each half of the ring has corners at the ends of
+    # its three seams, so it has notches only in their middles.
     assert sorted(len(own) for own in notches(halves, 1000.0)) == [3, 3, 4]
 
 
 def strap(length, **options):
-    """Return two strips of 100 mm side by side."""
+    """Flatten two strips of 100 mm that are sewn together."""
     return grid([-100, 0, 100], [0, length], seams=[(1, 4)], **options)
 
 
@@ -63,7 +68,7 @@ def strap(length, **options):
 def test_a_seam_shorter_than_the_spacing_has_a_notch_beside_its_middle_if_it_has_15_mm(length, count, place):
     found = notches(strap(length), 100.0)
     assert [len(own) for own in found] == [count, count]
-    # If the seam were reversed, the notch would be off by 5 mm, or by a fifth of the seam's length.
+    # If one side were reversed, its notch would be 5 mm, or a fifth of the seam's length, from the other side's notch.
     assert all(min(point.along, length - point.along) == pytest.approx(place) for own in found for point in own)
 
 
@@ -71,10 +76,10 @@ def test_a_seam_shorter_than_the_spacing_has_a_notch_beside_its_middle_if_it_has
     ("length", "taken", "spacing", "found"),
     [
         (100, [], 30, [30, 60, 90]),
-        (96, [], 30, [30, 60]),  # 90 is too near the end: a fifth of the spacing away
-        (120, [], 30, [24, 54, 84]),  # 30, 60 and 90 would not change if the seam were reversed
+        (96, [], 30, [30, 60]),  # a notch at 90 would be only a fifth of the spacing from the end
+        (120, [], 30, [24, 54, 84]),  # 30, 60 and 90 would be the same on the reversed seam
         (15, [], 100, [5]),
-        (65, [30], 100, []),  # the wire's notch is enough: if the seam is reversed, it is visibly off by 5 mm
+        (65, [30], 100, []),  # on the reversed seam, the wire's notch at 30 would be visibly off, by 5 mm
         (64, [30], 100, [23.68]),
         (100, [50], 1000, [37]),
         (100, [42, 58], 1000, []),  # a notch at 37 would be too close to 42
@@ -90,7 +95,7 @@ def test_notches_of_a_seam_show_if_it_is_reversed(length, taken, spacing, found)
     [
         (100, [], 30, [20, 50, 80]),
         (100, [50], 30, [20, 80]),
-        (72, [], 30, [36]),  # 6 is too near the end: a fifth of the spacing away
+        (72, [], 30, [36]),  # a notch at 6 would be only a fifth of the spacing from the end
         (120, [], 30, [30, 60, 90]),
         (15, [], 30, [7.5]),
         (14, [], 30, []),
@@ -110,11 +115,10 @@ def test_notches_are_at_least_1_mm_apart_and_at_most_10_000():
 
 
 def test_a_notch_without_its_partner_is_left_out():
-    """A wedge is sewn into a narrow gap of a piece. The allowances meet at the end of the gap, or everywhere in it."""
+    """A wedge is sewn into a narrow gap of a piece. The wider the allowance, the more of the gap it fills."""
     points = [(-100, -50), (100, -50), (100, 100), (4, 100), (0, 0), (-4, 100), (-100, 100)]
     faces = np.array([(0, 1, 4), (1, 2, 4), (2, 3, 4), (4, 5, 6), (0, 4, 6), (4, 3, 5)])
-    vertices = np.column_stack([np.array(points) / 1000, np.zeros(len(points))])
-    result = wirewarp.flatten(vertices, faces, seams=[(3, 4), (4, 5)])
+    result = flat(points, faces, seams=[(3, 4), (4, 5)])
     counts = []
     for allowance in (0.0, 2.0, 10.0):
         pattern = Pattern.from_result(result, allowance=allowance, notch_spacing=15.0)
@@ -140,39 +144,39 @@ def test_a_wire_that_ends_at_a_seam_has_a_notch_on_the_other_side_too():
 def test_if_four_pieces_meet_the_straight_piece_has_a_notch():
     """One piece is below a straight line. Three pieces with corners of 60 degrees are above it."""
     rim = [(100 * math.cos(math.radians(60 * k)), 100 * math.sin(math.radians(60 * k))) for k in range(6)]
-    vertices = np.array([(0, 0, 0), *((x, y, 0) for x, y in rim)]) / 1000
-    faces = np.array([(0, 1 + k, 1 + (k + 1) % 6) for k in range(6)])
-    result = wirewarp.flatten(vertices, faces, seams=[(0, 1), (0, 2), (0, 3), (0, 4)])
+    faces = [(0, 1 + k, 1 + (k + 1) % 6) for k in range(6)]
+    result = flat([(0, 0), *rim], faces, seams=[(0, 1), (0, 2), (0, 3), (0, 4)])
     pattern = Pattern.from_result(result, allowance=0, notch_spacing=1000.0)
-    for piece, flat in zip(pattern.pieces, result.pieces, strict=True):
-        free = [point for point in piece.points if point.pair is None]
-        assert len(free) == (1 if len(flat.faces) == 3 else 0)
-        assert len([point for point in piece.points if point.pair]) == 2  # in the middles of its two seams
+    for piece, solved in zip(pattern.pieces, result.pieces, strict=True):
+        of_seams = [point for point in piece.points if point.pair]
+        assert len(of_seams) == 2  # in the middles of both seams of the piece
+        assert len(piece.points) - len(of_seams) == (1 if len(solved.faces) == 3 else 0)
+
+
+def hole_of(first, second):
+    """Return the hole of a dart. first, second: points (n,2) of its legs, in millimeters; the tip is between them."""
+    numbers = np.arange(len(first))
+    sides = [Side(0, ids, np.array(leg), 0, False) for ids, leg in ((numbers, first), (numbers[::-1], second))]
+    return drill_hole(Dart(*sides))
 
 
 @pytest.mark.parametrize(("depth", "before"), [(80, 13), (26.5, 13), (20, 10), (4, 2)])
 @pytest.mark.parametrize("mouth", [8.0, 0.0])
 def test_a_hole_is_drilled_13_mm_before_the_tip_of_a_dart_or_halfway(depth, before, mouth):
-    """The usual distance is 1/2 in. A dart without a mouth has its hole on the line of its legs."""
-    tip, ends = np.array([30.0, depth]), np.array([(30 - mouth / 2, 0.0), (30 + mouth / 2, 0.0)])
-    first = Side(0, np.array([1, 2]), np.array([ends[0], tip]), 0, False)
-    second = Side(0, np.array([2, 1]), np.array([tip, ends[1]]), 0, False)
-    hole = drill_hole(Dart(first, second))
+    """Dressmakers use 1/2 in. A dart without a mouth has its hole on the line of its legs."""
+    tip = (30.0, depth)
+    hole = hole_of([(30 - mouth / 2, 0.0), tip], [tip, (30 + mouth / 2, 0.0)])
     assert hole.role == "drill" and hole.at == pytest.approx([30, depth - before])
 
 
 def test_the_hole_of_a_curved_dart_is_where_its_legs_lead_from_the_tip():
     tip = np.array([2.0, 3.0])
-    legs = [np.array([(-20.0, -60.0), (x, -30.0), tip]) for x in (6.0, 10.0)]
-    first = Side(0, np.array([1, 2, 3]), legs[0], 0, False)
-    second = Side(0, np.array([3, 2, 1]), legs[1][::-1], 0, False)
+    legs = [[(-20.0, -60.0), (x, -30.0), tip] for x in (6.0, 10.0)]
     back = np.array([8.0, -30.0]) - tip
-    assert drill_hole(Dart(first, second)).at == pytest.approx(tip + 13 * back / np.linalg.norm(back))
+    assert hole_of(legs[0], legs[1][::-1]).at == pytest.approx(tip + 13 * back / np.linalg.norm(back))
 
 
 def test_the_hole_of_legs_in_one_line_is_on_the_first_leg():
     """The legs have opposite directions, so there is no direction between them."""
-    places = np.array([(30.0, y) for y in (-15.0, -5.0, 5.0, 15.0, 25.0)])
-    first = Side(0, np.array([1, 2, 3]), places[:3], 0, False)
-    second = Side(0, np.array([3, 2, 1]), places[2:], 0, False)
-    assert drill_hole(Dart(first, second)).at == pytest.approx([30, 5 - 20 / 2])
+    places = [(30.0, y) for y in (-15.0, -5.0, 5.0, 15.0, 25.0)]
+    assert hole_of(places[:3], places[2:]).at == pytest.approx([30, 5 - 20 / 2])

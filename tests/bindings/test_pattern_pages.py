@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The number, sizes and contents of pages are reported before writing, and the written pages match."""
+"""Written pages have the number, sizes and contents that page_sizes() and pages() report."""
 
 import re
 from dataclasses import replace
@@ -72,7 +72,9 @@ def test_the_pages_show_the_reported_parts_of_the_pattern(tmp_path, paper, margi
 @cache
 def whole_and_alone():
     """Return a pattern of 30 straps of 60 by 2 mm with names beside them, and a pattern of their cutting lines only."""
-    pieces = straps(30)
+    points = [(x, 4.0 * strap + y) for strap in range(30) for x, y in ((0, 0), (60, 0), (60, 2), (0, 2))]
+    straps = quads(points, np.arange(4 * 30).reshape(-1, 4).tolist()).pieces
+    pieces = [flat_piece(strap, f"Strap {number}", 1000.0) for number, strap in enumerate(straps, start=1)]
     return Pattern.from_pieces(pieces, [], allowance=0), Pattern.of_cut_lines(pieces, allowance=0)
 
 
@@ -84,12 +86,6 @@ def test_cutting_lines_alone_have_the_same_pages(paper, keep_places):
     assert len({len(pages) for _, pages in drawn}) == 1
     frames = [[(*(page.low - laid.bounds[0]), *page.size) for page in pages] for laid, pages in drawn]
     assert np.array(frames[0]) == pytest.approx(np.array(frames[1]))
-
-
-def straps(count):
-    points = [(x, 4.0 * strap + y) for strap in range(count) for x, y in ((0, 0), (60, 0), (60, 2), (0, 2))]
-    result = quads(points, np.arange(4 * count).reshape(-1, 4).tolist())
-    return [flat_piece(piece, f"Strap {number}", 1000.0) for number, piece in enumerate(result.pieces, start=1)]
 
 
 def test_a_layout_that_is_too_wide_for_the_roll_is_reported():
@@ -114,10 +110,8 @@ def test_sheets_show_every_piece_apart_from_others(name, once):
 
 @pytest.mark.parametrize(("once", "most"), [(False, 20), (True, 11)])
 def test_the_fitted_top_takes_few_sheets(tmp_path, once, most):
-    """The counts include the map. Without rotated pieces, they would be 22 and 12."""
-    path = tmp_path / "top.pdf"
-    sample("Fitted top", pairs=once, on_fold=once).write(path)
-    assert len(pypdfium2.PdfDocument(path)) <= most
+    """The counts include the map. If no piece were rotated, they would be 22 and 12."""
+    assert sample("Fitted top", pairs=once, on_fold=once).write(tmp_path / "top.pdf").sheets <= most
 
 
 @pytest.mark.parametrize("name", ["Fitted top", "Jeans"])
@@ -150,7 +144,7 @@ def test_the_first_page_has_a_key_of_the_lines_that_are_drawn(tmp_path, paper):
     labels = ["Cutting line", "Stitching line", "Fold of the fabric", "Rigid wire", "Grain", "Notch"]
     key = words(lampshade)
     assert all(label in key for label in labels) and "Elastic wire" not in key
-    if paper == "projector":  # one paper is enough, because the key does not depend on the paper
+    if paper == "projector":  # one paper is enough, because the key is the same on all papers
         assert "Stitching line" not in words(lampshade.with_only([]))
 
 

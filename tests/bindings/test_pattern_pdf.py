@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""PDF files are correct as rendered by a library that did not write them."""
+"""PDF files have the actual size, all lines and named layers, as rendered by pdfium."""
 
 import re
 
@@ -12,16 +12,14 @@ from wirewarp.pattern import Pattern
 
 
 def test_prints_have_the_actual_size(tmp_path):
-    # The outermost line is the cutting line of a rectangle. The line is drawn 0.5 mm wide.
     pattern = Pattern.from_result(rectangle(150, 700), allowance=10.0)
     pattern.write(tmp_path / "strip.pdf", paper=1000)
     (page,) = pypdfium2.PdfDocument(tmp_path / "strip.pdf")
     width, height = (side / MILLIMETER for side in page.get_size())
     assert width == pytest.approx(1000, abs=1e-3)
-    pixels = dark(page)
-    pixels = pixels[int(168 * SCALE) :]  # the part above the test square
-    across, up = sorted(extent(pixels))
-    assert (across, up) == pytest.approx((170.5, 720.5), abs=1.5 / SCALE)
+    above_the_test_square = dark(page)[int(168 * SCALE) :]
+    line = 0.5  # millimeters, the width of the cutting line
+    assert sorted(extent(above_the_test_square)) == pytest.approx((170 + line, 720 + line), abs=1.5 / SCALE)
 
 
 @pytest.mark.parametrize("name", ["Hat", "Carnival mask"])
@@ -29,9 +27,10 @@ def test_a4_sheets_put_together_show_the_same_lines_as_one_page(tmp_path, name):
     pattern = sample(name).with_only([])
     pattern.write(tmp_path / "tiles.pdf", paper="a4", keep_places=True)
     pattern.write(tmp_path / "page.pdf", paper="projector")
-    scale, wide = 6.0, 2  # pixels per millimeter; allowed shift of lines in pixels
+    scale, wide = 6.0, 2  # pixels per millimeter; pixels by which a line may be off
 
-    def black(page):  # finds only cutting lines, because everything else is gray
+    def black(page):
+        """Return a mask of the cutting lines. Everything else is gray."""
         image = page.render(scale=scale / MILLIMETER, grayscale=True).to_numpy().squeeze()
         return image[::-1] < 40
 
@@ -49,7 +48,7 @@ def test_a4_sheets_put_together_show_the_same_lines_as_one_page(tmp_path, name):
         inner = black(sheet)[60:-60, 60:-60]
         x, y = np.rint((int(column) - 1, high - (ord(row) - 64)) * (shown - 10) * scale).astype(int)
         whole[y : y + inner.shape[0], x : x + inner.shape[1]] |= inner
-    # Rows count from the top, where the pattern ends 5 mm below the edge of the printed area.
+    # The pattern ends 5 mm below the upper edge of the printed area.
     top = round((high * (shown[1] - 10) + 10 - 5) * scale)
     tiled = whole[top - size[1] - 12 : top + 12, 30 - 12 : 30 + size[0] + 12]
     for first, second in ((one, tiled), (tiled, one)):
@@ -71,7 +70,8 @@ def test_pieces_that_fit_on_sheets_are_not_cut_apart(tmp_path):
         pixels = dark(page, 2.0)
         frame = round(12 * 2)
         inside = pixels[frame:-frame, frame:-frame]
-        long = inside.sum(axis=1) > 200, inside.sum(axis=0) > 200  # rows and columns with lines; texts are shorter
+        # Rows and columns with over 200 dark pixels have a line of the piece, because texts are shorter.
+        long = inside.sum(axis=1) > 200, inside.sum(axis=0) > 200
         across, up = sorted(extent(np.outer(*long), 2.0))
         assert (across, up) == pytest.approx((220.5, 320.5), abs=1)
 
@@ -105,10 +105,7 @@ def test_impossible_papers_are_refused(tmp_path, paper, words):
 
 def test_a_pattern_of_kilometers_is_refused(tmp_path):
     pattern = Pattern.from_result(rectangle(300, 300), millimeters_per_unit=1e6, notch_spacing=0)
-    for paper, words in (
-        ("a4", "more than 2000 sheets"),
-        ("projector", "choose a roll or sheets"),
-        (1000, "too large"),
-    ):
+    sentences = {"a4": "more than 2000 sheets", "projector": "choose a roll or sheets", 1000: "too large"}
+    for paper, words in sentences.items():
         with pytest.raises(wirewarp.FlattenError, match=words):
             pattern.write(tmp_path / "x.pdf", paper=paper)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The sewing order on the proof sheet works, and finished measures are the measures of the model."""
+"""The sewing order on the proof is possible, and the finished measures are those of the model."""
 
 import numpy as np
 import pytest
@@ -19,10 +19,10 @@ CONNECTED = ["Fitted top", "Ball of six gores", "Cushion", "Hat", "Jeans", "Wets
 
 @pytest.mark.parametrize("name", CONNECTED)
 def test_the_kinds_of_steps_add_up_to_the_model(name):
-    """Check with Euler characteristics that the steps close no more rings than the model has.
+    """The Euler characteristic of the model follows from the pieces and the steps.
 
-    The characteristic of the model is the sum over the pieces, with two changes. Each piece but the first, and each
-    ring, subtracts one. Each closed body adds one.
+    It is the sum over the pieces. A step that joins two pieces or closes a ring subtracts one. A step that closes a
+    body adds one.
     """
     steps, result = sample(name).steps, flattened(name)
     assert sorted(step.seam for step in steps) == sorted(f"Seam {n}" for n in range(1, len(result.seams) + 1))
@@ -33,7 +33,7 @@ def test_the_kinds_of_steps_add_up_to_the_model(name):
 
 
 def test_the_top_is_sewn_in_the_usual_order():
-    """The shoulders come first, then the sleeves while they are flat, the sides, and last the seams under the arms."""
+    """The order is: shoulders, sleeves while they are flat, sides, and the seams under the arms."""
     names = ("Front", "Back", "Left sleeve", "Right sleeve")
     steps = sample("Fitted top", piece_names=names).steps
     pieces = [set(step.pieces) for step in steps]
@@ -58,7 +58,7 @@ def test_a_dart_is_closed_first(tmp_path):
     pattern = Pattern.from_result(grid([0, 100, 200], [-80, 0, 50, 100], seams=[(3, 4), (4, 5), (7, 10)]))
     assert [step.kind for step in pattern.steps] == ["dart", "flat"]
     areas = sorted(cut_polygon(piece).area for piece in pattern.pieces)
-    assert areas == pytest.approx([220 * 100, 220 * 120], rel=1e-6)  # the dart is closed
+    assert areas == pytest.approx([220 * 100, 220 * 120], rel=1e-6)  # the closed dart leaves no gap
     assert "Close the dart in Piece" in proof_words(pattern, tmp_path / "a.pdf")
 
 

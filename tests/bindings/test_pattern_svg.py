@@ -1,19 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""SVG files have layers, colors and dashes for each kind of line, a test square, and names of groups."""
+"""SVG files have a layer, a color and dashes for each kind of line, a test square, and groups with names."""
 
 import re
-import sys
-from pathlib import Path
 
 import numpy as np
 import pytest
 import wirewarp
+from drawing import LABEL, SVG, Drawing, points_of, steps
 from patterns import cut_polygon, grid
 from wirewarp.pattern import Pattern
-
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "addon"))
-
-from drawing import LABEL, SVG, Drawing, points_of, steps
 
 GROUPMODE = "{http://www.inkscape.org/namespaces/inkscape}groupmode"
 KINDS = ["Rigid Wires", "Elastic Wires", "Free Wires"]
@@ -21,7 +16,7 @@ KINDS = ["Rigid Wires", "Elastic Wires", "Free Wires"]
 
 @pytest.fixture
 def drawn(tmp_path):
-    """Return a function that draws two pieces with a wire of each kind across both."""
+    """Return a function that draws two pieces. A wire of each kind crosses both pieces."""
     chains = [list(range(3 * row, 3 * row + 3)) for row in (1, 2, 3)]
     wires = [wirewarp.Wire(chain, tolerance) for chain, tolerance in zip(chains, (0.0, 0.02, np.inf), strict=True)]
     seams = [(3 * row + 1, 3 * row + 4) for row in range(4)]
@@ -43,14 +38,14 @@ def test_kinds_of_lines_differ_by_layer_color_and_dashes(drawn):
     by_label = {layer.get(LABEL): layer for layer in layers}
     labels = ["Cut", *KINDS, "Notches", "Sew"]
     assert set(by_label) == {*labels, "Grain", "Text", "Line Names"}
-    assert list(by_label)[-1] == "Cut"  # lines inside are cut first
+    assert list(by_label)[-1] == "Cut"  # a cutter must cut the outline last
     lines = [by_label[label].find(f"{SVG}path") for label in labels]
     assert len({line.get("stroke") for line in lines}) == 6
     assert ["stroke-dasharray" in line.attrib for line in lines] == [False, False, True, True, False, True]
 
 
 def test_every_line_has_its_own_style_attributes(drawn):
-    """The programs of cutters do not read style sheets, and fill closed lines without attributes with black."""
+    """Programs of cutters ignore style sheets, and fill closed lines that have no attributes with black."""
     root = drawn()[1].root
     lines = list(root.iter(f"{SVG}path"))
     assert lines

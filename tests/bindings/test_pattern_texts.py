@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Texts on the pieces can be read, name the pieces that are sewn together, and show the grain."""
+"""Texts and grain arrows on pieces are readable, apart from each other, and inside of or close to their pieces."""
 
 from dataclasses import replace
 from itertools import combinations
@@ -8,7 +8,18 @@ import numpy as np
 import pytest
 import shapely
 import wirewarp
-from patterns import cut_polygon, flattened, grid, letters, quads, rectangle, sample, sew_polygon, turn
+from patterns import (
+    cut_polygon,
+    flattened,
+    grid,
+    letters,
+    line_string,
+    quads,
+    rectangle,
+    sample,
+    sew_polygon,
+    turn,
+)
 from wirewarp.pattern import FlatPiece, Pattern, Text
 from wirewarp.pattern.label.grain_beside import grain_beside
 from wirewarp.pattern.label.leaders import FARTHEST, Beside
@@ -47,14 +58,7 @@ def test_a_piece_names_no_allowance_that_it_does_not_have():
     assert pattern.allowance_text == "10 mm to 30 mm"
 
 
-def box(text):
-    """Return the lower left and upper right corner of a level text, as if its letters were half as wide as high."""
-    half = np.array([len(text.lines[0]) * text.height / 4, text.height / 2])
-    return text.center - half, text.center + half
-
-
 def test_texts_without_room_are_beside_the_piece_with_a_leader_line():
-    """The piece is a strip of 20 by 2 mm."""
     pattern = Pattern.from_result(rectangle(20, 2), allowance=0, piece_names=["Cuff"])
     (piece,) = pattern.pieces
     (name,) = (text for text in piece.texts if text.role == "card")
@@ -62,28 +66,30 @@ def test_texts_without_room_are_beside_the_piece_with_a_leader_line():
     (cut,) = piece.of_role("cut")
     low, high = cut.points.min(axis=0), cut.points.max(axis=0)
     assert name.lines == ("Cuff",) and name.height == READABLE
-    first, last = box(name)
-    assert np.any(first > high) or np.any(last < low)  # outside of the piece
+    assert letters(name).disjoint(shapely.Polygon(cut.points))
     assert np.all(leader.points[0] > low) and np.all(leader.points[0] < high)
-    assert np.ptp(leader.points[1:, 1]) == pytest.approx(0)  # the second part of the leader runs along the letters
-    # the leader is between letters and piece
+    # The second part of the leader runs along the letters, between the letters and the piece.
+    assert np.ptp(leader.points[1:, 1]) == pytest.approx(0)
     assert max(low[1] - leader.points[1, 1], leader.points[1, 1] - high[1]) > 0.4
     assert piece.bounds == (pytest.approx(low), pytest.approx(high))
     assert pattern.with_only(["texts"]).pieces[0].of_role("card leader")
     assert not pattern.with_only(["sew"]).pieces[0].of_role("card leader")
 
 
+def strap(angle):
+    """Return a piece of 60 by 2 mm, rotated by an angle in degrees. Its name has no room inside."""
+    piece = flat_piece(rectangle(60, 2).pieces[0], "A strap to tie", 1000.0)
+    return replace(piece, vertices=piece.vertices @ turn(angle), grain=piece.grain @ turn(angle))
+
+
 @pytest.mark.parametrize("angle", [0, 30, 90])
 def test_texts_beside_pieces_in_rows_keep_apart(angle):
-    """Rows are 10 mm apart."""
-    strap = flat_piece(rectangle(60, 2).pieces[0], "A strap to tie", 1000.0)
-    turned = replace(strap, vertices=strap.vertices @ turn(angle), grain=strap.grain @ turn(angle))
-    rows = Pattern.from_pieces([turned] * 4, [], allowance=0).arranged()
+    rows = Pattern.from_pieces([strap(angle)] * 4, [], allowance=0).arranged()
     texts_of = [[letters(text) for text in piece.texts] for piece in rows.pieces]
     assert all(texts_of)
     for (piece, own), (other, others) in combinations(zip(rows.pieces, texts_of, strict=True), 2):
         boxes = [shapely.box(*np.concatenate(each.bounds)) for each in (piece, other)]
-        assert boxes[0].distance(boxes[1]) > 9.9
+        assert boxes[0].distance(boxes[1]) > 9.9  # rows are 10 mm apart
         assert all(text.disjoint(boxes[1]) for text in own) and all(text.disjoint(boxes[0]) for text in others)
         assert all(a.disjoint(b) for a in own for b in others)
 
@@ -91,16 +97,12 @@ def test_texts_beside_pieces_in_rows_keep_apart(angle):
 @pytest.mark.parametrize("angle", [20, 45, 135])
 def test_texts_beside_a_piece_are_nearer_than_sheets_overlap(angle):
     """A sheet that shows a part of the piece also shows its texts, because sheets overlap by 10 mm."""
-    strap = flat_piece(rectangle(60, 2).pieces[0], "A strap to tie", 1000.0)
-    turned = replace(strap, vertices=strap.vertices @ turn(angle), grain=strap.grain @ turn(angle))
-    (piece,) = Pattern.from_pieces([turned], [], allowance=0).pieces
+    (piece,) = Pattern.from_pieces([strap(angle)], [], allowance=0).pieces
     (text,) = piece.texts
+    leaders = [line_string(leader) for leader in piece.of_role("card leader")]
+    assert all(letters(text).disjoint(leader) for leader in leaders)
     around = cut_polygon(piece).buffer(10)
-    assert all(
-        not letters(text).intersects(shapely.LineString(leader.points)) for leader in piece.of_role("card leader")
-    )
-    assert around.contains(letters(text))
-    assert all(around.contains(shapely.LineString(leader.points)) for leader in piece.of_role("card leader"))
+    assert all(around.contains(each) for each in (letters(text), *leaders))
 
 
 def test_no_line_to_a_name_crosses_a_large_piece():
@@ -112,14 +114,15 @@ def test_no_line_to_a_name_crosses_a_large_piece():
 
 
 def test_names_beside_a_piece_are_clear_of_each_other():
-    """The model is a strip of four pieces, each 2 by 6 mm."""
     result = grid(range(0, 10, 2), [0, 6], seams=[(column, column + 5) for column in range(1, 4)])
     pattern = Pattern.from_result(result, allowance=0, piece_names=["A", "B", "C", "D"])
     for piece, seams in zip(pattern.pieces, (1, 2, 2, 1), strict=True):
         named = sorted(line.name for line in piece.of_role("sew") if line.name)
         assert len(named) == seams
         written = sorted(text.lines[0] for text in piece.texts if text.role == "line name")
-        assert all(name in (whole, whole[-1]) for name, whole in zip(written, named, strict=True))  # "Seam 1" or "1"
+        assert all(
+            name in (whole, whole[-1]) for name, whole in zip(written, named, strict=True)
+        )  # written as "Seam 1", or only as "1"
         for first, second in combinations(map(letters, piece.texts), 2):
             assert first.disjoint(second)
 
@@ -139,9 +142,8 @@ def test_a_seam_names_the_other_piece_if_there_is_room():
 
 
 def test_the_legs_of_a_dart_join_no_other_piece():
-    hat = sample("Hat")
-    darts = [line for piece in hat.pieces for line in piece.of_role("sew") if line.seam is not None and not line.joins]
-    assert darts
+    lines = [line for piece in sample("Hat").pieces for line in piece.of_role("sew")]
+    assert [line for line in lines if line.seam is not None and not line.joins]
 
 
 def grain(piece: FlatPiece) -> np.ndarray:
@@ -158,17 +160,13 @@ def test_the_grain_follows_its_setting_and_is_upright_by_default():
 
 
 def card_and_arrow(piece):
-    """Return the approximate lines of the card, and the grain arrow as wide as its heads."""
+    """Return the area of the card's lines, and of the grain arrow, which is as wide as its heads."""
     (card,) = (text for text in piece.texts if text.role == "card")
     (arrow,) = piece.of_role("grain")
-    rows = range(len(card.lines))
-    parts = [replace(card, lines=card.lines[row : row + 1], center=card_line_center(card, row)) for row in rows]
-    return shapely.union_all([letters(part) for part in parts]), shapely.LineString(arrow.points).buffer(2.5)
-
-
-def card_line_center(card, row):
-    down = (row - (len(card.lines) - 1) / 2) * LINE * card.height
-    return card.center + down * np.array([0.0, -1.0]) @ turn(card.angle)
+    step = LINE * card.height * np.array([0.0, -1.0]) @ turn(card.angle)  # from a line of the card to the next
+    first = card.center - (len(card.lines) - 1) / 2 * step
+    parts = [replace(card, lines=(line,), center=first + row * step) for row, line in enumerate(card.lines)]
+    return shapely.union_all([letters(part) for part in parts]), line_string(arrow).buffer(2.5)
 
 
 @pytest.mark.parametrize(("width", "height"), [(90, 60), (80, 70), (45, 120)])
@@ -181,12 +179,12 @@ def test_the_grain_arrow_and_the_card_of_a_piece_keep_apart(width, height, angle
     card, arrow = card_and_arrow(piece)
     assert "Cut 1" in piece.texts[0].lines
     assert card.disjoint(arrow)
-    assert shapely.LineString(piece.of_role("grain")[0].points).length > 10
-    assert sew_polygon(piece).contains(shapely.LineString(piece.of_role("grain")[0].points))
+    grain_line = line_string(piece.of_role("grain")[0])
+    assert grain_line.length > 10 and sew_polygon(piece).contains(grain_line)
 
 
 def test_a_grain_arrow_that_crosses_a_text_is_not_moved_into_the_allowance():
-    """The text fills the square inside the stitching line, 40 by 40 mm. The allowance around it is 30 mm wide."""
+    """The stitching line is a square of 40 mm, which the text fills. The allowance around the square is 30 mm wide."""
     square = np.array([(0.0, 0.0), (100, 0), (100, 100), (0, 100)])
     stitching = 30 + 0.4 * np.concatenate([square, square[:1]])
     text, arrow = Text(("M" * 7,) * 4, np.array([50.0, 50.0]), 6.0), Line("grain", np.array([(50.0, 35.0), (50, 65)]))
@@ -201,14 +199,14 @@ def test_the_grain_arrows_and_the_cards_of_a_toy_keep_apart():
 
 
 def strips(*widths):
-    """Return a flat sheet, 200 mm long, divided into strips of these widths, with a wire across all of them."""
+    """Flatten strips of 200 mm with these widths, sewn together side by side, with a wire across all strips."""
     xs = np.concatenate([[0], np.cumsum(widths)]).tolist()
     row = len(xs)
     seams = [(y * row + k, (y + 1) * row + k) for y in range(4) for k in range(1, row - 1)]
     return grid(xs, range(0, 250, 50), seams=seams, wires=[wirewarp.Wire(range(row, 2 * row), name="Waist")])
 
 
-def test_names_lie_inside_narrow_pieces_or_close_beside_and_clear_of_each_other():
+def test_names_are_inside_narrow_pieces_or_close_to_them_and_apart():
     widths = (4, 8, 10, 14, 24, 40, 50)
     pattern = Pattern.from_result(strips(*widths), allowance=0)
     for piece, width in zip(pattern.pieces, widths, strict=True):
@@ -228,7 +226,7 @@ def test_a_wire_shorter_than_its_name_is_not_named_and_others_are_named_inside()
         assert [text.lines for text in names] == [(name,)] * count
         (wire,) = piece.of_role("wire")
         for text in names:
-            assert shapely.LineString(wire.points).distance(shapely.Point(text.center)) == pytest.approx(3.0, abs=0.1)
+            assert line_string(wire).distance(shapely.Point(text.center)) == pytest.approx(3.0, abs=0.1)
             assert cut_polygon(piece).contains(letters(text))
 
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Compares results with figures that were computed independently of this code, and solves requests with known answers.
+"""Results agree with figures that other programs computed, and requests that have a solution are solved.
 
-The tests are skipped if the figures are not available. The toy is left out, because its seams have changed since its
-figures were computed.
+The tests are skipped if the figures are missing. The toy is left out, because its seams have changed since its figures
+were computed.
 """
 
 import json
@@ -27,9 +27,9 @@ CASES = [
     "wetsuit_front_bodice",
     "wetsuit_back",
 ]
-# The figures of pieces of fabric lack the term against zigzags, so the tolerances allow for its effect. The figures of
-# samples include this term, but their bending term differs where lines cross and edges are short. Jersey is left out,
-# because the figures do not divide its stiffnesses by the larger stiffness.
+# The tests with fabrics allow for two differences. The figures of pieces lack the term against zigzags. The figures of
+# samples have another bending term near crossings of lines and short edges. Jersey is left out, because its figures are
+# for stiffnesses that were not divided by the larger stiffness.
 WOVEN = wirewarp.Cloth(1, 1, 0.05)
 CLOTHS = {"woven": (1, 1, 0.05), "denim": (0.21, 1, 0.06), "isotropic": (1, 1, 0.5)}
 HAS_OTHER_MINIMA = "bodysuit_collar"  # piece with several minima, whose energies differ by a few percent
@@ -58,16 +58,15 @@ def figures(name: str) -> dict:
 
 
 def entries(file: str, start: str) -> list:
-    """Return (case, entry) for each result of the file whose entry begins with `start`."""
+    """Return (case, entry) for each entry of the file that begins with `start`."""
     cases = {name: case for name, case in figures(file).items() if isinstance(case, dict) and name != "Toy"}
     return [(name, entry) for name, case in cases.items() for entry in case if entry.startswith(start)]
 
 
 def quarter_sphere(n: int) -> tuple[np.ndarray, np.ndarray, list[list[int]]]:
-    """Return a part of the unit sphere in n by 2 n quads with alternating diagonals.
+    """Return a part of the unit sphere, with wires along its middle meridian and the equator.
 
-    Its longitudes are 0 to 90 degrees, and its latitudes -75 to 75 degrees. The wires are on the middle meridian and
-    the equator.
+    It has n by 2 n quads with alternating diagonals, from longitude 0 to 90 and from latitude -75 to 75 degrees.
     """
     longitude, latitude = np.meshgrid(np.linspace(0, math.pi / 2, n + 1), np.radians(np.linspace(-75, 75, 2 * n + 1)))
     vertices = np.stack(
@@ -137,8 +136,8 @@ def test_refined(name: str, entry: str):
     piece = exact_piece(name, tolerance, method="refined", fairness=fairness)
     assert piece.error is None  # exact lengths, no flipped face, no overlap
     assert piece.report.termination == "converged" and piece.report.factorizations <= 20
-    # D is fairness * √area. At corners where lines with edges shorter than D/8 meet, the objective has less weight here
-    # than in the reference. Its minimum is therefore lower, and the ARAP energy may be a larger part of this minimum.
+    # D is fairness * √area. If lines have edges shorter than D/8, the bending at their corners has less weight than in
+    # the reference. The minimum is then lower, and the ARAP energy may be a larger part of it.
     vertices, _, wires = read_case(name)
     chains = (*wires, *(boundary.vertices for boundary in piece.boundaries))
     shortest = min(np.linalg.norm(np.diff(vertices[chain], axis=0), axis=1).min() for chain in chains)
@@ -150,7 +149,7 @@ def test_refined(name: str, entry: str):
 
 @pytest.fixture(scope="module")
 def seams():
-    """Return a dictionary in which a test stores the seams of each sample as chains."""
+    """Return a dictionary for the seams of each sample as chains, so that they are found once."""
     return {}
 
 
@@ -190,7 +189,7 @@ def test_pieces_of_fabric(name: str, entry: str, tolerance: float, cloth: str):
 
 
 def thread_strain(shape: Shape, result: wirewarp.FlattenResult) -> float:
-    """Return the 99th percentile, by area on the model, of the strain of each triangle's more strained thread."""
+    """Return the 99th percentile, weighted by area on the model, of the larger thread strain of each triangle."""
     strain, area = [], []
     for piece in result.pieces:
         weft, warp = piece.metrics.face_weft_strain, piece.metrics.face_warp_strain
@@ -215,7 +214,6 @@ def test_samples_of_fabric(name: str):
 
 
 def request_of(name: str) -> tuple[np.ndarray, np.ndarray, list[wirewarp.Wire]]:
-    """Return vertices, faces and wires of a stored request."""
     request = json.loads((SHARED / "cases" / f"{name}.json").read_text())
     wires = [wirewarp.Wire(wire["vertices"], wire["tolerance"]) for wire in request["wires"]]
     return np.array(request["vertices"]), np.array(request["faces"]), wires

@@ -39,9 +39,9 @@ from wirewarp.report.wording import strain_text
 
 
 def report_of_pieces(*stretches, name="Bump", limits=None):
-    """Return a report of pieces.
+    """Return a report of pieces that must stretch this far. None is for a failed piece.
 
-    stretches: how far each piece must stretch, or None for a failed piece. limits: maximum stretch of the fabric.
+    limits: maximum stretch of the fabric in both directions.
     """
     (sample,) = report_of("Half cylinder").pieces
     pieces = [
@@ -61,7 +61,6 @@ def kinds(*reports):
     return [line.kind for line in verdict(*reports).lines]
 
 
-# In 99% of its area, a piece needs no more than its stretch. The values are so far apart that rounding has no effect.
 @pytest.mark.parametrize(
     ("stretches", "limits", "expected"),
     [
@@ -79,23 +78,18 @@ def kinds(*reports):
 def test_pieces_are_ready_only_if_there_is_a_fabric_for_them(stretches, limits, expected):
     found = verdict(report_of_pieces(*stretches, limits=limits))
     assert [line.kind for line in found.lines] == expected
-    assert found.is_ready == all(kind in (Kind.READY, Kind.READY_FOR_ANY) for kind in expected)
+    assert found.is_ready == all(kind.level is Level.GOOD for kind in expected)
+    assert {kind for kind in Kind if kind.level is Level.GOOD} == {Kind.READY, Kind.READY_FOR_ANY}
+    assert {kind for kind in Kind if kind.level is Level.BAD} == {Kind.FAILED, Kind.NOT_FLATTENED}
 
 
 def test_a_failed_model_makes_the_others_not_ready():
     good, failed = report_of_pieces(0.0, name="A"), failure_report(Issue("no_faces", "It has no faces."), "B")
     for reports in ((good, failed), (failed, good)):
         found = verdict(*reports)
-        assert [line.kind for line in found.lines] == [Kind.FAILED, Kind.READY_FOR_ANY]
+        assert kinds(*reports) == [Kind.FAILED, Kind.READY_FOR_ANY]
         assert (found.lines[0].text, found.is_ready) == ("Do not cut: B failed", False)
     assert kinds(failed) == [Kind.NOT_FLATTENED]
-
-
-def test_every_kind_of_verdict_has_its_level():
-    assert Kind.READY.level is Kind.READY_FOR_ANY.level is Level.GOOD
-    assert Kind.FAILED.level is Kind.NOT_FLATTENED.level is Level.BAD
-    others = set(Kind) - {Kind.READY, Kind.READY_FOR_ANY, Kind.FAILED, Kind.NOT_FLATTENED}
-    assert {kind.level for kind in others} == {Level.CAUTION}
 
 
 def test_the_verdict_names_the_stretch_the_pieces_and_the_fabric():
@@ -119,16 +113,18 @@ def test_the_verdict_names_the_stretch_the_pieces_and_the_fabric():
     )
     (close,) = verdict(report_of_pieces(0.2004, limits=0.2)).lines
     assert close.text.startswith("Piece 1 must stretch 20.04% across, but this denim stretches only 20.00%. ")
+    (collapsed,) = verdict(report_of_pieces(math.inf, limits=0.2)).lines
+    assert collapsed.kind is Kind.BEYOND_FABRIC and "unlimited across" in collapsed.text
     (ready,) = verdict(report_of_pieces(0.0, 0.0)).lines
     assert ready.text == "Ready to cut from any fabric: 2 pieces, every length kept"
 
 
 def test_lists_show_the_figures_that_the_verdict_compares_with_the_fabric():
-    """The first piece must stretch more across. Only the second piece exceeds the lower limit along the grain."""
+    """Piece 1 must stretch more, but within the limit across the grain. Piece 2 exceeds the lower limit along it."""
     report = report_of_pieces(0.15, 0.13, limits=0.2)
     for piece, along in zip(report.pieces, (0.01, 0.07), strict=True):
         piece.threads = replace(piece.threads, along=along, gives=Ways(across=0.2, along=0.05))
-        piece.wires = []  # they would refer to wires that the report does not have
+        piece.wires = []  # the sample's pieces have wires, but this report has none
     beyond, _ = verdict(report).lines
     assert beyond.text.startswith("Piece 2 must stretch 7.0% along, but this denim stretches only 5.0%.")
     rows = piece_rows(report)
@@ -173,9 +169,9 @@ def test_a_piece_that_only_a_seam_flattens_has_not_failed():
         "Piece 2 is closed: choose where to cut it",
         "Piece 1 needs a seam: choose where to cut it",
     )
-    assert [line.kind for line in found(tube, outline)] == [Kind.FAILED]  # without a proposed seam, a wire may be wrong
+    assert [line.kind for line in found(tube, outline)] == [Kind.FAILED]  # no seam is proposed, so a wire may be wrong
     assert [line.kind for line in found(tube, Issue("flipped_faces", "It flips.", 1))] == [Kind.FAILED]
-    report.pieces[0].has_layout = True  # a piece with a layout looks as if it could be cut
+    report.pieces[0].has_layout = True  # a failed piece with a layout could be mistaken for a good piece
     report.pieces = report.pieces[:1]
     assert [line.kind for line in found(tube)] == [Kind.FAILED]
 
@@ -211,7 +207,6 @@ def test_success_mentions_exact_lengths_only_if_they_are_fixed():
 
 
 def test_the_stretch_of_a_piece_is_sufficient_for_99_percent_of_its_area():
-    """The stretch is the least value that is enough in 99% of the area. The test computes it from aspect ratios."""
     shape, result, report = SAMPLES["Fitted top"], flattened("Fitted top"), report_of("Fitted top")
     corners = np.asarray(shape.vertices)[shape.triangles()]
     areas = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1) / 2
@@ -231,7 +226,7 @@ def test_pieces_that_unfold_are_ready_for_any_fabric():
 
 
 def test_gathers_are_not_strain():
-    """The waist of the sample's skirt is cut twice as long as its band, because gathers compress it to half."""
+    """The waist of the skirt is twice as long as its band, so gathers compress the waist to half its length."""
     shape, result = SAMPLES["Gathered skirt"], flattened_as_made("Gathered skirt")
     mesh, wires = (shape.vertices, shape.triangles()), wires_of(shape)
     gathered = make_report(result, *mesh, wires=wires, eases=eases_of(shape))
@@ -242,7 +237,7 @@ def test_gathers_are_not_strain():
 
 
 def test_intended_stretch_gives_no_hint():
-    """A cylinder unfolds, so its fabric must stretch exactly by the intended 20%."""
+    """The pieces of a cylinder have no strain of their own, so they must stretch exactly by the intended 20%."""
     shape = SAMPLES["Half cylinder"]
     vertices, faces = shape.vertices, shape.triangles()
     cloth = Cloth(stretch=(0.2, 0.2))
@@ -257,9 +252,7 @@ def test_intended_stretch_gives_no_hint():
 
 
 def test_a_piece_that_is_ready_for_any_fabric_is_ready_for_each():
-    """Each fabric of the table stretches at least as far as the limit for any fabric, and has all of its texts."""
     for name in Cloth.presets():
-        assert min(Cloth.preset(name).limits) >= ANY_FABRIC
         about = Cloth.about(name)
         assert set(about) == {"label", "description", "source"} and all(about.values())
     assert min(min(Cloth.preset(name).limits) for name in Cloth.presets()) == ANY_FABRIC
@@ -273,10 +266,12 @@ def test_a_chosen_fabric_decides(fabric, kind):
     assert codes == ({"beyond_cloth"} if kind is Kind.BEYOND_FABRIC else set())
 
 
+TRIANGLE = np.array([[0.0, 0, 0], [1, 0, 0], [0, 0, 1]]), np.array([[0, 1, 2]])
+
+
 def triangle_metrics(flat):
-    """Return the metrics of a flat triangle whose model is a right triangle with legs of length 1."""
-    vertices, faces = np.array([[0.0, 0, 0], [1, 0, 0], [0, 0, 1]]), np.array([[0, 1, 2]])
-    (piece,) = measure(vertices, faces, np.array([flat], float)).pieces
+    """Return the metrics of a flat triangle whose model is TRIANGLE."""
+    (piece,) = measure(*TRIANGLE, np.array([flat], float)).pieces
     return piece.metrics
 
 
@@ -300,31 +295,18 @@ def test_stretch_and_compression_are_the_principal_strains_of_flat_fabric(flat, 
 
 
 def test_threads_of_a_collapsed_piece_are_stretched_without_limit():
-    vertices, faces = np.array([[0.0, 0, 0], [1, 0, 0], [0, 0, 1]]), np.array([[0, 1, 2]])
-    result, cloth = measure(vertices, faces, np.array([[[0.0, 0], [1, 0], [2, 0]]])), Cloth.preset("denim")
-    (threads,) = [piece.threads for piece in make_report(result, vertices, faces, cloth=cloth).pieces]
+    result = measure(*TRIANGLE, np.array([[[0.0, 0], [1, 0], [2, 0]]]))
+    report = make_report(result, *TRIANGLE, cloth=Cloth.preset("denim"))
+    (threads,) = [piece.threads for piece in report.pieces]
     assert (threads.across, threads.along, threads.shear) == (math.inf, math.inf, math.pi / 2) and threads.over
-    written = json.dumps(to_dict(make_report(result, vertices, faces, cloth=cloth)), allow_nan=False)
+    written = json.dumps(to_dict(report), allow_nan=False)
     assert from_dict(json.loads(written), Report).pieces[0].threads == threads
 
 
-def test_a_good_piece_that_has_collapsed_is_beyond_its_fabric():
-    report = report_of_pieces(math.inf, limits=0.2)
-    assert kinds(report) == [Kind.BEYOND_FABRIC]
-    assert "unlimited across" in verdict(report).lines[0].text
-
-
-@pytest.mark.parametrize(
-    ("stretch", "ease", "words"),
-    [
-        (0.12, 0.09, "stretched and compressed"),
-        (0.12, 0.01, "stretched"),
-        (0.0, 0.34, "compressed"),
-        (math.inf, 0.1, "stretched"),
-    ],
-)
-def test_strain_in_words(stretch, ease, words):
-    assert strain_text(stretch, ease) == words
+def test_strain_in_words():
+    assert strain_text(0.12, 0.09) == "stretched and compressed"
+    assert strain_text(0.12, 0.01) == strain_text(math.inf, 0.1) == "stretched"
+    assert strain_text(0.0, 0.34) == "compressed"
 
 
 def test_regions_are_connected_by_edges():
@@ -351,7 +333,7 @@ def test_a_winding_region_is_one_region():
 
 
 def test_the_list_of_strained_places_begins_with_the_worst_piece():
-    """The list also contains each of the worst pieces, even if it is small."""
+    """Each of the worst pieces is in the list, even if it is small."""
     report = report_of("Toy")
     places = [hint.piece for hint in report.hints if hint.code == "strained"]
     worst_first = sorted(report.pieces, key=lambda piece: -piece.needed)
@@ -375,7 +357,7 @@ def test_unused_tolerances_are_noted():
 
 
 def test_changes_of_length_follow_from_eases():
-    """A wire lengthens the first of three edges (2, 1 and 1 long) by 10%, and an ease the first two by 5%."""
+    """The outline has edges of 2, 1 and 1. A wire lengthens the first edge by 10%, an ease the first two by 5%."""
     chain = np.array([0, 1, 2, 3])
     broken = SimpleNamespace(vertices=chain, length_3d=4.0, length_2d=5.0, max_edge_error=0.1)
     exact = SimpleNamespace(vertices=np.array([3, 0]), length_3d=1.0, length_2d=0.8, max_edge_error=0.0)
@@ -384,6 +366,5 @@ def test_changes_of_length_follow_from_eases():
     vertices = np.array([[0, 0, 0], [2, 0, 0], [3, 0, 0], [3, 1, 0]], dtype=float)
     asked = asked_of_outline(piece, vertices, {(0, 1): 0.05, (1, 2): 0.05})
     assert asked == pytest.approx([2 * 1.1 * 1.05 + 1 * 1.05 + 1, 0.8])
-    # eases of the other side, which is not in this piece
-    asked = asked_of_outline(piece, vertices, {(1, 0): 0.05, (2, 1): 0.05})
+    asked = asked_of_outline(piece, vertices, {(1, 0): 0.05, (2, 1): 0.05})  # an ease of the other side of the edges
     assert asked == pytest.approx([2 * 1.1 + 1 + 1, 0.8])

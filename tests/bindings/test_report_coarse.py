@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""If a curve has corners because the model is coarse, a hint reports it; corners of the model itself are ignored."""
+"""A hint reports curves that have corners because the model is coarse. It ignores corners that are on purpose."""
 
 import numpy as np
 import pytest
@@ -10,7 +10,7 @@ from wirewarp.report import COARSE, make_report
 
 
 def disc(count, radius=0.1, **options):
-    """Return a regular polygon of `count` triangles around its center, 200 mm wide by default."""
+    """Return a regular polygon of `count` triangles around its center. radius: meters."""
     angles = 2 * np.pi * np.arange(count) / count
     rim = radius * np.column_stack([np.cos(angles), np.sin(angles), np.zeros(count)])
     faces = np.array([(0, 1 + k, 1 + (k + 1) % count) for k in range(count)])
@@ -29,15 +29,14 @@ def test_a_circle_of_few_edges_is_named(count, turn):
     assert hint.sentence.startswith("The model is coarse here") and hint.piece is None
 
 
-# a square and a pentagon have corners on purpose; turns of 14 degrees look round
-@pytest.mark.parametrize("count", [4, 5, 25])
+@pytest.mark.parametrize("count", [4, 5, 25])  # a square, a pentagon, and a circle with turns of 14 degrees
 def test_corners_and_round_outlines_are_not_named(count):
     assert hints(*disc(count)) == []
 
 
 @pytest.mark.parametrize(("error", "is_named"), [(0.9e-3, False), (1.1e-3, True)])
 def test_a_curve_is_coarse_if_scissors_miss_it_by_a_millimeter(error, is_named):
-    """An edge that spans an angle a of a circle of radius R has its middle R (1 - cos(a / 2)) inside the circle."""
+    """Edges of a circle with radius R span the angle a. Their middles are R (1 - cos(a / 2)) inside of the circle."""
     radius = error / (1 - np.cos(np.pi / 16))
     assert bool(hints(*disc(16, radius))) == is_named
     vertices, faces, _ = disc(16, 1000 * radius)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The samples keep every guarantee, with and without eases, in few factorizations. tests/native has further tests."""
+"""The samples keep every guarantee, with and without eases, in few factorizations."""
 
 import numpy as np
 import pytest
@@ -32,7 +32,7 @@ def test_outline_and_wire_edges_change_no_more_than_allowed(name):
     checked = set()
     for piece in flattened(name).pieces:
         assert piece.error is None
-        # on the sphere, the search starts at a saddle of the objective, which takes more steps
+        # On the sphere, the search starts at a saddle of the objective, so it takes more steps.
         assert piece.report.factorizations <= (16 if name == "Quarter sphere" else 8)
         edges, use = edges_with_use(piece.faces)
         source = np.sort(piece.source_vertex[edges], axis=1)
@@ -52,12 +52,12 @@ def test_outline_and_wire_edges_change_no_more_than_allowed(name):
 
 @pytest.mark.parametrize("name", SAMPLES)
 def test_the_inner_problem_takes_few_factorizations(name):
-    # On the quarter sphere, symmetry keeps the wires straight: least-norm steps fail, and the objective has a saddle.
+    # On the quarter sphere, symmetry keeps the wires straight, so least-norm steps fail and the objective has a saddle.
     most = 24 if name == "Quarter sphere" else 16
     for piece in flattened(name, method="wirewarp++").pieces:
         evaluations = piece.report.gradient_evaluations
         assert 0 < piece.report.inner_solves <= most * (1 + evaluations)
-        # if lengths are optimized, another factorization is needed for the first lengths
+        # If lengths are optimized, the first lengths need a factorization of their own.
         assert piece.report.factorizations == (2 if evaluations else 1)
         assert piece.report.projected_gradient < 1e-10
         assert piece.report.constraint_residual < 1e-12
@@ -92,5 +92,5 @@ def test_eased_sides_and_no_others_are_longer(name):
 
 def test_the_sleeve_head_is_eased_by_two_to_three_centimeters():
     head = [seam for seam in flattened_as_made("Set-in sleeve").seams if any(seam.eases)]
-    assert len(head) == 2  # the seams with the front and the back
+    assert len(head) == 2  # a seam with the front and a seam with the back
     assert 0.020 <= sum(max(seam.length_2d) - min(seam.length_2d) for seam in head) <= 0.030

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The type stubs list every name with its type, and the package has everything in the C++ headers."""
+"""The type stubs have every name with its type, and the package has every field of the C++ headers."""
 
 import ast
 import inspect
@@ -29,7 +29,7 @@ def stub(name: str) -> ast.Module:
 
 
 def names(body: list[ast.stmt]) -> set[str]:
-    """Return the names that the statements define for users, except __init__."""
+    """Return the public names that the statements define."""
     found = set()
     for node in body:
         if isinstance(node, ast.ClassDef | ast.FunctionDef):
@@ -59,31 +59,24 @@ def test_the_stub_of_a_class_names_its_attributes(name):
 
 
 def test_the_stub_knows_the_default_options():
-    (init,) = (
-        node for node in CLASSES["Options"].body if isinstance(node, ast.FunctionDef) and node.name == "__init__"
-    )
-    defaults = {
-        arg.arg: ast.literal_eval(value) for arg, value in zip(init.args.kwonlyargs, init.args.kw_defaults, strict=True)
-    }
+    (init,) = (node for node in CLASSES["Options"].body if getattr(node, "name", "") == "__init__")
+    pairs = zip(init.args.kwonlyargs, init.args.kw_defaults, strict=True)
+    defaults = {argument.arg: ast.literal_eval(value) for argument, value in pairs}
     options = wirewarp.Options()
     assert defaults == {name: getattr(options, name) for name in options.to_dict()}
 
 
 def test_the_stub_of_the_errors_names_every_code_and_attribute():
     classes = {node.name: node for node in stub("_errors.pyi").body if isinstance(node, ast.ClassDef)}
-    assert names(classes["ErrorCode"].body) == {code.name for code in _errors.ErrorCode} | {
-        "meaning",
-        "remedy",
-        "arguments",
-    }
+    codes = {code.name for code in _errors.ErrorCode}
+    assert names(classes["ErrorCode"].body) == codes | {"meaning", "remedy", "arguments"}
     error = wirewarp.FlattenError("cancelled", "Cancelled.")
     assert names(classes["FlattenError"].body) == set(vars(error)) | {"to_dict"}
 
 
 def test_the_package_exports_every_listed_name():
-    assert set(wirewarp.__all__) == {
-        name for name, value in vars(wirewarp).items() if not name.startswith("_") and not inspect.ismodule(value)
-    } | {"__version__"}
+    modules = {name for name, value in vars(wirewarp).items() if inspect.ismodule(value)}
+    assert set(wirewarp.__all__) == public(wirewarp) - modules | {"__version__"}
     assert (PACKAGE / "py.typed").exists()
 
 
@@ -127,16 +120,16 @@ def fits(value: object, hint: object) -> bool:
     if origin in (types.UnionType, typing.Union):
         return any(fits(value, each) for each in arguments)
     if isinstance(value, np.ndarray):
-        return hint == NDArray[value.dtype.type]  # an alias since numpy 2.5, which typing does not resolve
+        return hint == NDArray[value.dtype.type]  # compared whole, because typing does not resolve it since numpy 2.5
     if origin in (list, tuple):
         return isinstance(value, origin) and all(fits(each, arguments[0]) for each in value)
     if origin is dict:
         return isinstance(value, dict)
-    return type(value).__name__ == hint.__name__  # the classes of the stub are other objects than those of the module
+    return type(value).__name__ == hint.__name__  # by name, because the stub's classes are not those of the module
 
 
 def all_within(value: object) -> list:
-    """Return the object and all objects of our classes in its attributes, at any depth."""
+    """Return the object and all objects in its attributes, at any depth, whose class is in the stub."""
     if isinstance(value, list):
         return [inner for each in value for inner in all_within(each)]
     if type(value).__name__ not in CLASSES:

@@ -14,7 +14,10 @@ WITH_COARSE_CURVES = {"Jeans", "Armchair cover"}
 
 
 def share_within(piece: wirewarp.Piece, name: str, limits: tuple[float, float]) -> float:
-    """Return the share of the area that stretches no further than the limit, for the thread with the smaller share."""
+    """Return the share of the piece's area in which threads stretch no further than their limit.
+
+    This is the smaller of two shares, of the threads across and along the grain.
+    """
     shape = SAMPLES[name]
     a, b, c = shape.vertices[shape.triangles()[piece.source_face]].transpose(1, 0, 2)
     areas = np.linalg.norm(np.cross(b - a, c - a), axis=1)
@@ -22,13 +25,13 @@ def share_within(piece: wirewarp.Piece, name: str, limits: tuple[float, float]) 
     return min(areas[strain <= limit].sum() / areas.sum() for strain, limit in zip(strains, limits, strict=True))
 
 
-# each fabric is sufficient for some samples for which its predecessor is not
+# from the least to the greatest stretch; each suffices for samples for which the fabric before it does not
 FABRICS = ["vinyl", "minky", "jersey", "swim"]
 
 
 @pytest.mark.parametrize("fabric", FABRICS)
 @pytest.mark.parametrize("name", SAMPLES)
-def test_green_means_that_99_percent_of_each_piece_stretch_no_further_than_the_fabric(name, fabric):
+def test_a_sample_is_ready_if_99_percent_of_each_piece_stretch_no_further_than_the_fabric(name, fabric):
     shape, cloth, result = SAMPLES[name], wirewarp.Cloth.preset(fabric), flattened(name)
     report = make_report(result, shape.vertices, shape.triangles(), wires=wires_of(shape), cloth=cloth, fabric=fabric)
     shares = [share_within(piece, name, cloth.limits) for piece in result.pieces]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A copy of the package for another Python or system says so in one sentence."""
+"""If a copy of the package is for another Python or system, its import says so in one sentence."""
 
 import shutil
 import subprocess

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Functions that tests run in other processes. The argument is one item of work."""
+"""Contains functions that tests run in other processes."""
 
 import os
 import signal
@@ -18,9 +18,9 @@ def square_or_crash(number):
 
 
 def hang_or_wait(task):
-    """Hang or wait, as the task requires.
+    """Start a process, write its id to the path, and hang, or wait until a file exists at the path.
 
-    ("hang", path) starts a process, writes its id to the path, and hangs. ("wait", path) waits until this file exists.
+    task: ("hang", path) or ("wait", path).
     """
     kind, path = task
     if kind == "hang":

@@ -19,8 +19,8 @@ namespace wirewarp::bugs_of_pieces_test {
 namespace {
 
 // For some flat sheets, the solver ended close to the flat shape. The result was strained, not converged, flipped, or
-// overlapping along a slit. There were two causes. First, bending is so stiff at edges of a millionth of the piece's
-// size that the other terms are lost in rounding. Second, flat nets of rigid wires are rigid only to second order.
+// overlapping along a slit. There were two causes. At edges of a millionth of the piece's size, bending is so stiff
+// that the other terms are lost in rounding. Flat nets of rigid wires are rigid only to second order.
 
 constexpr double kRounding = 1e-20;  // rounding error of E, for strains of 1e-10
 
@@ -43,16 +43,12 @@ std::vector<int> first_vertices(const std::vector<int>& line, std::ptrdiff_t cou
   return {line.begin(), line.begin() + count};
 }
 
-TEST(Bugs, AFlatSheetWithASlitIsNotStrained) {
-  FlattenInput input = graded_sheet(6, 0.1, 1);
-  test::add_seam(input, first_vertices(test::grid_column(6, 6, 3), 4));
-  expect_flat_without_strain(input);
-}
-
-TEST(Bugs, AFlatSheetDoesNotOverlapItselfAlongASlit) {
-  FlattenInput input = graded_sheet(8, 0.2, 1);
-  test::add_seam(input, first_vertices(test::grid_column(8, 8, 5), 5));
-  expect_flat_without_strain(input);
+TEST(Bugs, AFlatSheetWithASlitIsNotStrainedAndDoesNotOverlapItself) {
+  FlattenInput strained = graded_sheet(6, 0.1, 1), overlapping = graded_sheet(8, 0.2, 1);
+  test::add_seam(strained, first_vertices(test::grid_column(6, 6, 3), 4));
+  test::add_seam(overlapping, first_vertices(test::grid_column(8, 8, 5), 5));
+  expect_flat_without_strain(strained);
+  expect_flat_without_strain(overlapping);
 }
 
 TEST(Bugs, AFlatSheetWithShortEdgesIsNotFlipped) {
@@ -72,8 +68,8 @@ TEST(Bugs, AFlatNetOfRigidWiresConverges) {
   expect_flat_without_strain(input);
 }
 
-// With Orientation::up, a flipped piece was upside down. Its area is negative, so the mean gradient of the height over
-// the piece had the wrong sign.
+// With Orientation::up, a flipped piece was upside down. The mean gradient of the height over the piece had the wrong
+// sign, because the area of a flipped piece is negative.
 TEST(Bugs, AFlippedPieceIsUprightToo) {
   const Charts charts = test::charts_of(test::flat_rectangle(4, 3, 2, 1));
   const Positions2 uv = test::planar_positions(charts.charts.at(0));
@@ -84,7 +80,7 @@ TEST(Bugs, AFlippedPieceIsUprightToo) {
   }
 }
 
-// If a face of a ring was flipped, the error suggested only the seam that opens the ring. A dart or a wire with
+// If a face of a ring was flipped, the error suggested only a seam that opens the ring. A dart or a wire with more
 // tolerance may help, too.
 TEST(Bugs, TheErrorOfARingProposesEveryRemedy) {
   const int around = 16;
@@ -107,8 +103,8 @@ TEST(Bugs, TheErrorOfARingProposesEveryRemedy) {
   }
 }
 
-// A wire of a single vertex that does not exist was refused as too short. The error named this vertex, although it must
-// only name vertices of the mesh. The vertex must be reported as out of range.
+// A wire of one vertex that does not exist was refused as too short. The error then named a vertex that is not part of
+// the mesh.
 TEST(Bugs, AShortWireOfNoVertexIsOutOfRange) {
   FlattenInput input = test::flat_rectangle(1, 1, 1, 1);
   const auto beyond = static_cast<int>(input.vertices.rows());
@@ -116,11 +112,11 @@ TEST(Bugs, AShortWireOfNoVertexIsOutOfRange) {
   EXPECT_EQ(test::error_of([&] { flatten(input); }).code, ErrorCode::vertex_out_of_range);
 }
 
-// Pieces of a stretched fabric failed or overlapped themselves, although they were good without the stretch. If the
-// sides of a seam shrink by very different shares, one step could not reach their mean length. Nothing prevented
-// overlaps. A piece that is flipped even without the stretch lost its layout and its suggestion, even if it had a shape
-// with all stretched lengths. In a later version, such a piece kept its layout, but with lengths without the stretch.
-// Its seams then had two lengths.
+// Pieces that were good without a stretch of the fabric failed with it, or overlapped themselves. If the sides of a
+// seam shrink by very different shares, one step could not reach their mean length. Nothing prevented overlaps.
+//
+// A piece that is flipped even without the stretch lost its layout and its suggestion. A first fix kept its layout, but
+// with lengths without the stretch, so its seams had two lengths.
 
 Options stretched(double weft, double warp) {
   Options options;
@@ -142,7 +138,7 @@ FlattenInput sheets_with_crossed_grain(double bump) {
   return input;
 }
 
-/// Returns a ruffle around almost a full circle. In the plane, its end would extend past its start.
+/// Returns a ruffle around almost a full circle. Without a rule against overlaps, its flat ends would overlap.
 FlattenInput ruffle() {
   return test::make_grid(24, 3, [](double s, double t) -> Eigen::Vector3d {
     const double angle = 0.95 * 2 * kPi * s, radius = 1 + t;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tests of fixed faults of slits, which are seams inside one piece. Both rims of a slit of one edge connect the same
-// two vertices.
+// Tests of fixed faults of slits, which are seams inside one piece. A slit has two rims. If it has only one edge, both
+// rims connect the same two vertices.
 #include "surface/charts/slits.h"
 
 #include <gtest/gtest.h>
@@ -22,8 +22,8 @@
 namespace wirewarp::bugs_of_slits_test {
 namespace {
 
-// The key of the cache did not contain which rims come from the same edges of the input. So a piece with a hole got the
-// shape of another piece with equal geometry whose hole was a slit.
+// The key of the cache did not say which rims come from the same edges of the input. If two pieces had equal geometry,
+// one with a slit and one with a hole, the second got the shape of the first.
 
 constexpr int kQuads = 8;
 
@@ -43,7 +43,7 @@ FlattenInput with_slit() {
   return input;
 }
 
-/// Returns the dome with the slit cut open into a hole. The slit's inner vertices are doubled, as in flatten(). The
+/// Returns the dome with a hole at the place of the slit. As in flatten(), the slit's inner vertices are doubled. The
 /// lower rim of the hole is sewn to a second piece.
 FlattenInput with_sewn_hole() {
   const FlattenInput whole = dome();
@@ -88,8 +88,8 @@ TEST(Bugs, ACachedSlitIsNotReusedForAHoleOfTheSameGeometry) {
 }
 
 // For domes with a slit of two or three edges, the solver stopped after 100 factorizations. The objective was 1.7 to
-// 2.7 times the best objective, or the rims of the slit crossed each other. The reason is that branches of exact shapes
-// cross at a closed slit.
+// 2.7 times the best objective, or the rims of the slit crossed each other. The cause was that exact shapes form
+// several branches, which meet at a closed slit.
 
 /// Direction of a slit on the grid. corner: along a row first, then along a column.
 enum class Way { along_row, along_column, diagonal, corner };
@@ -144,11 +144,10 @@ TEST(Bugs, ClosedSlitsOfAFewEdgesTakeHardlyLongerThanWires) {
   }
 }
 
-// On a rough surface, a slit that turns more to the left than the outline was mistaken for the outer loop. Only the
-// other slits were sewn, but the rims of this slit still became one edge. Then a value was written at index -1.
+// On a rough surface, a slit that turns more to the left than the outline was mistaken for the outer loop. Therefore,
+// this slit was not sewn, but its rims still became one edge. Then a value was written at index -1.
 
-/// Returns a sheet with two slits of one edge each. One slit connects two high spikes, and therefore turns by nearly 2
-/// pi.
+/// Returns a sheet with two slits of one edge each. One slit connects two high spikes, so it turns by nearly 2 pi.
 FlattenInput rough_sheet_with_two_slits() {
   FlattenInput input = test::make_grid(6, 6, [](double s, double t) {
     const bool is_spike = std::abs(s - 0.5) < 1e-9 && (std::abs(t - 0.5) < 1e-9 || std::abs(t - 1.0 / 3) < 1e-9);
@@ -170,10 +169,8 @@ TEST(Bugs, TheOuterLoopIsNotASlit) {
 }
 
 TEST(Bugs, TheOutlineOfAClosedSurfaceWithTwoSlitsIsOneOfThem) {
-  FlattenInput input = test::make_tube(6, 2, [](double s, double t) {
-    const double angle = 2 * 3.141592653589793 * s;
-    return Eigen::Vector3d(std::cos(angle), std::sin(angle), t);
-  });
+  FlattenInput input = test::make_tube(
+      6, 2, [](double s, double t) { return Eigen::Vector3d(std::cos(2 * kPi * s), std::sin(2 * kPi * s), t); });
   const int bottom = 18, top = 19;
   input.vertices.conservativeResize(20, 3);
   input.vertices.bottomRows(2) << 0, 0, -1, 0, 0, 2;
@@ -212,8 +209,7 @@ TEST(Bugs, NoSeamIsProposedAlongASlitOfOneEdge) {
   }
 }
 
-// Both sides of a slit of one edge connect the same two vertices. In a large piece, coarsening confused the sides, and
-// read past the end of the other side's run.
+// In a large piece, coarsening confused both rims of a slit of one edge, and read past the end of a rim's vertices.
 TEST(Bugs, ALargePieceMayHaveASlitOfOneEdge) {
   const int n = 104;
   FlattenInput input = test::make_grid(
@@ -229,8 +225,8 @@ TEST(Bugs, ALargePieceMayHaveASlitOfOneEdge) {
   EXPECT_EQ(result.seams.at(0).mismatch, 0);
 }
 
-// With a slit of one edge, the solver used all 100 factorizations. The outline turns back at each end of the slit, so
-// the previous and the next vertex are the same. The Hessian of the fairness lacked the product of these two vertices.
+// With a slit of one edge, the solver used all 100 factorizations. At an end of the slit, the outline turns back, so
+// the previous and the next vertex are one vertex. The Hessian of the fairness lacked the product of both.
 TEST(Bugs, ASlitOfOneEdgeTakesNoLongerThanAWire) {
   const auto saddle = [](double s, double t) {
     return Eigen::Vector3d(68 * s, 5 * t, 8.5 * ((s - 0.5) * (s - 0.5) - (t - 0.5) * (t - 0.5)));
@@ -243,8 +239,8 @@ TEST(Bugs, ASlitOfOneEdgeTakesNoLongerThanAWire) {
   EXPECT_LE(result.pieces[0].report.factorizations, 5);
 }
 
-// The two closure conditions of a slit of one edge depend on each other. The regularization of their pivot was scaled
-// by the mean weight of all edges. With tiny edges elsewhere, the regularization was lost in rounding, and the
+// The two closure conditions of a slit of one edge depend on each other, so their pivot is regularized. The
+// regularization was scaled by the mean weight of all edges. If other edges were tiny, it was lost in rounding, and the
 // pieces were "not solvable".
 TEST(Bugs, ASlitOfOneEdgeBesideTinyEdgesHasAFactor) {
   const int n = 12;
@@ -255,7 +251,7 @@ TEST(Bugs, ASlitOfOneEdgeBesideTinyEdgesHasAFactor) {
       return Eigen::Vector3d(std::pow(3, -16 * s), t, 0.3 * t * t);
     };
     FlattenInput input = test::make_grid(n, 3, graded);
-    test::add_seam(input, {begin, end});  // along an axis, where one closure vanishes, or diagonally
+    test::add_seam(input, {begin, end});  // along an axis, where one closure condition vanishes, or diagonally
     const Chart chart = test::process(input).refined;
     const WireNetwork network = build_wire_network(chart);
     const Eq1 eq1(network, NodeWeight::length);

@@ -1,7 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The zips in dist/ meet the rules of the extension platform that its reviewers check.
-
-The CI steps for later versions of Blender run Blender's own check of the manifest.
+"""The zips in dist/ meet the rules that reviewers of Blender's extension platform check.
 
 https://developer.blender.org/docs/features/extensions/moderation/guidelines/
 https://docs.blender.org/manual/en/latest/advanced/extensions/
@@ -25,13 +23,12 @@ NETWORK = {"socket", "ssl", "urllib", "http", "ftplib", "smtplib", "asyncio", "x
 THREADS = {"threading", "_thread", "concurrent", "multiprocessing", "queue"}
 NATIVE = {"ctypes", "cffi"}
 INSTALLERS = {"pip", "ensurepip", "venv", "site", "pkg_resources"}
-# spyrrow, if the user has installed it, runs in a separate process: a program that Blender never imports.
+# If the user has installed spyrrow, it runs in a process of its own. Blender never imports its program.
 PROGRAM, STARTER = "wirewarp/pattern/nest/spyrrow_process.py", "wirewarp/pattern/nest/spyrrow_nesting.py"
 TEXTS = {".py", ".md", ".toml", ""}  # "" is for LICENSE, which has no ending
 ZSTANDARD = b"\x28\xb5\x2f\xfd"  # first bytes of Blender's compressed files
 BINARIES = (".so", ".pyd", ".dll", ".dylib", ".a", ".lib", ".exe", ".pyc")
-# Five times the present size. A larger file has debug symbols or unintended contents.
-MOST_BYTES = 30e6
+MOST_BYTES = 30e6  # a zip has about 9 MB; a much larger zip has debug symbols or unintended contents
 
 extensions = pytest.mark.parametrize("path", EXTENSIONS, ids=lambda path: path.name)
 
@@ -41,7 +38,7 @@ def test_there_is_an_extension():
 
 
 def sha256(content: bytes) -> str:
-    """Return the hash as the RECORD of a wheel writes it."""
+    """Return the hash in the form of a wheel's RECORD."""
     return "sha256=" + base64.urlsafe_b64encode(hashlib.sha256(content).digest()).rstrip(b"=").decode()
 
 
@@ -55,9 +52,8 @@ def test_a_zip_is_for_one_platform_which_its_name_says(path):
 
 @extensions
 def test_each_used_permission_and_no_other_is_declared(path):
-    attributes = {
-        node.attr for tree in sources_of(path).values() for node in ast.walk(tree) if isinstance(node, ast.Attribute)
-    }
+    nodes = [node for tree in sources_of(path).values() for node in ast.walk(tree)]
+    attributes = {node.attr for node in nodes if isinstance(node, ast.Attribute)}
     used = {"files"} if {"write_text", "write_bytes", "write"} & attributes else set()
     used |= {"clipboard"} if "clipboard" in attributes else set()
     assert set(manifest_of(path)["permissions"]) == used
@@ -67,11 +63,11 @@ def test_each_used_permission_and_no_other_is_declared(path):
 def test_all_files_are_in_one_folder_with_plain_names(path):
     names = list(files_of(path))
     assert all(name.isascii() and not re.search(r'[\\:*?"<>|\s]', name) for name in names)
-    assert not [
-        name for name in names if any(part.startswith(".") or part == "__pycache__" for part in name.split("/"))
-    ]
+    parts = {part for name in names for part in name.split("/")}
+    assert not [part for part in parts if part.startswith(".") or part == "__pycache__"]
     assert len({name.lower() for name in names}) == len(names)
     assert {"__init__.py", "blender_manifest.toml", "LICENSE", "THIRD_PARTY.md"} <= set(names)
+    assert b"GNU GENERAL PUBLIC LICENSE\n                       Version 3" in files_of(path)["LICENSE"]
     assert path.stat().st_size < MOST_BYTES
 
 
@@ -80,13 +76,12 @@ def test_nothing_compiled_is_outside_of_wheels_and_nothing_is_obscure(path):
     for name, content in files_of(path).items():
         if name.endswith(".whl"):
             continue
-        if name.startswith("samples/"):  # skipped, because Blender opens these files without running scripts in them
+        if name.startswith("samples/"):  # allowed, because Blender opens these files without running scripts in them
             assert name.endswith(".blend") and content.startswith((b"BLENDER", ZSTANDARD)), name
             continue
         assert "." + name.rpartition(".")[2] in TEXTS or "." not in name, name
         assert not name.endswith(BINARIES)
-        # lines are short enough to be read by people
-        assert max(map(len, content.decode("utf-8").splitlines()), default=0) < 1000, name
+        assert max(map(len, content.decode("utf-8").splitlines()), default=0) < 1000, name  # so that people can read it
 
 
 @extensions
@@ -152,11 +147,3 @@ def test_importing_does_nothing(path):
         forbidden = ("bpy.ops", "bpy.data", "bpy.context", "bpy.app.handlers", "bpy.app.timers", "bpy.utils.register")
         assert not [each for each in used if each.startswith(forbidden)], name
         assert not [node for node in ast.walk(tree) if isinstance(node, ast.ExceptHandler) and node.type is None], name
-
-
-@extensions
-def test_every_source_names_its_license(path):
-    for name, content in files_of(path).items():
-        if name.endswith(".py"):
-            assert content.startswith(b"# SPDX-License-Identifier: GPL-3.0-or-later\n"), name
-    assert b"GNU GENERAL PUBLIC LICENSE\n                       Version 3" in files_of(path)["LICENSE"]

@@ -7,7 +7,7 @@ import re
 import pytest
 from zips_in_dist import ROOT, ZIPS, files_of, wheels_of
 
-# Texts in a compiled file that prove that it contains the library.
+# If a compiled file contains the text, it contains the library.
 MARKS = {
     "OpenMesh": b"OpenMesh",
     "pybind11": b"pybind11",
@@ -27,9 +27,8 @@ zips = pytest.mark.parametrize("path", ZIPS, ids=lambda path: path.name)
 
 def table() -> dict[str, str]:
     """Return the license of each library."""
-    rows = [
-        line.strip("|").split("|") for line in (ROOT / "THIRD_PARTY.md").read_text().splitlines() if line[:1] == "|"
-    ]
+    lines = (ROOT / "THIRD_PARTY.md").read_text().splitlines()
+    rows = [line.strip("|").split("|") for line in lines if line[:1] == "|"]
     found = {}
     for names, _, license in rows[2:]:
         for name in re.sub(r"\]\(.*?\)|\[", "", names).split(","):  # without addresses
@@ -76,14 +75,13 @@ def test_packages_are_listed_under_their_license(path):
 def test_libraries_in_compiled_files_are_listed(path):
     assert compiled(path)
     found = {name for name, mark in MARKS.items() if any(mark in content for content in compiled(path).values())}
-    # every zip contains these two libraries, so this checks that the search for marks works
-    assert found >= {"OpenMesh", "pybind11"}
+    assert found >= {"OpenMesh", "pybind11"}  # every zip contains both, so the search for marks works
     assert found <= set(table())
 
 
 @zips
 def test_no_compiled_file_comes_from_elsewhere(path):
-    """All compiled files are our modules or modules of a listed package. None is from a folder PACKAGE.libs."""
+    """Some wheels have shared libraries in a folder PACKAGE.libs, which this test does not allow."""
     for name in compiled(path):
         package = name.removeprefix("_core/").removeprefix("libraries/").split("/")[0]
         assert package in {"wirewarp", *table()}, name

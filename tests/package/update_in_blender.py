@@ -2,8 +2,7 @@
 """Adds a repository to Blender, installs the add-on, flattens a sample, and updates the add-on, as users do.
 
 Usage: python update_in_blender.py REPOSITORY GENERATOR, in a Python with bpy. REPOSITORY is dist/repository/, and
-GENERATOR is Blender's program for extensions.
-BLENDER_USER_RESOURCES must name an empty folder.
+GENERATOR is Blender's program for extensions. BLENDER_USER_RESOURCES must name an empty folder.
 """
 
 import os
@@ -22,7 +21,6 @@ SAMPLE = Path(__file__).resolve().parents[2] / "blend_samples" / "half_cylinder.
 
 
 def raise_version(zip_file: Path) -> None:
-    """Change the extension in this zip to a later version."""
     with zipfile.ZipFile(zip_file) as archive:
         files = {name: archive.read(name) for name in archive.namelist()}
     (manifest,) = (name for name in files if name.endswith("blender_manifest.toml"))
@@ -53,7 +51,7 @@ def main() -> None:
     shutil.copytree(original, folder)
 
     preferences = bpy.context.preferences
-    preferences.system.use_online_access = True  # answers the question of the splash screen; nothing here goes online
+    preferences.system.use_online_access = True  # as a user allows it on the splash screen
     address = (folder / "index.json").as_uri()
     bpy.ops.preferences.extension_repo_add(name="WireWarp updates", remote_url=address, type="REMOTE")
     index, repository = next((i, r) for i, r in enumerate(preferences.extensions.repos) if r.remote_url == address)

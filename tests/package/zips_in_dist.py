@@ -16,7 +16,7 @@ EXTENSIONS = [path for path in ZIPS if "legacy" not in path.name]
 
 @cache
 def files_of(path: Path) -> dict[str, bytes]:
-    """Return the files by their path inside the one folder of the zip."""
+    """Return the files of a zip, keyed by their path inside the zip's only folder."""
     with zipfile.ZipFile(path) as archive:
         assert archive.testzip() is None
         return {name.split("/", 1)[1]: archive.read(name) for name in archive.namelist()}
@@ -58,7 +58,7 @@ def imports(tree: ast.Module) -> Iterator[str]:
 
 
 def at_import(tree: ast.AST) -> Iterator[ast.AST]:
-    """Yield the nodes that run when the module is imported. Nodes inside functions do not run during an import."""
+    """Yield the nodes that run when the module is imported: all except those inside functions."""
     for node in ast.iter_child_nodes(tree):
         if not isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.Lambda):
             yield node

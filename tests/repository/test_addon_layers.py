@@ -31,15 +31,10 @@ def imported(file: Path) -> Iterator[Path | str]:
             yield from (_module_file(base, alias.name) for alias in node.names)
 
 
-def own_imports(file: Path) -> set[Path]:
-    """Return the imported modules that are our own."""
-    return {each for each in imported(file) if isinstance(each, Path)}
-
-
-def room_of(file: Path) -> str:
-    """Return the name of the package that contains the file; for a file in the root, the name of the file."""
-    first = file.relative_to(ADDON).parts[0]
-    return first.removesuffix(".py")
+def own_imports(file: Path) -> set[str]:
+    """Return the packages, and the modules of the root, that the file imports."""
+    files = [each for each in imported(file) if isinstance(each, Path)]
+    return {each.relative_to(ADDON).parts[0].removesuffix(".py") for each in files}
 
 
 def _module_file(base: Path, name: str) -> Path:
@@ -53,16 +48,11 @@ def packages() -> list[str]:
 
 
 def may_import(package: str) -> set[str]:
-    """Return the imports that a package's docstring allows: "May import: model, blender, issues.", or "nothing"."""
+    """Return the packages and modules in the docstring's sentence, such as "May import: model, blender, issues."."""
     sentence = ast.get_docstring(ast.parse((ADDON / package / "__init__.py").read_text())) or ""
     match = re.search(r"May import: ([\w,\s]+)\.", sentence)
     assert match, f"{package}/__init__.py does not say what the package may import"
     return set(re.split(r",\s*", match[1])) - {"nothing"}
-
-
-def imports_of(package: str) -> set[str]:
-    files = (ADDON / package).glob("*.py")
-    return {room_of(each) for file in files for each in own_imports(file)} - {package}
 
 
 def test_there_are_few_packages_and_none_within_another() -> None:
@@ -76,29 +66,27 @@ def test_the_root_contains_only_its_listed_modules() -> None:
 
 @pytest.mark.parametrize("package", packages())
 def test_a_package_imports_exactly_the_packages_that_it_names(package: str) -> None:
-    assert imports_of(package) == may_import(package)
+    found = set().union(*(own_imports(file) for file in (ADDON / package).glob("*.py")))
+    assert found - {package} == may_import(package)
 
 
 @pytest.mark.parametrize("module", sorted(GROUND))
 def test_modules_of_the_ground_import_no_package(module: str) -> None:
-    assert {room_of(each) for each in own_imports(ADDON / f"{module}.py")} <= GROUND
-
-
-def says_so(file: Path) -> bool:
-    """Return whether the file states that it does not use Blender.
-
-    The __init__ of a package states this for all modules of the package.
-    """
-    files = [file, file.parent / "__init__.py"]
-    return any(SAYS_SO in (ast.get_docstring(ast.parse(each.read_text())) or "") for each in files)
+    assert own_imports(ADDON / f"{module}.py") <= GROUND
 
 
 def claiming() -> list[str]:
-    return [str(file.relative_to(ADDON)) for file in sorted(ADDON.rglob("*.py")) if says_so(file)]
+    """Return the modules that state that they do not use Blender. An __init__ states this for its whole package."""
+
+    def says_so(file: Path) -> bool:
+        return SAYS_SO in (ast.get_docstring(ast.parse(file.read_text())) or "")
+
+    files = [file for file in sorted(ADDON.rglob("*.py")) if says_so(file) or says_so(file.parent / "__init__.py")]
+    return [str(file.relative_to(ADDON)) for file in files]
 
 
 def way_to_blender(file: Path, seen: set[Path]) -> list[str]:
-    """Return the chain of imports from this module to Blender. The list is empty if there is no such chain."""
+    """Return a chain of imports from this module to Blender, or an empty list if it does not import Blender."""
     seen.add(file)
     for each in imported(file):
         if each in BLENDER:

@@ -10,7 +10,7 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 CORE = ROOT / "native" / "src"
-SOURCE_FOLDERS = (
+SOURCE_FOLDERS = [
     "addon",
     "bench",
     "blend_samples",
@@ -21,9 +21,9 @@ SOURCE_FOLDERS = (
     "results",
     "tests",
     "tools",
-)
+]
 
-# The folders of native/src. Each folder may include from itself and from the folders before it.
+# The folders of native/src. A file may include files of its own folder and of the folders before it.
 LAYERS = [
     "base",
     "numerics/optimize",
@@ -56,7 +56,6 @@ def listed(*patterns: str) -> list[Path]:
 
 
 def sources() -> list[Path]:
-    """Return all C++ and Python sources."""
     return listed(*(f"{folder}/**/*.{kind}" for folder in SOURCE_FOLDERS for kind in ("py", "h", "cpp")), "dev")
 
 
@@ -110,10 +109,11 @@ def test_only_the_entry_points_of_the_core_are_outside_of_its_folders() -> None:
 
 
 def test_the_core_knows_no_python() -> None:
+    def includes_python(file: Path) -> bool:
+        return any(re.match(r"pybind11|Python\.h|numpy", name) for name in includes(file))
+
     core = listed("native/src/**/*", "native/include/**/*", "native/bench/**/*", "tests/native/**/*")
-    assert (
-        offenders(core, lambda file: any(re.match(r"pybind11|Python\.h|numpy", name) for name in includes(file))) == []
-    )
+    assert offenders(core, includes_python) == []
 
 
 def test_bindings_and_public_headers_see_the_public_api_only() -> None:
@@ -144,18 +144,13 @@ def test_tests_omitted_under_the_sanitizers_exist() -> None:
     native = "\n".join(file.read_text() for file in listed("tests/native/**/*.cpp", "tests/bugs/*.cpp"))
     lines = (ROOT / "tests" / "native" / "without_sanitizers.txt").read_text().splitlines()
     missing = []
-    for name in lines:
-        if name.startswith("#"):
-            continue
+    for name in (line for line in lines if not line.startswith("#")):
         found = re.fullmatch(r"(?:(\w+)/)?(\w+)\.(\w+)(?:/(\w+|\*))?", name)
         assert found, name
         prefix, suite, test, case = found.groups()
-        defined = rf"TEST{'_P' if prefix else '(_F)?'}\({suite},\s+{test}\)"
-        instantiated = rf"INSTANTIATE_TEST_SUITE_P\({prefix},\s+{suite}\b" if prefix else ""
-        if not (
-            re.search(defined, native)
-            and re.search(instantiated, native)
-            and (case in (None, "*") or f'"{case}"' in native)
-        ):
+        patterns = [rf"TEST{'_P' if prefix else '(_F)?'}\({suite},\s+{test}\)"]
+        patterns += [rf"INSTANTIATE_TEST_SUITE_P\({prefix},\s+{suite}\b"] if prefix else []
+        patterns += [f'"{case}"'] if case and case != "*" else []
+        if not all(re.search(pattern, native) for pattern in patterns):
             missing.append(name)
     assert missing == []

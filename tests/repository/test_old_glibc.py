@@ -29,10 +29,6 @@ def test_a_symbol_that_no_library_has_is_named(tmp_path):
 
 
 def test_symbols_of_python_and_weak_symbols_may_be_undefined(tmp_path):
-    check_symbols(
-        make_wheel(
-            tmp_path,
-            "int PyOpen(void); int _PyOpen(void); __attribute__((weak)) int hook(void);"
-            "int f(void) { return PyOpen() + _PyOpen() + (hook ? hook() : 0); }",
-        )
-    )
+    declared = "int PyOpen(void); int _PyOpen(void); __attribute__((weak)) int hook(void);"
+    code = f"{declared} int f(void) {{ return PyOpen() + _PyOpen() + (hook ? hook() : 0); }}"
+    check_symbols(make_wheel(tmp_path, code))

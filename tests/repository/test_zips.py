@@ -27,18 +27,16 @@ def make_wheels(folder: Path, *tags: str) -> None:
 
 @pytest.fixture
 def libraries(tmp_path):
-    """Return a function that makes wheels of two packages. Only one of them needs a wheel for each Python."""
+    """Return a function that makes wheels of two packages: one for each Python of clipper, and only one of writer."""
     folder = tmp_path / "libraries"
     folder.mkdir()
 
     def found(platform: str, tag: str) -> list[Path]:
         paths = [folder / f"clipper-1-{tag}-{tag}-{platform}.whl", folder / "writer-2-py3-none-any.whl"]
         for path in paths:
-            if path.exists():  # a wheel that is written again would contain another time
-                continue
             with zipfile.ZipFile(path, "w") as wheel:
                 package = path.name.split("-")[0]
-                # ZipInfo, because it does not contain the present time
+                # ZipInfo has a fixed time, so a wheel that is written again has the same bytes.
                 wheel.writestr(zipfile.ZipInfo(f"{package}/__init__.py"), tag)
                 wheel.writestr(zipfile.ZipInfo(f"{package}.dist-info/METADATA"), "")
         return paths
@@ -72,7 +70,7 @@ def test_the_store_gets_no_zip_that_it_refuses(tmp_path, libraries):
     make_wheels(tmp_path, *LINUX, "cp311-cp311-manylinux_2_28_aarch64", *OTHERS)
     write_zips(tmp_path, libraries)
     arm = tmp_path / f"wirewarp-{VERSION}-linux-arm64.zip"
-    assert arm in extension_zips(tmp_path)  # our own repository offers it
+    assert arm in extension_zips(tmp_path)  # the project's own repository offers it
     assert store_zips(tmp_path) == [path for path in extension_zips(tmp_path) if path != arm]
 
 

@@ -3,9 +3,8 @@
 
 blender ... --enable-event-simulate --python-expr "import drive; drive.main()" -- SCRIPT FUNCTION...
 
-A tour yields a condition (any function without arguments) to let Blender continue until the condition is true. Its
-script imports this module as `drive`. Each tour starts in Blender's startup file. Blender exits with 0 after the last
-tour, and with 1 if a tour raises or waits too long.
+A tour yields a function without arguments, its condition. Blender then continues until the condition is true. Each tour
+starts in Blender's startup file. After the last tour, Blender exits with 0, or with 1 if a tour has failed.
 """
 
 import importlib
@@ -19,17 +18,17 @@ from types import ModuleType
 
 import bpy
 
-if "COVERAGE_PROCESS_START" in os.environ:  # path of the settings of coverage; see tools/addon_coverage.py
+if "COVERAGE_PROCESS_START" in os.environ:  # set by tools/addon_coverage.py
     import coverage
 
 TICK = 0.02  # seconds
-PATIENCE = 120.0  # seconds until a condition counts as never true; machines without a graphics card are slow
+PATIENCE = 120.0  # seconds to wait for a condition; machines without a graphics card are slow
 Tour = Iterator[Callable[[], bool]]
 _replaced: list[tuple[object, str, object]] = []
 
 
 def install(path: str) -> None:
-    """Install as add-on or as extension; scripts import both as wirewarp_addon."""
+    """Install the zip as an add-on or as an extension. Scripts import both as wirewarp_addon."""
     if "legacy" in Path(path).name:
         bpy.ops.preferences.addon_install(filepath=path, overwrite=True)
         bpy.ops.preferences.addon_enable(module="wirewarp_addon")
@@ -43,7 +42,7 @@ def view_area() -> bpy.types.Area:
 
 
 def region(kind: str) -> bpy.types.Region:
-    """Return a region of the 3D view: WINDOW, UI (the sidebar) or HEADER."""
+    """Return a region of the 3D view. kind: WINDOW, UI (the sidebar) or HEADER."""
     return next(each for each in view_area().regions if each.type == kind)
 
 
@@ -58,7 +57,7 @@ def middle(of: bpy.types.Region) -> tuple[int, int]:
 
 
 def send(kind: str, value: str = "PRESS", at: tuple[int, int] | None = None, **modifiers: bool) -> None:
-    """Send one event, by default over the middle of the 3D view."""
+    """Send an event. at: place of the mouse, by default the middle of the 3D view."""
     x, y = at or middle(region("WINDOW"))
     bpy.context.window_manager.windows[0].event_simulate(type=kind, value=value, x=x, y=y, **modifiers)
 
@@ -71,7 +70,7 @@ def press(kind: str, at: tuple[int, int] | None = None, **modifiers: bool) -> To
 
 
 def type_text(text: str) -> Tour:
-    """Type lower-case letters and spaces into the field with the cursor."""
+    """Type lower-case letters and spaces into the field that has the cursor."""
     x, y = middle(region("WINDOW"))
     for letter in text:
         kind = "SPACE" if letter == " " else letter.upper()
@@ -82,7 +81,7 @@ def type_text(text: str) -> Tour:
 
 
 def move_mouse_until(condition: Callable[[], bool]) -> Tour:
-    """Move the mouse back and forth over the 3D view until the condition is true, at least once each way."""
+    """Move the mouse right and left over the 3D view, at least once each, until the condition is true."""
     x, y = middle(region("WINDOW"))
     for step in range(60):
         if step > 1 and condition():
@@ -99,7 +98,7 @@ def ticks(count: int) -> Tour:
 
 
 def open_tab(panel: type) -> Tour:
-    """Show the sidebar with the tab of this panel. In Blender 3.4 the tabs can only be clicked one by one."""
+    """Show the sidebar with the tab of this panel: click the tabs from top to bottom until the panel is drawn."""
     drawn = []
     view_area().spaces.active.show_region_ui = True
     yield lambda: region("UI").width > 1
@@ -113,8 +112,8 @@ def open_tab(panel: type) -> Tour:
 
 
 def command_at(place: tuple[int, int]) -> Generator[Callable[[], bool], None, str]:
-    """Move the mouse to this place. Return the command that Blender copies for the sidebar's button there, or ""."""
-    window_manager().clipboard = ""  # an earlier copy must not remain
+    """Return the command of the sidebar's button at this place, or "" if there is no button."""
+    window_manager().clipboard = ""  # otherwise, the command of another button could remain
     for at in ((place[0], place[1] + 1), place):
         send("MOUSEMOVE", "NOTHING", at)
     yield from ticks(2)
@@ -125,10 +124,9 @@ def command_at(place: tuple[int, int]) -> Generator[Callable[[], bool], None, st
 
 
 def click_button(command: str, share: float = 0.4) -> Generator[Callable[[], bool], None, tuple[int, int]]:
-    """Click the button of the sidebar that runs this operator, and return the button's place.
+    """Click the button of the sidebar whose command begins with this text, and return the button's place.
 
-    command: beginning of the command that Blender copies for the button. share: horizontal place of the button, as a
-    share of the sidebar's width from the left.
+    share: horizontal place of the button, from 0 (left) to 1 (right).
     """
     sidebar = region("UI")
     for y in range(sidebar.y + sidebar.height - 20, sidebar.y, -12):
@@ -155,7 +153,7 @@ def window_manager() -> bpy.types.WindowManager:
 
 
 def screenshot(name: str) -> None:
-    """Save the whole window as NAME.png among the pictures."""
+    """Save a picture of the whole window as NAME.png in the folder WIREWARP_PICTURES."""
     window = window_manager().windows[0]
     with bpy.context.temp_override(window=window, area=window.screen.areas[0]):
         bpy.ops.screen.screenshot(filepath=str(Path(os.environ["WIREWARP_PICTURES"]) / f"{name}.png"))
@@ -171,14 +169,14 @@ def start_anew() -> Tour:
     """Undo replacements and load Blender's startup file."""
     while _replaced:
         setattr(*_replaced.pop())
-    send("MOUSEMOVE", "NOTHING")  # away from buttons, because the window is about to close
+    send("MOUSEMOVE", "NOTHING")  # away from buttons, before the window closes
     yield from ticks(5)
     bpy.ops.wm.read_homefile(use_factory_startup=True)
     yield from ticks(25)  # until the new window is drawn
 
 
 def one_after_another(script: ModuleType, names: list[str]) -> Generator[Callable[[], bool], None, list[str]]:
-    """Run the tours, and return the names of failed tours. Print the traceback and save a picture of each failure."""
+    """Run the tours, and return the names of those that failed. Save a picture of the window at each failure."""
     failed = []
     for name in names:
         if name != names[0]:
@@ -229,7 +227,7 @@ def leave(code: int) -> None:
 
 
 def main() -> None:
-    """Run the tours. Call this on the imported module, because Blender clears the names of scripts that it runs."""
+    """Run the tours. This module must be imported, because Blender clears the names of scripts that it runs."""
     script, *names = sys.argv[sys.argv.index("--") + 1 :]
     sys.path.insert(0, str(Path(script).parent))
     if "COVERAGE_PROCESS_START" in os.environ:

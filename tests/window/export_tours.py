@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tours through the export: its dialog, its run, and the state after cancellation."""
+"""Tours through the export: its dialog, its run, and its cancellation."""
 
 from collections.abc import Callable, Generator
 from contextlib import closing
@@ -17,7 +17,7 @@ Stages = Generator[tuple[str, float], None, object]
 
 
 def open_dialog(path: Path) -> drive.Tour:
-    """Open the export dialog for this path inside the main window, because simulated events reach no other window."""
+    """Open the dialog for this path in the main window, because other windows get no simulated events."""
     bpy.context.preferences.view.filebrowser_display_type = "SCREEN"
     with drive.in_view():
         bpy.ops.object.wirewarp_export("INVOKE_DEFAULT", filepath=str(path))
@@ -31,12 +31,11 @@ def browser() -> bpy.types.Area | None:
 
 
 def described(operator: bpy.types.Operator) -> str:
-    """Return the text in the dialog above the settings."""
     return " ".join(sentence for sentence, _ in operator._beforehand.sentences)
 
 
 def region(kind: str) -> bpy.types.Region:
-    """Return a region of the dialog: TOOL_PROPS (the settings) or EXECUTE (the button)."""
+    """Return a region of the dialog. kind: TOOL_PROPS (the settings) or EXECUTE (the button)."""
     return next(each for each in browser().regions if each.type == kind)
 
 
@@ -65,7 +64,7 @@ def the_dialog_says_the_size_and_follows_its_settings() -> drive.Tour:
     yield from open_dialog(path)
     operator = browser().spaces.active.active_operator
     assert "sheets of A4: a map and " in described(operator)
-    operator.paper = "A0"  # Blender updates the dialog only after the user does something
+    operator.paper = "A0"  # not shown yet, because Blender updates the dialog only after an action of the user
     assert "sheets of A4: a map and " in described(operator)
     yield from tick_failed_pieces()
     assert operator.failed_pieces and "sheets of A0: a map and " in described(operator)
@@ -78,7 +77,7 @@ def the_dialog_says_the_size_and_follows_its_settings() -> drive.Tour:
 
 
 def halting(exporting: Callable[..., Stages]) -> Callable[..., Stages]:
-    """Return an export that stops and waits as soon as its unfinished file exists."""
+    """Return an export that waits forever as soon as its unfinished file exists."""
 
     def export_and_wait(parts: object, choices: object, path: Path) -> Stages:
         with closing(exporting(parts, choices, path)) as steps:
@@ -92,12 +91,11 @@ def halting(exporting: Callable[..., Stages]) -> Callable[..., Stages]:
 
 
 def unfinished(path: Path) -> list[Path]:
-    """Return the unfinished files beside the target."""
     return list(path.parent.glob(".wirewarp-*.part"))
 
 
 def escape_leaves_the_file_as_it_was() -> drive.Tour:
-    """A second run is refused during the export. After Esc, another export is complete."""
+    """During the export, a second run is refused. Esc ends the export, and another export then works."""
     source = marked_bump()
     yield from flatten()
     select_only(source)
@@ -128,7 +126,7 @@ def escape_leaves_the_file_as_it_was() -> drive.Tour:
 
 
 def downloaded_garment() -> Path:
-    """Save a file with a garment as in libraries of models: without marks, with a UV map of its pieces."""
+    """Save a file with a garment like those in libraries of models: no marks, but a UV map of its pieces."""
     for other in list(bpy.data.objects):
         bpy.data.objects.remove(other)
     bpy.ops.object.wirewarp_open_sample(sample="FITTED_TOP")
@@ -151,7 +149,7 @@ def downloaded_garment() -> Path:
 
 
 def four_clicks_lead_from_an_opened_garment_to_paper() -> drive.Tour:
-    """The garment has no marks, only a UV map, and no fabric was chosen. The sidebar shows WireWarp's tab."""
+    """At the start, the garment has no marks and no fabric, and the sidebar shows WireWarp's tab."""
     bpy.context.preferences.view.filebrowser_display_type = "SCREEN"
     yield from drive.open_tab(bpy.types.VIEW3D_PT_wirewarp_flatten)
     bpy.ops.wm.open_mainfile(filepath=str(downloaded_garment()), load_ui=False)
@@ -184,4 +182,4 @@ def four_clicks_lead_from_an_opened_garment_to_paper() -> drive.Tour:
     assert path.read_bytes().startswith(b"%PDF")
     assert sent.count(("LEFTMOUSE", "PRESS")) == 4
     ran = [each.bl_idname for each in drive.window_manager().operators]
-    assert ran == ["OBJECT_OT_wirewarp_mend"] * 2  # the export is missing, because Blender does not list exports
+    assert ran == ["OBJECT_OT_wirewarp_mend"] * 2  # Blender does not list the export

@@ -16,7 +16,7 @@ import wirewarp_addon
 from surfaces import bump, flat_of, grid, mark, on_line, select_edges, select_only
 
 STYLES = wirewarp_addon.overlay.lines.STYLES
-# without white and black lines, because Blender's own letters and shadows have these colors
+# kinds of lines that are neither white nor black, the colors of Blender's letters and shadows
 COLORFUL = {"outline", "rigid", "elastic", "free"}
 
 
@@ -34,7 +34,7 @@ def kinds_seen(name: str, editor: str) -> set[str]:
 
 
 def pixels_seen(name: str, editor: str) -> dict[str, int]:
-    """Return the number of pixels of each kind of line in the left part of the editor, away from the legend."""
+    """Return the number of pixels of each kind of line, without the right quarter of the editor with its legend."""
     drive.screenshot(name)
     image = bpy.data.images.load(str(Path(os.environ["WIREWARP_PICTURES"]) / f"{name}.png"))
     pixels = np.empty(len(image.pixels), dtype=np.float32)
@@ -51,11 +51,11 @@ def look_from_above() -> drive.Tour:
     with drive.in_view():
         bpy.ops.view3d.view_axis(type="TOP")
         bpy.ops.view3d.view_all()
-    yield from drive.ticks(40)  # until the view, which turns slowly, has turned
+    yield from drive.ticks(40)  # until the view, which turns slowly, is from above
 
 
 def lines_are_on_the_screen() -> drive.Tour:
-    """Lines are drawn on the model in either mode and on the pieces, and nowhere after they are switched off."""
+    """Lines are drawn on the pieces, and on the model in Object Mode and in Edit Mode, until they are switched off."""
     source = marked()
     yield from look_from_above()
     assert kinds_seen("model", "VIEW_3D") == COLORFUL
@@ -75,7 +75,7 @@ def lines_are_on_the_screen() -> drive.Tour:
 
 
 def lines_are_whole_in_a_large_scene() -> drive.Tour:
-    """If a unit is a centimeter, the eye is so far away that the depth buffer distinguishes only large differences."""
+    """From far away, the depth buffer distinguishes only large differences, but lines must not disappear."""
     source = marked()
     bpy.context.scene.wirewarp.show_names = False
     counts = []
@@ -140,7 +140,7 @@ def marks_are_undone() -> drive.Tour:
 
 
 def state() -> tuple:
-    """Return marks, names of wires, the grain wire and seams."""
+    """Return the marks, the names of wires, the grain wire and the number of seams."""
     source = bpy.data.objects["Bump"]
     assert source.mode == "EDIT"
     source.update_from_editmode()

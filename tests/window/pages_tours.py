@@ -8,7 +8,7 @@ from surfaces import flat_of, select_only
 
 
 def pages_are_on_the_screen() -> drive.Tour:
-    """The button beside Export draws pages over the pieces, but not in Edit Mode, where pieces are moved."""
+    """Pages are drawn over the pieces, but not in Edit Mode, where the user moves the pieces."""
     bpy.context.scene.unit_settings.scale_length = 0.1
     source = marked()
     bpy.ops.object.wirewarp_flatten()

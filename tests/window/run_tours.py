@@ -15,7 +15,7 @@ solve_models = wirewarp_addon.flatten.models
 
 
 def collect_messages() -> list[tuple[str, str]]:
-    """Return a list that collects the levels and messages of operators from now on."""
+    """Return a list to which each later message of an operator is added, as (level, message)."""
     messages = []
     steps = wirewarp_addon.flatten.operators.FlattenSteps
     drive.replace(steps, "message", lambda _operator, level, text: messages.append((level, text)))
@@ -23,7 +23,7 @@ def collect_messages() -> list[tuple[str, str]]:
 
 
 def begin_held_run() -> Event:
-    """Start a run that continues until the event is set or the run is canceled. Later runs wait for this event, too."""
+    """Start a run that waits until the returned event is set or the run is canceled. Later runs also wait for it."""
     goes_on = hold_runs()
     with drive.in_view():
         bpy.ops.object.wirewarp_flatten("INVOKE_DEFAULT", True)
@@ -32,7 +32,7 @@ def begin_held_run() -> Event:
 
 
 def escape_cancels() -> drive.Tour:
-    """After Esc in a long run, the file is unchanged and Flatten works again."""
+    """Esc ends a long run and leaves the file unchanged. Flatten then works again."""
     large = grid("Large", bump, size=300)
     remember()
     before, messages = contents(large), collect_messages()
@@ -48,7 +48,7 @@ def escape_cancels() -> drive.Tour:
 
 
 def only_one_run() -> drive.Tour:
-    """During a run, a second run and editing are refused, but moving the view is not."""
+    """During a run, the user can move the view, but cannot edit or start a second run."""
     source = marked_bump()
     goes_on = begin_held_run()
     try:
@@ -84,7 +84,7 @@ def a_changed_model_is_not_written() -> drive.Tour:
 
 
 def a_failed_piece_opens_no_window() -> drive.Tour:
-    """An error's window would cover Flatten and its message; the sidebar shows everything."""
+    """A failed piece is a warning, because the window of an error would cover the button Flatten."""
     tube()
     remember()
     messages = collect_messages()
@@ -96,7 +96,7 @@ def a_failed_piece_opens_no_window() -> drive.Tour:
 
 
 def a_fault_of_the_core_is_reported() -> drive.Tour:
-    """Any exception becomes a message; nothing is written."""
+    """Any exception becomes an error message, and the file stays unchanged."""
 
     def fail(*_: object) -> None:
         raise MemoryError("no room for 8 GB")
@@ -177,7 +177,7 @@ def fixing_is_one_undo_step() -> drive.Tour:
             bpy.ops.object.wirewarp_flatten("INVOKE_DEFAULT", True)
         yield lambda: not window_run.is_running()
         if mode == "EDIT":
-            yield from drive.press("LEFTMOUSE", (300, 300))  # closes the window of the message, if there is one
+            yield from drive.press("LEFTMOUSE", (300, 300))  # closes the window of a message, if there is one
             yield from drive.press("TAB")
             yield lambda: bpy.context.mode == "EDIT_MESH"
         with drive.in_view():
@@ -187,7 +187,7 @@ def fixing_is_one_undo_step() -> drive.Tour:
         yield from undo()
         yield lambda name=name: state_of(name) == (False, False)
         failed = wirewarp_addon.state.reports.last_report(bpy.data.objects[name])
-        assert failed.issues and failed.issues[0].proposed_seams  # so that the panel still has the suggestion
+        assert failed.issues and failed.issues[0].proposed_seams  # the panel shows the suggestion again
         yield from redo()
         yield lambda name=name: state_of(name) == (True, True)
         yield from undo()

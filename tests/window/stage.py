@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Functions that tours share to make models, flatten, undo and check the file. Runs in Blender."""
+"""Helps the tours to make models, flatten, undo and check the file. Runs in Blender."""
 
 import sys
 from collections.abc import Generator
@@ -18,7 +18,7 @@ window_run = wirewarp_addon.ui.window_run
 
 
 def contents(source: bpy.types.Object) -> tuple:
-    """Return everything that a run may change in the file."""
+    """Return everything in the file that a run may change."""
     blocks = (bpy.data.objects, bpy.data.meshes, bpy.data.collections, bpy.data.materials)
     mesh = source.data
     return (
@@ -31,7 +31,7 @@ def contents(source: bpy.types.Object) -> tuple:
 
 
 def remember() -> None:
-    """Push an undo step, because Blender does not make one for a script's changes."""
+    """Push an undo step, because Blender makes no undo step for changes by scripts."""
     with drive.in_view():
         bpy.ops.ed.undo_push(message="Made")
 
@@ -59,7 +59,7 @@ def marked_bump() -> bpy.types.Object:
 
 
 def hold_runs() -> Event:
-    """Make runs from now on continue until the event is set or they are canceled."""
+    """Make all later runs wait until the returned event is set or they are canceled."""
     solve_models = wirewarp_addon.flatten.models
     goes_on, flatten_arrays = Event(), solve_models.flatten_arrays
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tours through suggested cuts. The window responds during the search. The cuts are shown, marked and undone."""
+"""Tours through suggested cuts: the search, the list, and cuts that are marked and undone."""
 
 from collections.abc import Generator
 from threading import Event
@@ -13,7 +13,7 @@ from surfaces import bump, grid, mark_seam, on_line, read, select_edges
 
 current = wirewarp_addon.state.suggestions.current_suggestions
 
-MARK = "bpy.ops.object.wirewarp_mend(what='SUGGESTION'"  # the buttons Mark and Flatten, and Clear and Flatten
+MARK = "bpy.ops.object.wirewarp_mend(what='SUGGESTION'"  # command of the buttons Mark and Flatten, Clear and Flatten
 
 
 def seam_count() -> int:
@@ -46,7 +46,7 @@ def a_suggestion_is_taken_and_undone_with_one_click_each() -> drive.Tour:
     yield from undo()
     yield lambda: contents(bpy.data.objects["Bump"]) == before
     assert seam_count() == 0
-    # the suggestions are valid again, because the model is the same as during the search
+    # The suggestions are valid again, because the model is the same as during the search.
     assert current(bpy.data.objects["Bump"]).cuts == found.cuts
     yield from redo()
     yield lambda: seam_count() == len(edges)
@@ -124,7 +124,7 @@ def seams_are_simplified_and_undone_with_one_click_each() -> drive.Tour:
 
 
 def no_button_moves_under_the_mouse(command: str) -> drive.Tour:
-    """Click the button that runs this search. Check that the buttons above the list of results keep their places."""
+    """Click the button of this search. Check that it keeps its place, and that the list of results is below it."""
     sidebar = drive.region("UI")
     place = yield from drive.click_button(command)
     yield lambda: not window_run.is_running()
@@ -140,7 +140,7 @@ def no_button_moves_under_the_mouse(command: str) -> drive.Tour:
 
 def the_list_appears_below_the_button_that_was_pressed() -> drive.Tour:
     source = grid("Bump", bump, size=12)
-    # first with a fabric that stretches far enough, then without a fabric
+    # Jersey stretches far enough. Then the button is in the list of pieces, and without a fabric it is below Flatten.
     for cloth, place in (("JERSEY", "PIECES"), ("NONE", "FLATTEN")):
         bpy.context.scene.wirewarp.cloth = cloth
         remember()
@@ -175,7 +175,7 @@ def buttons_keep_their_places_during_a_run() -> drive.Tour:
 
 
 def escape_ends_the_search() -> drive.Tour:
-    source = grid("Bump", bump, size=200)  # its search takes many seconds
+    source = grid("Bump", bump, size=200)  # so large that the search takes many seconds
     remember()
     with drive.in_view():
         bpy.ops.object.wirewarp_suggest_seams("INVOKE_DEFAULT", True)
@@ -196,7 +196,7 @@ def a_model_that_changes_during_the_search_gets_no_suggestion() -> drive.Tour:
 
 
 def a_search_ends_under_a_tool() -> drive.Tour:
-    """The end of the search does not leave Edit Mode while the tool runs, because that would crash Blender."""
+    """A search ends while a tool runs. It must not leave Edit Mode, because that would crash Blender."""
     source = grid("Bump", bump)
     select_edges(source, on_line(0, 0.0))
     remember()
@@ -216,13 +216,12 @@ def a_search_ends_under_a_tool() -> drive.Tour:
     yield lambda: not window_run.is_running()
     yield from drive.ticks(10)
     assert source.mode == "EDIT" and current(source)
-    assert drive.window_manager().operators[-1].name != "Move"  # Move still runs
+    assert drive.window_manager().operators[-1].name != "Move"  # not listed, because it still runs
     yield from drive.press("ESC")
     assert source.mode == "EDIT" and current(source)
 
 
 def a_fault_of_the_core_ends_the_search() -> drive.Tour:
-    """The fault is reported, and another search can start."""
     source = grid("Bump", bump)
     run, operators, sentences = wirewarp_addon.suggest.operators, wirewarp_addon.suggest.operators, []
     suggest_cuts, fault_sentence = run.suggest_cuts, operators.fault_sentence

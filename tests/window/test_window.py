@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The add-on works in Blender's real window on a virtual screen. The tours of a script share one Blender."""
+"""Runs tours in Blender's window on a virtual screen. The tours of a script share one Blender."""
 
 import os
 from pathlib import Path
@@ -8,11 +8,11 @@ import pytest
 
 from tools.blender_window import run_tours
 
-SECONDS = 400.0  # for each tour on a slow machine; most tours take about ten seconds
+SECONDS = 400.0  # limit for each tour; most take about ten seconds, but some machines are slow
 
 
 def blender_environment(folder: Path) -> dict[str, str]:
-    """Return the environment of Blender, with private, empty folders for add-ons, settings and pictures."""
+    """Return the environment of Blender, with new folders for add-ons, settings and pictures."""
     parts = {"BLENDER_USER_SCRIPTS": "scripts", "BLENDER_USER_CONFIG": "config", "WIREWARP_PICTURES": "pictures"}
     for part in parts.values():
         (folder / part).mkdir()
@@ -80,7 +80,7 @@ TOURS = {
 }
 
 
-# Tours that load another file, register again or quit. Each of these tours has its own Blender.
+# Each of these tours has its own Blender, because it loads another file, registers the add-on again, or quits.
 ALONE = ["another_file_ends_the_run", "unregistering_ends_the_run", "quitting_ends_the_run"]
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tours through Blender's window, driven by drive.py."""
+"""Tours through runs, undo, automatic updates and the report."""
 
 import bmesh
 import bpy
@@ -9,7 +9,6 @@ from surfaces import bump, flat_of, grid, on_line, select_edges
 
 
 def panel_button() -> drive.Tour:
-    """The button Flatten in the sidebar flattens the model."""
     source = grid("Bump", bump)
     yield from drive.open_tab(bpy.types.VIEW3D_PT_wirewarp_flatten)
     yield from drive.click_button("bpy.ops.object.wirewarp_flatten(")
@@ -20,7 +19,6 @@ def panel_button() -> drive.Tour:
 
 
 def one_undo_step() -> drive.Tour:
-    """Undo removes everything that a run wrote, and redo restores it."""
     before = contents(marked_bump())
     yield from flatten()
     after = contents(bpy.data.objects["Bump"])
@@ -54,7 +52,7 @@ def flat_vertices(source: bpy.types.Object) -> int:
 
 
 def auto_update() -> drive.Tour:
-    """Marking a seam in Edit Mode updates the pieces, in one undo step with the mark. The mouse does not move."""
+    """A seam marked in Edit Mode updates the pieces, without a move of the mouse. Both changes are one undo step."""
     source = marked_bump()
     yield from flatten()
     bpy.context.scene.wirewarp.auto_update = True
@@ -81,8 +79,7 @@ def auto_update() -> drive.Tour:
 
 
 def auto_update_waits_for_a_tool() -> drive.Tour:
-    """While vertices are being moved, nothing is updated. Once they are dropped, the move and the update are one undo
-    step."""
+    """During Move, nothing is updated. The update comes after Move, and both are one undo step."""
     source = marked_bump()
     yield from flatten()
     bpy.context.scene.wirewarp.auto_update = True
@@ -94,12 +91,12 @@ def auto_update_waits_for_a_tool() -> drive.Tour:
         x, y = drive.middle(drive.region("WINDOW"))
         drive.send("MOUSEMOVE", "NOTHING", (x + 10 * step, y + 5 * step))
         yield from drive.ticks(10)
-    yield from drive.ticks(50)  # the mouse rests, but the tool is active
+    yield from drive.ticks(50)  # the mouse rests, but Move still runs
     assert not window_run.is_running()
     assert (source.mode, source["wirewarp_report"]) == ("EDIT", report)
     yield from drive.press("RET", (x + 40, y + 20))
     yield lambda: source["wirewarp_report"] != report and not window_run.is_running()
-    assert drive.window_manager().operators[-1].name == "Move"  # the last operation can still be adjusted
+    assert drive.window_manager().operators[-1].name == "Move"  # so its settings can still be adjusted
     yield from undo()
     yield lambda: bpy.data.objects["Bump"]["wirewarp_report"] == report
     assert bpy.context.mode == "EDIT_MESH"
@@ -108,7 +105,7 @@ def auto_update_waits_for_a_tool() -> drive.Tour:
 
 
 def settings_can_be_adjusted_after_a_run() -> drive.Tour:
-    """A run in the window uses the scene's settings, and Blender can repeat it immediately with other settings."""
+    """A run uses the scene's settings, and Blender can repeat it with other settings."""
     source = marked_bump()
     bpy.context.scene.wirewarp.mirror = True
     yield from flatten()
@@ -122,7 +119,7 @@ def settings_can_be_adjusted_after_a_run() -> drive.Tour:
 
 
 def report_shows_the_place() -> drive.Tour:
-    """On model and flat pieces, a button of the report selects elements in Edit Mode and moves the view to them."""
+    """A button of the report selects elements of the model or pieces in Edit Mode, and moves the view to them."""
     source = grid("Bump", bump, seam=on_line(0, 0.0))
     remember()
     yield from flatten()
@@ -133,14 +130,14 @@ def report_shows_the_place() -> drive.Tour:
         with drive.in_view():
             bpy.ops.mesh.wirewarp_select_result("INVOKE_DEFAULT", True, what="OUTLINE", index=0)
             assert (bpy.context.mode, bpy.context.object) == ("EDIT_MESH", target)
-        # the view moves from the middle of the dome, which is 2 units wide, to the middle of one half
+        # The dome is 2 units wide. The view moves from its middle to the middle of one half.
         yield lambda before=before: (view.view_location - before).length > 0.2
         with drive.in_view():
             bpy.ops.object.mode_set(mode="OBJECT")
 
 
 def report_turns_the_view_to_elements_on_the_back() -> drive.Tour:
-    """If all elements are visible, the view does not change. Flat pieces are seen from above."""
+    """The view turns only if elements are not visible, or to see flat pieces from above."""
     source = grid("Bump", bump, seam=on_line(0, 0.0))
     remember()
     yield from flatten()
@@ -167,7 +164,6 @@ def report_turns_the_view_to_elements_on_the_back() -> drive.Tour:
 
 
 def copies_the_report() -> drive.Tour:
-    """The report can be copied to the clipboard, which does not exist without a window."""
     grid("Bump", bump, wire=on_line(1, 0.0))
     yield from flatten()
     with drive.in_view():

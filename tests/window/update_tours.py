@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tours through automatic updates during which the user does something else."""
+"""Tours through automatic updates, during which the user starts a tool or changes the mode or the scene."""
 
 from collections.abc import Generator
 from threading import Event
@@ -9,11 +9,11 @@ import drive
 from stage import contents, flatten, hold_runs, marked_bump, window_run
 from surfaces import flat_of, on_line, select_edges
 
-ONE_PIECE, TWO_PIECES = 81, 90  # vertices of the flat pieces, without and with the seam
+ONE_PIECE, TWO_PIECES = 81, 90  # number of vertices of the flat pieces, without and with the seam
 
 
 def begin_held_update() -> Generator[object, None, Event]:
-    """Cut the bump in Edit Mode, and wait until the update runs. It continues until the returned event is set."""
+    """Mark a seam in Edit Mode, and wait until the update runs. It ends after the returned event is set."""
     source = marked_bump()
     yield from flatten()
     bpy.context.scene.wirewarp.auto_update = True

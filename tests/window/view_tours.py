@@ -10,7 +10,7 @@ from surfaces import bump, flat_of, grid, on_line, select_only
 
 
 def pieces_are_seen_in_local_view() -> drive.Tour:
-    """If the model is in local view, its earlier pieces are added to the view, but other objects are not."""
+    """If the model is in local view, a run adds its pieces to this view."""
     source = grid("Bump", bump, wire=on_line(1, 0.0))
     yield from flatten()
     select_only(source)
@@ -29,7 +29,6 @@ def pieces_are_seen_in_local_view() -> drive.Tour:
 
 
 def search_finds_commands_by_the_add_on_s_name() -> drive.Tour:
-    """Press F3, type "wirewarp flat", and press Enter."""
     source = grid("Bump", bump)
     select_only(source)
     yield from drive.press("F3")
@@ -43,11 +42,11 @@ def search_finds_commands_by_the_add_on_s_name() -> drive.Tour:
 
 
 def buttons_keep_their_places_in_edit_mode() -> drive.Tour:
-    """Show Worst Place enters Edit Mode, and the button remains under the mouse, also on the flat pieces."""
+    """Show Worst Place enters Edit Mode. The button stays under the mouse, and is at this place for the pieces, too."""
     with drive.in_view():
         bpy.ops.object.wirewarp_open_sample(sample="FITTED_TOP")
     source = bpy.context.object
-    # the sample's jersey stretches far enough, so no worst place would be shown
+    # The sample's jersey stretches far enough, so the button for the worst place would be missing.
     bpy.context.scene.wirewarp.cloth = "NONE"
     yield from flatten()
     yield from drive.open_tab(bpy.types.VIEW3D_PT_wirewarp_flatten)
@@ -65,7 +64,7 @@ def buttons_keep_their_places_in_edit_mode() -> drive.Tour:
 
 
 def the_first_pieces_are_brought_into_view() -> drive.Tour:
-    """The view moves again only if the layout becomes much larger, and not at all if the preference is off."""
+    """Later runs move the view only if the layout becomes much larger. If the preference is off, no run moves it."""
     source = grid("Bump", bump)
     view = drive.view_area().spaces.active.region_3d
     view.view_location, view.view_distance = (100, 100, 100), 1

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Modules of the add-on that do not use Blender run here without Blender, with the installed wheel."""
+"""Loads the modules of the add-on that do not use Blender, with the library of the installed wheel."""
 
 import importlib
 import sys

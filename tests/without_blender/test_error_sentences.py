@@ -6,11 +6,12 @@ import math
 import pytest
 
 HIP, BUST = 0, 1
+OUTLINE, STRETCH = {"reason": "outline"}, {"reason": "stretch"}
 
 
 @pytest.fixture
 def said(addon):
-    """Return a function that returns the sentence for an error. faces, flipped, overlapping: numbers of faces."""
+    """Return a function that makes the sentence of an error. faces, flipped, overlapping: numbers of faces."""
 
     def sentence(code, arguments, faces=0, flipped=0, overlapping=0, **elements):
         error = addon.core.library().FlattenError(code, "The library's sentence.", **elements, arguments=arguments)
@@ -39,13 +40,18 @@ def test_an_error_of_scripts_keeps_the_sentence_of_the_library(said):
         ("inconsistent_orientation", {"is_one_sided": True}, {"edges": [(0, 1)]}, "one-sided like a Möbius strip."),
         ("inconsistent_orientation", {"is_one_sided": False}, {"edges": [(0, 1)]}, "Recalculate Outside."),
         ("handles", {"num_handles": 1}, {"proposed_seams": [(0, 1)]}, "has 1 handle like a torus"),
-        # the sentence does not mention the suggested seam, because this seam is not always drawn
+        # The sentence does not mention the suggested seam, because this seam is not always drawn.
         ("closed_chart", {}, {"proposed_seams": [(0, 1)]}, "choose where to cut it."),
         ("not_solvable", {"reason": "sizes", "face": 7}, {"faces": 2}, "At 2 faces, merge vertices"),
         ("overlapping_faces", {}, {"faces": 2}, "overlaps itself at 2 faces. Cut it in two"),
+        ("infeasible_lengths", OUTLINE | {"has_wires": True}, {}, "even with its wires free. Mark a seam."),
+        ("infeasible_lengths", OUTLINE | {"has_wires": False}, {}, "the length of its outline. Mark a seam."),
+        ("infeasible_lengths", STRETCH | {"is_good_unstretched": True}, {}, "requires. Use less stretch, or mark"),
+        ("infeasible_lengths", STRETCH | {"is_good_unstretched": False}, {}, "requires. Mark a seam."),
+        ("infeasible_lengths", {"reason": "method"}, {}, "Use the method Refined"),
     ],
 )
-def test_elements_are_counted(said, code, arguments, others, expected):
+def test_elements_are_counted_and_the_remedy_depends_on_the_reason(said, code, arguments, others, expected):
     assert expected in said(code, arguments, **others)
 
 
@@ -76,20 +82,6 @@ def test_outlines_have_the_units_of_the_scene(said, lengths, expected):
 def test_wires_have_their_names(said, proposed, expected):
     arguments = {"reason": "wires", "is_refined": True}
     assert said("infeasible_lengths", arguments, proposed_tolerances=proposed).endswith(expected)
-
-
-@pytest.mark.parametrize(
-    ("arguments", "expected"),
-    [
-        ({"reason": "outline", "has_wires": True}, "even with its wires free. Mark a seam."),
-        ({"reason": "outline", "has_wires": False}, "the length of its outline. Mark a seam."),
-        ({"reason": "stretch", "is_good_unstretched": True}, "requires. Use less stretch, or mark a seam."),
-        ({"reason": "stretch", "is_good_unstretched": False}, "requires. Mark a seam."),
-        ({"reason": "method"}, "Use the method Refined"),
-    ],
-)
-def test_the_remedy_depends_on_the_reason(said, arguments, expected):
-    assert expected in said("infeasible_lengths", arguments)
 
 
 def test_broken_guarantees_are_reported_together(said):

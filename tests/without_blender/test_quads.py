@@ -7,7 +7,7 @@ import pytest
 
 @pytest.mark.parametrize("turn", range(4))
 def test_a_quad_with_a_reflex_corner_is_split_inside(addon, turn):
-    """The second face is an arrowhead, whose diagonal between the outer corners lies outside."""
+    """The second face is an arrowhead. The diagonal between its outer corners is outside of the face."""
     arrow = np.roll([(0.0, 0.0, 0.0), (2.0, 1.0, 0.0), (0.0, 2.0, 0.0), (1.0, 1.0, 0.0)], turn, axis=0)
     places = np.vstack([[(5.0, 0.0, 0.0), (6.0, 0.0, 0.0), (6.0, 1.0, 0.0)], arrow]).astype(np.float32)
     starts, sizes = np.array([0, 3], np.int32), np.array([3, 4], np.int32)

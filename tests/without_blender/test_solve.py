@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Names of pieces, steps of work and rows of suggestions are made without Blender."""
+"""The add-on names pieces, orders suggestions and divides its work into steps."""
 
 import inspect
 import math
@@ -10,13 +10,7 @@ import numpy as np
 import pytest
 
 
-def test_a_ring_around_the_middle_of_the_model_is_around(addon):
-    normals, offsets = np.zeros((2, 3)), np.array([[0, 0, 0], [0, 0, 0.4]])
-    assert addon.solve.identity.side_names(normals, offsets) == ["Around", "Top"]
-
-
 def test_many_pieces_of_mirrored_pairs_have_one_name_but_for_the_side(addon):
-    """There are two pairs on the front, two pairs at the sides, and a piece in the middle of the front."""
     normals = np.array([[0, -1, 0]] * 5 + [[1, 0, 0], [-1, 0, 0]] * 2, dtype=float)
     places = [(0.2, -0.1, 0.3), (-0.2, -0.1, -0.3), (0.2, -0.1, -0.3), (-0.2, -0.1, 0.3), (0, -0.1, 0)]
     places += [(0.4, 0, -0.2), (-0.4, 0, 0.2), (0.4, 0, 0.2), (-0.4, 0, -0.2)]
@@ -24,59 +18,52 @@ def test_many_pieces_of_mirrored_pairs_have_one_name_but_for_the_side(addon):
     identity = addon.solve.identity
     order, names = identity.from_top(offsets), identity.side_names(normals, offsets)
     names = dict(zip(order, identity.numbered([names[index] for index in order], []), strict=True))
-    assert [names[index] for index in range(9)] == [
-        "Front Upper Left",
-        "Front Lower Right",
-        "Front Lower Left",
-        "Front Upper Right",
-        "Front",
-        "Left Lower",
-        "Right Upper",
-        "Left Upper",
-        "Right Lower",
-    ]
+    front = ["Front Upper Left", "Front Lower Right", "Front Lower Left", "Front Upper Right", "Front"]
+    sides = ["Left Lower", "Right Upper", "Left Upper", "Right Lower"]
+    assert [names[index] for index in range(9)] == [*front, *sides]
 
 
-def test_pieces_in_an_even_row_are_named_by_their_half_and_numbered_if_several_are_there(addon):
-    for count, places in (
-        (3, ["Upper", "", "Lower"]),
-        (4, ["Upper", "Upper", "Lower", "Lower"]),
-        (5, ["Upper", "Upper", "", "Lower", "Lower"]),
-        (6, ["Upper"] * 2 + [""] * 2 + ["Lower"] * 2),
-    ):
+def test_pieces_in_an_even_row_are_named_by_their_half(addon):
+    for count, (upper, middle, lower) in {3: (1, 1, 1), 4: (2, 0, 2), 5: (2, 1, 2), 6: (2, 2, 2)}.items():
+        places = ["Upper"] * upper + [""] * middle + ["Lower"] * lower
         offsets = np.array([[0.4, 0, 0.3 - 0.6 * k / (count - 1)] for k in range(count)])
         names = addon.solve.identity.side_names(np.tile([1.0, 0, 0], (count, 1)), offsets)
         assert names == [f"Left {place}".rstrip() for place in places]
 
 
-def test_a_piece_in_the_middle_of_the_front_is_neither_left_nor_right(addon):
-    offsets = np.array([[0, -0.2, 0], [-0.3, -0.2, 0.02], [-0.3, -0.2, -0.02]])
-    names = addon.solve.identity.side_names(np.tile([0, -1.0, 0], (3, 1)), offsets)
-    assert names == ["Front", "Front Right", "Front Right"]
-
-
-def test_the_left_of_the_front_and_the_front_of_the_left_have_names_that_nobody_confuses(addon):
-    normals = np.array([[0, -1, 0]] * 2 + [[1, 0, 0]] * 2, dtype=float)
-    offsets = np.array([[0.2, -0.4, 0], [-0.2, -0.4, 0], [0.4, -0.2, 0], [0.4, 0.2, 0]])
-    names = addon.solve.identity.side_names(normals, offsets)
-    assert names == ["Front Left", "Front Right", "Left Side Front", "Left Back"]
+@pytest.mark.parametrize(
+    ("normals", "offsets", "names"),
+    [
+        ([(0, 0, 0)] * 2, [(0, 0, 0), (0, 0, 0.4)], ["Around", "Top"]),
+        ([(0, -1, 0)] * 3, [(0, -0.2, 0), (-0.3, -0.2, 0.02), (-0.3, -0.2, -0.02)], ["Front"] + ["Front Right"] * 2),
+        (
+            [(0, -1, 0)] * 2 + [(1, 0, 0)] * 2,
+            [(0.2, -0.4, 0), (-0.2, -0.4, 0), (0.4, -0.2, 0), (0.4, 0.2, 0)],
+            ["Front Left", "Front Right", "Left Side Front", "Left Back"],
+        ),
+    ],
+    ids=["ring and top", "middle of the front", "front of the left"],
+)
+def test_pieces_are_named_after_their_side_and_place(addon, normals, offsets, names):
+    """normals: directions of the sides; zero for a ring. offsets: places from the middle of the model."""
+    assert addon.solve.identity.side_names(np.array(normals, float), np.array(offsets, float)) == names
 
 
 def test_the_chosen_set_has_the_fewest_pieces_for_the_fabric(addon):
     suggest = addon.solve.suggest
-    # the last two sets have more pieces for little or no gain
+    # (pieces, stretch); the sets of 6 and 8 pieces need more stretch than the set of 5, or hardly less
     figures = (9, 0.04), (3, 0.3), (5, 0.1), (6, 0.2), (8, 0.097)
     sets = [suggest.Cut([], [], [], None, 0, [1.0], strain, math.inf, pieces) for pieces, strain in figures]
     narrow = [replace(each, is_narrow=True) if each.num_pieces == 5 else each for each in sets]
     assert [each.num_pieces for each in suggest.from_few_pieces(narrow, [0.5, 1.0])] == [3, 5, 6, 8, 9]
-    # the set of 8 pieces reaches the limit
+    # Only the sets of 8 and 9 pieces are within the limit of 9.8%.
     assert [each.num_pieces for each in suggest.from_few_pieces(sets, [0.098, 1.0])] == [3, 5, 8, 9]
     beside = replace(sets[0], num_pieces=8, strain=0.03, is_narrow=True)
     rows = [(each.num_pieces, each.strain) for each in suggest.from_few_pieces([*sets, beside], [0.098, 1.0])]
     assert rows[2:4] == [(8, 0.097), (8, 0.03)]
     worse = replace(sets[0], num_pieces=12, strain=0.3, is_narrow=True)
     assert worse not in suggest.from_few_pieces([*sets, worse], [0.5, 1.0])
-    # the set of 30% is left out, because the softer direction stretches only 20%, and another set needs less stretch
+    # The set of 30% is left out, because the softer direction stretches only 20%, and another set needs less stretch.
     assert [each.num_pieces for each in suggest.from_few_pieces(sets, [0.098, 0.2])] == [5, 8, 9]
     assert [each.num_pieces for each in suggest.from_few_pieces(sets, [0.01, 0.02])] == [3, 5, 9]
     sets = suggest.from_few_pieces(sets, [0.5, 1.0])
@@ -110,7 +97,7 @@ def test_each_direction_of_the_fabric_decides_about_a_measured_set(addon, measur
     upright, turned, many = measured(4, 0.15, 0.04), measured(3, 0.04, 0.15), measured(9, 0.03, 0.03)
     assert suggest.set_for([turned, upright, many], limits) == 1
     assert suggest.set_for([turned, many], limits) == 1
-    # the second set exceeds the limits of the fabric less
+    # No set suits the fabric, and the second set exceeds the limits less.
     assert suggest.set_for([turned, measured(4, 0.04, 0.12)], limits) == 1
     close = replace(measured(4, 0.149, 0.03), lengths=[2.0])  # its gain is small, but only this set suits the fabric
     assert suggest.from_few_pieces([turned, close, many], limits) == [turned, close, many]
@@ -182,28 +169,13 @@ def test_a_canceled_comparison_keeps_what_it_has_measured(addon, measured, measu
 
 def test_mirror_images_are_one_row_with_or_without_common_figures(addon):
     def proposal(strain, twin, together):
-        edges = np.array([[0, 1]])
-        return SimpleNamespace(
-            edges=edges,
-            paths=[],
-            piece=0,
-            length=1.0,
-            num_pieces=1,
-            strain=strain,
-            strain_before=0.5,
-            twin=twin,
-            strain_with_twin=together,
-        )
+        cut = {"edges": np.array([[0, 1]]), "paths": [], "piece": 0, "length": 1.0, "num_pieces": 1}
+        return SimpleNamespace(**cut, strain=strain, strain_before=0.5, twin=twin, strain_with_twin=together)
 
     apart = [proposal(0.3, 1, None), proposal(0.3, 0, None)]
     together = [proposal(0.4, 3, 0.2), proposal(0.4, 2, 0.2)]
-    triangle = np.array([[0, 1, 2]])
-    arrays = SimpleNamespace(
-        vertices=np.eye(3),
-        edges=np.array([[0, 1], [0, 2], [1, 2]]),
-        triangles=triangle,
-        triangle_polygons=np.array([0]),
-    )
+    edges, triangles = np.array([[0, 1], [0, 2], [1, 2]]), np.array([[0, 1, 2]])
+    arrays = SimpleNamespace(vertices=np.eye(3), edges=edges, triangles=triangles, triangle_polygons=np.array([0]))
     cuts = addon.solve.suggest._with_mirror_images([*apart, *together], arrays)
     assert [(cut.strain, len(cut.lengths)) for cut in cuts] == [(0.3, 1), (0.2, 2)]
 
@@ -230,15 +202,15 @@ def test_steps_are_closed_if_the_listener_raises(addon, driver):
     def fail(_reported):
         raise ZeroDivisionError
 
-    # This reference keeps the work alive, so garbage collection cannot close it.
+    # The variable `work` keeps the generator alive, so garbage collection cannot close it.
     steps, work = addon.solve.steps, working()
-    drive = {
-        "in_one_go": lambda: steps.in_one_go(work, fail),
-        "in_slices": lambda: steps.in_one_go(steps.in_slices(work), fail),
-        "reported_as": lambda: steps.in_one_go(steps.reported_as(work, fail)),
-    }
     with pytest.raises(ZeroDivisionError):
-        drive[driver]()
+        if driver == "in_one_go":
+            steps.in_one_go(work, fail)
+        elif driver == "in_slices":
+            steps.in_one_go(steps.in_slices(work), fail)
+        else:
+            steps.in_one_go(steps.reported_as(work, fail))
     assert inspect.getgeneratorstate(work) == inspect.GEN_CLOSED
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Edges are ordered as chains, without a mesh."""
+"""Edges in any order become chains of vertices."""
 
 import math
 
@@ -17,23 +17,10 @@ def vertices_of(chains, edges, positions):
     return sorted(min(chain.vertices, chain.vertices[::-1]) for chain in found)
 
 
-def star(*degrees):
-    """Return the positions of vertex 0 and of one vertex in each direction (in degrees) from it."""
-    return [(0, 0, 0), *((math.cos(math.radians(d)), math.sin(math.radians(d)), 0) for d in degrees)]
-
-
-def spokes(count):
-    return [(0, k) for k in range(1, count + 1)]
-
-
-def test_shuffled_edges_of_a_path_are_put_in_order(chains):
+def test_shuffled_edges_of_a_path_are_put_in_order_and_a_ring_repeats_its_first_vertex(chains):
     assert vertices_of(chains, [(3, 2), (0, 1), (2, 1)], np.eye(4, 3)) == [[0, 1, 2, 3]]
-
-
-def test_a_ring_repeats_its_first_vertex(chains):
-    (chain,) = chains.split_into_chains(np.array([(0, 1), (2, 1), (2, 0)]), np.eye(3))
-    assert chain.vertices[0] == chain.vertices[-1]
-    assert len(chain.vertices) == 4
+    ((first, *_, last),) = rings = vertices_of(chains, [(0, 1), (2, 1), (2, 0)], np.eye(3))
+    assert first == last and len(rings[0]) == 4
 
 
 def test_a_ring_with_a_tail_ends_where_three_edges_meet(chains):
@@ -42,28 +29,21 @@ def test_a_ring_with_a_tail_ends_where_three_edges_meet(chains):
     assert found == [[0, 1, 2, 3, 0], [0, 4]] or found == [[0, 3, 2, 1, 0], [0, 4]]
 
 
-def test_crossing_lines_go_straight_on(chains):
-    assert vertices_of(chains, spokes(4), star(0, 80, 180, 260)) == [[1, 0, 3], [2, 0, 4]]
-
-
-def test_lines_that_cross_at_a_small_angle_go_straight_on(chains):
-    assert vertices_of(chains, spokes(4), star(0, 10, 180, 190)) == [[1, 0, 3], [2, 0, 4]]
-
-
-def test_three_lines_through_one_point_go_straight_on(chains):
-    assert vertices_of(chains, spokes(6), star(0, 60, 120, 180, 240, 300)) == [[1, 0, 4], [2, 0, 5], [3, 0, 6]]
-
-
-def test_a_line_that_meets_another_ends_there(chains):
-    assert vertices_of(chains, spokes(3), star(0, 90, 180)) == [[0, 2], [1, 0, 3]]
-
-
-def test_if_three_lines_meet_evenly_all_end(chains):
-    assert vertices_of(chains, spokes(3), star(0, 120, 240)) == [[0, 1], [0, 2], [0, 3]]
-
-
-def test_the_fifth_line_at_a_crossing_ends(chains):
-    assert vertices_of(chains, spokes(5), star(0, 90, 180, 270, 45)) == [[0, 5], [1, 0, 3], [2, 0, 4]]
+@pytest.mark.parametrize(
+    ("degrees", "found"),
+    [
+        ((0, 80, 180, 260), [[1, 0, 3], [2, 0, 4]]),
+        ((0, 10, 180, 190), [[1, 0, 3], [2, 0, 4]]),
+        ((0, 60, 120, 180, 240, 300), [[1, 0, 4], [2, 0, 5], [3, 0, 6]]),
+        ((0, 90, 180), [[0, 2], [1, 0, 3]]),
+        ((0, 120, 240), [[0, 1], [0, 2], [0, 3]]),
+        ((0, 90, 180, 270, 45), [[0, 5], [1, 0, 3], [2, 0, 4]]),
+    ],
+)
+def test_lines_that_meet_go_straight_on_or_end(chains, degrees, found):
+    """degrees: directions of edges from vertex 0 to the vertices 1, 2 and so on."""
+    places = [(0, 0, 0), *((math.cos(math.radians(d)), math.sin(math.radians(d)), 0) for d in degrees)]
+    assert vertices_of(chains, [(0, k) for k in range(1, len(places))], places) == found
 
 
 def test_marks_of_one_id_with_two_tolerances_or_two_eases_are_two_wires(chains):
