@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Fuzzes the whole of flatten() with libFuzzer. Bytes become a mesh with seams, wires, options and the moment of a
-// cancellation. Half of the meshes are small valid meshes with a few changes, because random lists of faces are rarely
-// a surface. The other half are random faces. flatten() must throw a FlattenError, or keep every guarantee and agree
-// with measure().
+// Fuzzes flatten() with libFuzzer. flatten() must throw a FlattenError, or keep every guarantee and agree with
+// measure(). Half of the meshes are small valid meshes with a few changes, because random faces are rarely a surface.
 #include <fuzzer/FuzzedDataProvider.h>
 
 #include <algorithm>
@@ -14,7 +12,7 @@
 #include "base/planar.h"
 #include "flatten.h"
 #include "judge.h"
-#include "random_network.h"
+#include "random_input.h"
 
 namespace wirewarp::test {
 namespace {
@@ -32,7 +30,6 @@ double any_coordinate(FuzzedDataProvider& bytes) {
   return bytes.ConsumeIntegral<std::int8_t>() / 16.0;
 }
 
-/// Returns a number that usually is the index of a vertex of the mesh.
 int any_vertex(FuzzedDataProvider& bytes, int num_vertices) { return bytes.ConsumeIntegralInRange(-1, num_vertices); }
 
 double any_tolerance(FuzzedDataProvider& bytes) {
@@ -89,17 +86,6 @@ FlattenInput any_input(FuzzedDataProvider& bytes) {
 
 int any_vertex(RandomStream& random, const FlattenInput& input) {
   return random.below(static_cast<int>(input.vertices.rows()));
-}
-
-void add_face(FlattenInput& input, int a, int b, int c) {
-  input.faces.conservativeResize(input.faces.rows() + 1, 3);
-  input.faces.bottomRows(1) << a, b, c;
-}
-
-int add_vertex(FlattenInput& input, const Eigen::RowVector3d& position) {
-  input.vertices.conservativeResize(input.vertices.rows() + 1, 3);
-  input.vertices.bottomRows(1) = position;
-  return static_cast<int>(input.vertices.rows()) - 1;
 }
 
 void take_out(FlattenInput& input, int face) {
@@ -175,19 +161,14 @@ FlattenInput small_mesh(RandomStream& random) {
   return input;
 }
 
-/// Removes, flips, splits, welds or adds a few faces, or moves vertices. The mesh may become invalid.
-void change_faces(RandomStream& random, FlattenInput& input) {
-  for (int changes = random.chance(0.5) ? random.whole(1, 8) : 0; changes > 0 && input.faces.rows() > 1; --changes) {
-    change_one(random, input);
-  }
-}
-
 /// Returns a mesh whose seams and wires are random walks or shortest paths along edges. If no bytes are left, the mesh
 /// is a flat sheet without seams and wires.
 FlattenInput changed_mesh(FuzzedDataProvider& bytes) {
   RandomStream random([&] { return 1 - (bytes.ConsumeIntegral<std::uint16_t>() + 1) / 65536.0; });
   FlattenInput input = small_mesh(random);
-  change_faces(random, input);
+  for (int changes = random.chance(0.5) ? random.whole(1, 8) : 0; changes > 0 && input.faces.rows() > 1; --changes) {
+    change_one(random, input);
+  }
   std::string description;
   add_random_seams(random, input, description);
   add_random_wires(random, input, description);
@@ -200,7 +181,7 @@ Asked any_case(FuzzedDataProvider& bytes) {
   if (bytes.ConsumeBool()) asked.steps_until_cancelled = bytes.ConsumeIntegralInRange(0, 200);
   asked.options.grain = bytes.ConsumeIntegralInRange(-1, 3);
   asked.input = bytes.ConsumeBool() ? any_input(bytes) : changed_mesh(bytes);
-  // The index of the grain wire is at most one too large, so that many cases are valid.
+  // The index of the grain wire is at most one too large. A random index would make most cases invalid.
   asked.options.grain = std::min(asked.options.grain, static_cast<int>(asked.input.wires.size()));
   if (bytes.ConsumeBool()) asked.options.large_chart = bytes.ConsumeIntegralInRange(1, kMostVertices);
   return asked;
@@ -209,7 +190,7 @@ Asked any_case(FuzzedDataProvider& bytes) {
 /// Returns a sentence for each piece that has no error in the result, but has an error according to measure().
 std::vector<std::string> differences_of_measure(const Asked& asked, const FlattenResult& result) {
   std::vector<std::string> differences;
-  if (asked.options.mirror) return differences;  // measure() reports all faces as flipped
+  if (asked.options.mirror) return differences;  // measure() reports all faces of a mirror image as flipped
   const FlattenResult measured = measure(asked.input, result.corner_uv);
   for (std::size_t p = 0; p < result.pieces.size(); ++p) {
     const auto& error = measured.pieces.at(p).error;
@@ -230,7 +211,7 @@ void flatten_and_judge(const Asked& asked) {
   try {
     const FlattenResult result = flatten_with(asked.input, asked.options, progress);
     std::vector<std::string> broken = broken_guarantees(asked.input, asked.options, result);
-    if (steps > asked.steps_until_cancelled) {  // canceled, maybe before a fix was found
+    if (steps > asked.steps_until_cancelled) {  // canceled, maybe before the search found seams or tolerances
       const auto misses_fix = [](const std::string& s) { return s.find(" is proposed") != std::string::npos; };
       broken.erase(std::remove_if(broken.begin(), broken.end(), misses_fix), broken.end());
     }

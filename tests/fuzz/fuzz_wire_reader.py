@@ -40,10 +40,6 @@ def any_marks(raw: bytes) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarra
     return edges, ids, tolerances, positions
 
 
-def edges_of_chain(vertices: list[int]) -> list[tuple[int, int]]:
-    return [(min(pair), max(pair)) for pair in zip(vertices[:-1], vertices[1:], strict=True)]
-
-
 def check(raw: bytes) -> None:
     """Check that every marked edge is in exactly one chain, and that this chain has the edge's id and tolerance."""
     edges, ids, tolerances, positions = any_marks(raw)
@@ -54,7 +50,8 @@ def check(raw: bytes) -> None:
     }
     seen: collections.Counter[tuple[int, int]] = collections.Counter()
     for chain in chains.chains_of_marks(edges, chains.EdgeMarks(ids, tolerances, np.zeros_like(tolerances)), positions):
-        for edge in edges_of_chain(chain.vertices):
+        for pair in zip(chain.vertices[:-1], chain.vertices[1:], strict=True):
+            edge = min(pair), max(pair)
             wire_id, tolerance = marks[edge]
             assert chain.wire_id == wire_id
             assert np.array_equal(np.float32(chain.tolerance), tolerance, equal_nan=True)

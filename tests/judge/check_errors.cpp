@@ -3,12 +3,10 @@
 
 #include "checks.h"
 #include "judge.h"
-#include "planar_overlap.h"
 
 namespace wirewarp::test {
 namespace {
 
-/// The topology of a piece, determined from its faces.
 struct Topology {
   int num_loops = 0;
   int num_handles = 0;
@@ -65,11 +63,10 @@ void check_named_elements(Judged& judged, int number) {
 void check_tolerances(Judged& judged, int number) {
   for (const ProposedTolerance& proposed : judged.result.pieces[number].error->elements.proposed_tolerances) {
     const Wire& wire = judged.input.wires[proposed.wire];
-    bool is_inside = false;
-    for (std::size_t i = 0; i + 1 < wire.vertices.size(); ++i) {
-      const Edge edge = edge_of(wire.vertices[i], wire.vertices[i + 1]);
-      is_inside = is_inside || (!judged.sides_in(edge, number).empty() && !judged.is_outline(edge));
-    }
+    const std::vector<Edge> edges = edges_of(wire);
+    const bool is_inside = std::any_of(edges.begin(), edges.end(), [&](const Edge& edge) {
+      return !judged.sides_in(edge, number).empty() && !judged.is_outline(edge);
+    });
     if (!is_inside) judged.say("a tolerance is proposed for " + wire.name + ", which is not in the piece");
     const double has = judged.options.method == Method::wirewarping ? 0 : wire.tolerance;
     if (!(proposed.tolerance > has))
@@ -79,15 +76,12 @@ void check_tolerances(Judged& judged, int number) {
 
 void check_flips(Judged& judged, const Piece& piece) {
   for (const int face : piece.error->elements.faces) {
-    PlanarTriangle triangle{judged.uv(face, 0), judged.uv(face, 1), judged.uv(face, 2)};
-    if (judged.options.mirror) std::swap(triangle[1], triangle[2]);
-    if (doubled_area(triangle) > 0) judged.say("face " + std::to_string(face) + " is reported as flipped");
+    if (doubled_area(judged.triangle(face)) > 0) judged.say("face " + std::to_string(face) + " is reported as flipped");
   }
 }
 
-/// Returns whether target lengths differ from the lengths on the surface. The outline may have other lengths, or the
-/// piece may have a shape only without the stretch. Possibly neither seams nor tolerances fix the error of such a
-/// piece.
+/// Returns whether target lengths may differ from the lengths on the surface, by an ease, a tolerance or the stretch.
+/// Possibly neither seams nor tolerances fix the error of such a piece.
 bool has_other_target_lengths(const Judged& judged, int number) {
   const bool is_of_stretch = judged.unstretched && !judged.unstretched->pieces[number].error;
   return is_of_stretch || has_other_outline(judged, judged.result.pieces[number]);

@@ -11,7 +11,7 @@ namespace {
 constexpr double kRounding = 8 * std::numeric_limits<double>::epsilon();
 
 struct EdgeLengths {
-  double target;  // target length without a variation h and an ease r
+  double target;  // without a variation h and an ease r
   double planar;
   double slack;  // allowed error of the planar length
 };
@@ -41,23 +41,20 @@ bool is_all_rigid(const Options& options) {
 /// Parts end at outlines, and where the wire enters another piece.
 std::vector<std::vector<EdgeLengths>> parts_of(const Judged& judged, const Wire& wire) {
   std::vector<std::vector<EdgeLengths>> parts(1);
-  const auto piece_at = [&](std::size_t i) {
-    return judged.piece_of(judged.sides().at(edge_of(wire.vertices[i], wire.vertices[i + 1])).front().face);
-  };
-  const std::size_t last = wire.vertices.size() - 2;
+  const std::vector<Edge> edges = edges_of(wire);
+  const std::size_t last = edges.size() - 1;
+  const auto piece_at = [&](std::size_t i) { return judged.piece_of(judged.sides().at(edges[i]).front().face); };
   const auto begins_part = [&](std::size_t i) {
     return judged.is_outline_vertex(wire.vertices[i]) || piece_at(i) != piece_at(i > 0 ? i - 1 : last);
   };
   for (std::size_t i = 0; i <= last; ++i) {
     if (i > 0 && begins_part(i)) parts.emplace_back();
-    const Edge edge = edge_of(wire.vertices[i], wire.vertices[i + 1]);
-    const Side side = judged.sides().at(edge).front();
-    const Piece& piece = judged.result.pieces[piece_at(i)];
-    if (judged.is_outline(edge) || !keeps_lengths(piece)) continue;  // check_run() checks outlines
-    parts.back().push_back(lengths_of(judged, edge, side, 0, wire.ease == 0));
+    if (judged.is_outline(edges[i])) continue;  // check_run() checks outlines
+    if (!keeps_lengths(judged.result.pieces[piece_at(i)])) continue;
+    parts.back().push_back(lengths_of(judged, edges[i], judged.sides().at(edges[i]).front(), 0, wire.ease == 0));
   }
   const bool goes_on = wire.vertices.front() == wire.vertices.back() && !begins_part(0);
-  if (goes_on && parts.size() > 1) {  // continues across the wire's first vertex
+  if (goes_on && parts.size() > 1) {  // one part continues across the wire's first vertex
     parts.front().insert(parts.front().end(), parts.back().begin(), parts.back().end());
     parts.pop_back();
   }
@@ -88,7 +85,6 @@ void check_part(Judged& judged, const Wire& wire, double tolerance, const std::v
   }
 }
 
-/// Returns the ease r of a side, or 0 if it has none.
 double ease_of(const Judged& judged, const Side& side) {
   const int from = judged.vertex(side.face, side.corner), to = judged.vertex(side.face, side.corner + 1);
   for (const Ease& ease : judged.input.eases) {
@@ -110,7 +106,7 @@ std::vector<EdgeLengths> uneased_sides(const Judged& judged, const Edge& edge, b
   return sides;
 }
 
-/// Returns the lowest index of the faces that can be reached around a vertex of a face without crossing an outline.
+/// Returns the lowest index of the faces around a vertex that can be reached from `face` without crossing an outline.
 int least_face_around(const Judged& judged, int face, int vertex) {
   std::set<int> reached{face};
   std::vector<int> front{face};
@@ -118,7 +114,7 @@ int least_face_around(const Judged& judged, int face, int vertex) {
     const int at = front.back();
     front.pop_back();
     for (int k = 0; k < 3; ++k) {
-      const Edge edge = edge_of(judged.vertex(at, k), judged.vertex(at, k + 1));
+      const Edge edge = judged.edge(at, k);
       if (std::find(edge.begin(), edge.end(), vertex) == edge.end() || judged.is_outline(edge)) continue;
       for (const Side& side : judged.sides().at(edge)) {
         if (reached.insert(side.face).second) front.push_back(side.face);
@@ -139,29 +135,27 @@ std::multiset<int> fans_beside(const Judged& judged, const Edge& edge, int verte
 /// junctions of outlines. At a junction, more or fewer than two outline edges meet, or the fans beside the wire change.
 std::vector<std::vector<Edge>> runs_along_outlines(const Judged& judged, const Wire& wire) {
   std::vector<std::vector<Edge>> runs;
-  const std::size_t count = wire.vertices.size() - 1;
-  const auto edge_at = [&](std::size_t i) { return edge_of(wire.vertices[i], wire.vertices[i + 1]); };
+  const std::vector<Edge> edges = edges_of(wire);
   const auto goes_on = [&](std::size_t before, std::size_t after) {
-    return judged.is_outline(edge_at(before)) && judged.is_outline(edge_at(after)) &&
-           judged.num_outline_edges(wire.vertices[after]) == 2 &&
-           fans_beside(judged, edge_at(before), wire.vertices[after]) ==
-               fans_beside(judged, edge_at(after), wire.vertices[after]);
+    const int v = wire.vertices[after];
+    return judged.is_outline(edges[before]) && judged.is_outline(edges[after]) && judged.num_outline_edges(v) == 2 &&
+           fans_beside(judged, edges[before], v) == fans_beside(judged, edges[after], v);
   };
-  for (std::size_t i = 0; i < count; ++i) {
-    if (!judged.is_outline(edge_at(i))) continue;
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    if (!judged.is_outline(edges[i])) continue;
     if (i == 0 || !goes_on(i - 1, i)) runs.emplace_back();
-    runs.back().push_back(edge_at(i));
+    runs.back().push_back(edges[i]);
   }
   const bool is_closed = wire.vertices.front() == wire.vertices.back();
-  if (is_closed && runs.size() > 1 && goes_on(count - 1, 0)) {  // continues across the wire's first vertex
+  if (is_closed && runs.size() > 1 && goes_on(edges.size() - 1, 0)) {  // one run continues across the first vertex
     runs.front().insert(runs.front().end(), runs.back().begin(), runs.back().end());
     runs.pop_back();
   }
   return runs;
 }
 
-/// Checks that all sides of all edges of a run have planar lengths (1+r)(1+h) l with the same variation h. r: ease of
-/// the side. l: target length.
+/// Checks the sides of all edges of a run. A side with the ease r and the target length l must have the planar length
+/// (1+r)(1+h) l. The variation h is the same for all sides.
 void check_run(Judged& judged, const Wire& wire, const std::vector<Edge>& run) {
   Variations variations(is_all_rigid(judged.options) ? 0 : wire.tolerance, wire.ease);
   for (const Edge& edge : run) {
@@ -173,8 +167,8 @@ void check_run(Judged& judged, const Wire& wire, const std::vector<Edge>& run) {
   }
 }
 
-/// Checks that all sides of an outline edge without a wire have planar lengths (1+r) l. r: ease of the side. l: target
-/// length.
+/// Checks the sides of an outline edge without a wire. A side with the ease r and the target length l must have the
+/// planar length (1+r) l.
 void check_plain_edge(Judged& judged, const Edge& edge) {
   Variations variations(0);
   for (const EdgeLengths& side : uneased_sides(judged, edge, true)) variations.meet(side);
@@ -191,18 +185,16 @@ bool keeps_lengths(const Piece& piece) {
 void check_outline(Judged& judged, const Piece& piece) {
   std::set<Edge> with_wire;
   for (const Wire& wire : judged.input.wires) {
-    for (std::size_t i = 0; i + 1 < wire.vertices.size(); ++i) {
-      with_wire.insert(edge_of(wire.vertices[i], wire.vertices[i + 1]));
-    }
+    for (const Edge& edge : edges_of(wire)) with_wire.insert(edge);
   }
   for (const int face : piece.source_face) {
     for (int k = 0; k < 3; ++k) {
-      const Edge edge = edge_of(judged.vertex(face, k), judged.vertex(face, k + 1));
+      const Edge edge = judged.edge(face, k);
       if (judged.is_outline(edge)) {
         if (with_wire.count(edge) == 0) check_plain_edge(judged, edge);
         continue;
       }
-      for (const Side& other : judged.sides().at(edge)) {  // both faces have the same planar edge
+      for (const Side& other : judged.sides().at(edge)) {  // both faces must have one planar edge
         const bool turned = judged.vertex(other.face, other.corner) != judged.vertex(face, k);
         const Eigen::Vector2d begin = judged.uv(other.face, other.corner + (turned ? 1 : 0));
         if (begin != judged.uv(face, k)) judged.say("torn at " + name(edge));

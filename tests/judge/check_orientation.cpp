@@ -10,13 +10,12 @@
 namespace wirewarp::test {
 namespace {
 
-constexpr double kDirectionRounding = 1e-6;
+constexpr double kDirectionRounding = 1e-6;  // allowed error of a direction in radians
 // Chord over length. If the ratio is below this limit, the line's box must be upright instead of the chord.
 constexpr double kShortChord = 0.1;
 constexpr double kStraight = 0.087266462599716;  // 5 degrees
-constexpr double kLevel = 0.01;
+constexpr double kLevel = 0.01;                  // rise over distance; a piece that rises less counts as level
 
-/// The planar points of a line in a piece, in order.
 struct Line {
   std::vector<Eigen::Vector2d> points;
   double length = 0;
@@ -31,10 +30,9 @@ void append(const Judged& judged, const Side& side, int a, Line& line) {
 }
 
 bool runs_through(const Judged& judged, const Wire& wire, int piece) {
-  for (std::size_t i = 0; i + 1 < wire.vertices.size(); ++i) {
-    if (!judged.sides_in(edge_of(wire.vertices[i], wire.vertices[i + 1]), piece).empty()) return true;
-  }
-  return false;
+  const std::vector<Edge> edges = edges_of(wire);
+  return std::any_of(edges.begin(), edges.end(),
+                     [&](const Edge& edge) { return !judged.sides_in(edge, piece).empty(); });
 }
 
 /// Returns the points of an open wire that meets outlines only at its ends, if at all. Returns no points for other
@@ -70,7 +68,7 @@ void check_upright(Judged& judged, const Line& line, const std::string& what) {
 /// Checks that the longest chain of the outline is upright, unless two chains are almost equally long. Chains run with
 /// their piece on the left.
 void check_longest_chain(Judged& judged, int number) {
-  std::vector<std::pair<double, Line>> chains;  // length on the surface, and points
+  std::vector<std::pair<double, Line>> chains;  // with their lengths on the surface
   for (const BoundaryReport& boundary : judged.result.pieces[number].boundaries) {
     Line chain;
     double length = 0;
@@ -78,8 +76,8 @@ void check_longest_chain(Judged& judged, int number) {
       const Edge edge = edge_of(boundary.vertices[i], boundary.vertices[i + 1]);
       length += judged.length_3d(edge);
       for (const Side& side : judged.sides_in(edge, number)) {
-        const bool is_along = judged.vertex(side.face, side.corner) == boundary.vertices[i];
-        if (is_along) append(judged, side, boundary.vertices[i], chain);
+        const int v = boundary.vertices[i];
+        if (judged.vertex(side.face, side.corner) == v) append(judged, side, v, chain);
       }
     }
     chains.emplace_back(length, chain);
@@ -130,9 +128,9 @@ void check_straightest_section(Judged& judged, int number) {
   if (longest_section < (1 - 1e-4) * longest_edge) judged.say("no straight section of the outline is upright");
 }
 
-/// Returns the mean gradient of the height over the piece, or nullopt if about half of the piece is flipped. The
-/// gradient's integral over a triangle is Σ h n / 2 over its corners, with their heights h. n: inward normal of the
-/// opposite side, as long as the side.
+/// Returns the mean gradient of the height over the piece, or nullopt if about half of the piece is flipped. A corner
+/// of a triangle has the height h. The inward normal n of the opposite side is as long as this side. The gradient's
+/// integral over the triangle is the sum of h n / 2 over its corners.
 std::optional<Eigen::Vector2d> mean_rise(const Judged& judged, const Piece& piece) {
   const Eigen::Vector3d up = Eigen::Vector3d(judged.options.up.data()).stableNormalized();
   const Eigen::Vector3d origin = judged.position(judged.vertex(piece.source_face[0], 0));

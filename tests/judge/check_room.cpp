@@ -26,12 +26,9 @@ Box box_of(const Judged& judged, const Piece& piece) {
 }
 
 double area_of(const Judged& judged, const Piece& piece) {
-  double area = 0;
-  for (const int face : piece.source_face) {
-    const Eigen::Vector2d a = judged.uv(face, 1) - judged.uv(face, 0), b = judged.uv(face, 2) - judged.uv(face, 0);
-    area += (a.x() * b.y() - a.y() * b.x()) / 2;
-  }
-  return std::abs(area);
+  long double doubled = 0;
+  for (const int face : piece.source_face) doubled += doubled_area(judged.triangle(face));
+  return static_cast<double>(std::abs(doubled) / 2);
 }
 
 /// Returns the side of a square whose area is that of all boxes with their gaps.

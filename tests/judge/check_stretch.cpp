@@ -7,8 +7,8 @@ namespace wirewarp::test {
 namespace {
 
 constexpr double kEven = 1e-12;  // allowed difference between equal shares
-// Largest E, over the area, of a piece that counts as unfolded. Other pieces may have several minima, so their
-// shapes are not compared.
+// Largest E over the area of a piece that unfolds. Other pieces may have several minima, so the shapes of these pieces
+// are not compared.
 constexpr double kWithoutStrain = 1e-18;
 constexpr double kSamePlace = 1e-6;  // allowed distance of vertices from their expected places, over the piece's size
 
@@ -37,15 +37,14 @@ bool is_even(const Judged& judged, const Piece& piece) {
   const int number = judged.piece_of(piece.source_face.front());
   if (!judged.input.eases.empty()) return false;
   for (const Wire& wire : judged.input.wires) {
-    for (std::size_t i = 0; i + 1 < wire.vertices.size(); ++i) {
-      const Edge edge = edge_of(wire.vertices[i], wire.vertices[i + 1]);
+    for (const Edge& edge : edges_of(wire)) {
       if (judged.sides_in(edge, number).empty()) continue;
       if (wire.ease != 0 || (judged.is_outline(edge) && wire.tolerance > 0)) return false;
     }
   }
   for (const int face : piece.source_face) {
     for (int k = 0; k < 3; ++k) {
-      const Edge edge = edge_of(judged.vertex(face, k), judged.vertex(face, k + 1));
+      const Edge edge = judged.edge(face, k);
       if (!judged.is_outline(edge)) continue;
       if (std::abs(stretched_share(judged, edge) - share_of(judged, {face, k})) > kEven) return false;
     }

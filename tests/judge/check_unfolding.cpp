@@ -8,14 +8,13 @@
 #include <utility>
 
 #include "checks.h"
-#include "planar_overlap.h"
 
 namespace wirewarp::test {
 namespace {
 
-// Largest gaps where faces of an unfolded surface meet again. kCloses: gap over the piece's size. kStrain: gap over the
-// length of the common side, times the longest side of both faces over this length. The error of a short side grows
-// over a long face.
+// Largest gaps where faces of an unfolded surface meet again. kCloses: gap over the piece's size. kStrain: gap times
+// L/l over l, for a common side of length l and the longest side L of both faces, because the error of a short side
+// grows over a long face.
 constexpr double kCloses = 1e-11, kStrain = 1e-7;
 
 // Largest E (Eq. 4) over the 3D area of a shape without distortion. kUndistorted allows for rounding errors only,
@@ -44,9 +43,7 @@ std::optional<std::map<int, PlanarTriangle>> unfold(const Judged& judged, const 
   double size = 0;
   const auto longest_side = [&](int face) {
     double longest = 0;
-    for (int k = 0; k < 3; ++k) {
-      longest = std::max(longest, judged.length_3d(edge_of(judged.vertex(face, k), judged.vertex(face, k + 1))));
-    }
+    for (int k = 0; k < 3; ++k) longest = std::max(longest, judged.length_3d(judged.edge(face, k)));
     return longest;
   };
   const auto place = [&](const Side& side, const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
@@ -55,19 +52,18 @@ std::optional<std::map<int, PlanarTriangle>> unfold(const Judged& judged, const 
     triangle[(side.corner + 1) % 3] = b;
     triangle[(side.corner + 2) % 3] = place_third(judged, side, a, b);
     for (int k = 0; k < 3; ++k) {
-      const Edge edge = edge_of(judged.vertex(side.face, k), judged.vertex(side.face, k + 1));
+      const Edge edge = judged.edge(side.face, k);
       size = std::max(size, judged.length_3d(edge));
       if (!judged.is_outline(edge)) front.push({judged.length_3d(edge), {side.face, k}});
     }
   };
   const int first = piece.source_face[0];
-  const double length = judged.length_3d(edge_of(judged.vertex(first, 0), judged.vertex(first, 1)));
-  place({first, 0}, {0, 0}, {length, 0});
+  place({first, 0}, {0, 0}, {judged.length_3d(judged.edge(first, 0)), 0});
   while (!front.empty()) {
     const auto [face, corner] = front.top().second;
     front.pop();
     const Eigen::Vector2d a = placed.at(face)[corner], b = placed.at(face)[(corner + 1) % 3];
-    for (const Side& other : judged.sides().at(edge_of(judged.vertex(face, corner), judged.vertex(face, corner + 1)))) {
+    for (const Side& other : judged.sides().at(judged.edge(face, corner))) {
       if (other.face == face) continue;
       const auto known = placed.find(other.face);
       if (known == placed.end()) {
@@ -84,8 +80,8 @@ std::optional<std::map<int, PlanarTriangle>> unfold(const Judged& judged, const 
   return placed;
 }
 
-/// Returns E of Eq. (4) of the map between two triangles: 2 (|z| - 1)² + 2 |w|². z: similarity part of the map. w:
-/// reflection part of the map.
+/// Returns E of Eq. (4) of the map between two triangles. With the similarity part z and the reflection part w of the
+/// map, E is 2 (|z| - 1)² + 2 |w|², times the area of the first triangle.
 double energy(const PlanarTriangle& from, const PlanarTriangle& to) {
   Eigen::Matrix2d before, after;
   before << from[1] - from[0], from[2] - from[0];
@@ -100,17 +96,16 @@ double energy(const PlanarTriangle& from, const PlanarTriangle& to) {
 
 bool has_other_outline(const Judged& judged, const Piece& piece) {
   const int number = judged.piece_of(piece.source_face.front());
-  const auto lies_in_piece = [&](const Edge& edge) { return !judged.sides_in(edge, number).empty(); };
+  const auto is_in_piece = [&](const Edge& edge) { return !judged.sides_in(edge, number).empty(); };
   for (const Wire& wire : judged.input.wires) {
-    for (std::size_t i = 0; i + 1 < wire.vertices.size(); ++i) {
-      const Edge edge = edge_of(wire.vertices[i], wire.vertices[i + 1]);
-      const bool is_other = wire.tolerance > 0 || wire.ease != 0;
-      if (is_other && judged.is_outline(edge) && lies_in_piece(edge)) return true;
+    if (wire.tolerance == 0 && wire.ease == 0) continue;
+    for (const Edge& edge : edges_of(wire)) {
+      if (judged.is_outline(edge) && is_in_piece(edge)) return true;
     }
   }
   for (const Ease& ease : judged.input.eases) {
     for (const auto& ends : ease.half_edges.rowwise()) {
-      if (lies_in_piece(edge_of(ends[0], ends[1]))) return true;
+      if (is_in_piece(edge_of(ends[0], ends[1]))) return true;
     }
   }
   return false;

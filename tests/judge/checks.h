@@ -6,14 +6,14 @@
 
 namespace wirewarp::test {
 
-/// Returns whether the error is about a fault of the mesh itself.
+/// Returns whether the error reports a fault of the mesh, not of its flat shape.
 bool is_of_mesh(ErrorCode code);
 
 /// Checks that the error of piece `number` agrees with the piece's topology, outline and wires, and names only elements
 /// of this piece.
 void check_error(Judged& judged, int number);
 
-/// Returns whether a piece's outline may have other lengths than on the surface.
+/// Returns whether eases or tolerances may give a piece's outline other lengths than on the surface.
 bool has_other_outline(const Judged& judged, const Piece& piece);
 
 /// Checks a piece whose surface unfolds into the plane without overlap, and whose outline has the lengths on the
@@ -35,7 +35,8 @@ void check_outline(Judged& judged, const Piece& piece);
 /// between junctions must have the same h, apart from their own eases.
 void check_wires(Judged& judged);
 
-/// Returns the target length of an edge without an ease over its length on the surface, as the mean over its sides.
+/// Returns the target length of an edge without an ease, divided by its length on the surface. The target length of a
+/// seam is the mean of its sides.
 double stretched_share(const Judged& judged, const Edge& edge);
 
 /// Checks a piece whose lengths shrink only by their directions. The piece must have no error if it has no error

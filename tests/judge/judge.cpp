@@ -5,7 +5,6 @@
 #include <regex>
 
 #include "checks.h"
-#include "planar_overlap.h"
 
 namespace wirewarp::test {
 namespace {
@@ -18,7 +17,7 @@ void check_corners(Judged& judged, const Piece& piece) {
   for (std::size_t f = 0; f < piece.source_face.size(); ++f) {
     const int face = piece.source_face[f];
     for (int k = 0; k < 3; ++k) {
-      const int corner = piece.faces(static_cast<Eigen::Index>(f), k);
+      const int corner = piece.faces(f, k);
       bool found = false;  // the piece may start the face at another corner
       for (int c = 0; c < 3; ++c) {
         found = found || (piece.source_vertex[corner] == judged.vertex(face, c) &&
@@ -32,10 +31,8 @@ void check_corners(Judged& judged, const Piece& piece) {
 void check_shape(Judged& judged, const Piece& piece) {
   std::vector<PlanarTriangle> triangles;
   for (const int face : piece.source_face) {
-    PlanarTriangle triangle{judged.uv(face, 0), judged.uv(face, 1), judged.uv(face, 2)};
-    if (judged.options.mirror) std::swap(triangle[1], triangle[2]);
-    if (!(doubled_area(triangle) > 0)) judged.say("face " + std::to_string(face) + " is flipped");
-    triangles.push_back(triangle);
+    triangles.push_back(judged.triangle(face));
+    if (!(doubled_area(triangles.back()) > 0)) judged.say("face " + std::to_string(face) + " is flipped");
   }
   const auto [first, second] = find_overlap(triangles);
   if (first < 0) return;
@@ -97,22 +94,15 @@ Sentences differences_of_layout(const FlattenInput& input, const Options& option
   return judged.take_sentences();
 }
 
-namespace {
-
-bool has_word(const std::string& text, const std::string& word) {
-  const std::regex whole("\\b" + word + "\\b");  // names have no special characters
-  return std::regex_search(text, whole);
-}
-
-}  // namespace
-
 Sentences faults_of_error(const FlattenError& error, const FlattenInput& input) {
   Sentences faults;
   const std::string name = describe(error.code).name;
   const std::string sentence = error.what();
   if (sentence.size() < 20 || sentence.back() != '.') faults.push_back(name + " has no sentence: " + sentence);
   for (const auto& [argument, value] : error.arguments) {
-    if (!has_word(describe(error.code).arguments, argument)) faults.push_back("undocumented argument: " + argument);
+    const std::regex whole_word("\\b" + argument + "\\b");  // names have no special characters
+    const std::string documented = describe(error.code).arguments;
+    if (!std::regex_search(documented, whole_word)) faults.push_back("undocumented argument: " + argument);
   }
   const ErrorElements& named = error.elements;
   const std::set<ErrorCode> of_no_element{ErrorCode::empty_mesh, ErrorCode::invalid_option, ErrorCode::wire_too_short,

@@ -11,7 +11,7 @@ Judged::Judged(const FlattenInput& the_input, const Options& the_options, const 
       unstretched(the_unstretched),
       piece_of_(input.faces.rows(), -1) {
   for (int f = 0; f < input.faces.rows(); ++f) {
-    for (int k = 0; k < 3; ++k) sides_[edge_of(vertex(f, k), vertex(f, k + 1))].push_back({f, k});
+    for (int k = 0; k < 3; ++k) sides_[edge(f, k)].push_back({f, k});
   }
   for (int i = 0; i < input.seams.rows(); ++i) seams_.insert(edge_of(input.seams(i, 0), input.seams(i, 1)));
   for (const auto& [edge, of_edge] : sides_) {

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "planar_overlap.h"
 #include "wirewarp/flatten.h"
 
 namespace wirewarp::test {
@@ -19,6 +20,14 @@ using Sentences = std::vector<std::string>;
 inline Edge edge_of(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
 
 inline std::string name(const Edge& edge) { return std::to_string(edge[0]) + "-" + std::to_string(edge[1]); }
+
+inline std::vector<Edge> edges_of(const Wire& wire) {
+  std::vector<Edge> edges;
+  for (std::size_t i = 1; i < wire.vertices.size(); ++i) {
+    edges.push_back(edge_of(wire.vertices[i - 1], wire.vertices[i]));
+  }
+  return edges;
+}
 
 /// One side of an edge: the face on this side, and the corner of the face at which the side starts.
 struct Side {
@@ -40,9 +49,15 @@ class Judged {
   Sentences take_sentences() { return std::move(sentences_); }
 
   int vertex(int face, int corner) const { return input.faces(face, corner % 3); }
+  Edge edge(int face, int corner) const { return edge_of(vertex(face, corner), vertex(face, corner + 1)); }
   Eigen::Vector3d position(int vertex) const { return input.vertices.row(vertex).transpose(); }
   Eigen::Vector2d uv(int face, int corner) const {
     return result.corner_uv.block<1, 2>(face, 2 * (corner % 3)).transpose();
+  }
+  /// Returns a face in the plane. The triangle is counter-clockwise if the face is not flipped.
+  PlanarTriangle triangle(int face) const {
+    const bool turned = options.mirror;
+    return {uv(face, 0), uv(face, turned ? 2 : 1), uv(face, turned ? 1 : 2)};
   }
 
   /// Returns the largest |u| or |v| of a piece, or NaN if the piece has no layout.
@@ -53,12 +68,10 @@ class Judged {
   bool may_stop_anywhere() const { return options.max_factorizations < 20; }
 
   const std::map<Edge, std::vector<Side>>& sides() const { return sides_; }
-  bool is_edge(const Edge& edge) const { return sides_.count(edge) > 0; }
   bool is_outline(const Edge& edge) const { return seams_.count(edge) || sides_.at(edge).size() == 1; }
   bool is_outline_vertex(int vertex) const { return outline_vertices_.count(vertex) > 0; }
   int num_outline_edges(int vertex) const { return static_cast<int>(outline_vertices_.count(vertex)); }
 
-  /// Returns the sides of an edge that belong to a piece.
   std::vector<Side> sides_in(const Edge& edge, int piece) const;
   int piece_of(int face) const { return piece_of_[face]; }
 

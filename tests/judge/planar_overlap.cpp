@@ -2,7 +2,6 @@
 #include "planar_overlap.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 namespace wirewarp::test {

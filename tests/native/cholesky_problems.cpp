@@ -43,11 +43,17 @@ GraphEdges complete(int num_vertices) {
 
 }  // namespace
 
+std::vector<const FrontKernels*> all_kernels() {
+  std::vector<const FrontKernels*> kernels{&kPlainKernels};
+  if (has_avx2()) kernels.push_back(&kAvx2Kernels);
+  return kernels;
+}
+
 Graph graph_of(int num_vertices, const GraphEdges& edges) {
-  std::vector<std::vector<int>> neighbors(static_cast<std::size_t>(num_vertices));
+  std::vector<std::vector<int>> neighbors(num_vertices);
   for (const auto& [a, b] : edges) {
-    neighbors[static_cast<std::size_t>(a)].push_back(b);
-    neighbors[static_cast<std::size_t>(b)].push_back(a);
+    neighbors[a].push_back(b);
+    neighbors[b].push_back(a);
   }
   Graph graph{{0}, {}};
   for (const std::vector<int>& of_vertex : neighbors) {

@@ -7,12 +7,16 @@
 #include <string>
 #include <vector>
 
+#include "numerics/cholesky/front_kernels.h"
 #include "numerics/cholesky/nested_dissection.h"
 
 namespace wirewarp {
 
 using SparseMatrix = Eigen::SparseMatrix<double>;
 using GraphEdges = std::vector<std::array<int, 2>>;
+
+/// Returns the kernels that this processor can run.
+std::vector<const FrontKernels*> all_kernels();
 
 struct CholeskyProblem {
   std::string name;
@@ -25,7 +29,6 @@ struct CholeskyProblem {
   DissectionTree tree() const { return nested_dissection(graph(), positions); }
 };
 
-/// Returns the graph of these edges, with each edge in both directions.
 Graph graph_of(int num_vertices, const GraphEdges& edges);
 
 /// Returns the lower triangle of 0.1 I + Σ B_eᵀ B_e over the edges e. B_e: random k by 2k matrices with entries from -1

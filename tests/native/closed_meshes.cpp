@@ -33,8 +33,8 @@ FlattenInput closed_surface(int around, int rings, const std::function<Eigen::Ve
       faces.emplace_back(rises(i, j) ? a : b, c, d);
     }
   }
-  input.faces.resize(static_cast<Eigen::Index>(faces.size()), 3);
-  for (std::size_t f = 0; f < faces.size(); ++f) input.faces.row(static_cast<Eigen::Index>(f)) = faces[f];
+  input.faces.resize(faces.size(), 3);
+  for (std::size_t f = 0; f < faces.size(); ++f) input.faces.row(f) = faces[f];
   return input;
 }
 

@@ -4,8 +4,21 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <Eigen/QR>
+#include <random>
 
 namespace wirewarp::test {
+
+Eigen::MatrixXd random_normal(Eigen::Index rows, Eigen::Index columns, unsigned seed) {
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal;
+  Eigen::MatrixXd matrix(rows, columns);
+  for (double& x : matrix.reshaped()) x = normal(random);
+  return matrix;
+}
+
+Eigen::MatrixXd symmetric(const Eigen::SparseMatrix<double>& lower) {
+  return Eigen::MatrixXd(lower).selfadjointView<Eigen::Lower>();
+}
 
 Eigen::MatrixXd product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) { return a * b; }
 

@@ -4,10 +4,16 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/SparseCore>
 
 namespace wirewarp::test {
 
-/// Returns the product a·b of large matrices.
+/// Returns normally distributed numbers with mean 0 and variance 1.
+Eigen::MatrixXd random_normal(Eigen::Index rows, Eigen::Index columns, unsigned seed);
+
+/// Returns the symmetric matrix with this lower triangle.
+Eigen::MatrixXd symmetric(const Eigen::SparseMatrix<double>& lower);
+
 Eigen::MatrixXd product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
 
 /// Returns spaceᵀ·a·space.
@@ -22,7 +28,7 @@ Eigen::MatrixXd null_space(const Eigen::MatrixXd& a);
 /// Returns the solution x of a x = b. a must be regular.
 Eigen::MatrixXd solve(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
 
-/// Returns the eigenvalues of a symmetric matrix, in ascending order.
+/// Returns eigenvalues in ascending order.
 Eigen::VectorXd eigenvalues(const Eigen::MatrixXd& symmetric);
 
 /// Returns the eigenvalues λ of symmetric·x = λ·metric·x, in ascending order. metric must be positive definite.

@@ -12,7 +12,7 @@ namespace wirewarp::test {
 /// first two corners swapped. The number of vertices must not be a multiple of 7.
 FlattenInput disguised(const FlattenInput& input);
 
-/// Returns edges of the surface in the numbering of disguised().
+/// Returns these edges in the numbering of disguised().
 std::vector<VertexPair> disguised(const FlattenInput& input, const std::vector<VertexPair>& edges);
 
 FlattenInput with_seams(FlattenInput input, const std::vector<VertexPair>& edges);

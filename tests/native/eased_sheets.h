@@ -2,26 +2,17 @@
 // Makes a sheet with a seam, and eases for the sides of the seam.
 #pragma once
 
-#include <gtest/gtest.h>
-
-#include <string>
 #include <vector>
 
-#include "judge.h"
 #include "test_meshes.h"
 #include "wirewarp/flatten.h"
 
 namespace wirewarp::test {
 
 inline Ease ease_along(const std::vector<int>& chain, double ratio) {
-  Ease ease{VertexPairs(static_cast<Eigen::Index>(chain.size()) - 1, 2), ratio};
+  Ease ease{VertexPairs(chain.size() - 1, 2), ratio};
   for (Eigen::Index i = 0; i < ease.half_edges.rows(); ++i) ease.half_edges.row(i) << chain[i], chain[i + 1];
   return ease;
-}
-
-inline void expect_good(const FlattenInput& input, const FlattenResult& result) {
-  EXPECT_EQ(broken_guarantees(input, {}, result), std::vector<std::string>{});
-  for (const Piece& piece : result.pieces) EXPECT_FALSE(piece.error) << piece.error->what();
 }
 
 /// Returns a sheet of 4 by 2. Its left half is flat and its right half is doubly curved, with a seam between them.

@@ -61,6 +61,12 @@ FlattenInput with_paths(FlattenInput input, const std::vector<SurfacePath>& path
   return with_seams(std::move(input), cut.edges);
 }
 
+Eigen::RowVector3d point_of(const FlattenInput& input, const SurfacePath& path, std::size_t i) {
+  Eigen::RowVector3d point = Eigen::RowVector3d::Zero();
+  for (int k = 0; k < 3; ++k) point += path.coordinates(i, k) * input.vertices.row(input.faces(path.faces[i], k));
+  return point;
+}
+
 void expect_figures(const FlattenInput& cut, const CutFigures& claimed) {
   const FlattenResult result = flatten(cut);
   for (const Piece& piece : result.pieces) ASSERT_FALSE(piece.error) << piece.error->what();
@@ -69,6 +75,11 @@ void expect_figures(const FlattenInput& cut, const CutFigures& claimed) {
   EXPECT_NEAR(claimed.strain, most_strain(cut, result), 1e-6);
   EXPECT_NEAR(claimed.length, length, 1e-9 * length);
   EXPECT_EQ(claimed.num_pieces, static_cast<int>(result.pieces.size()));
+}
+
+void expect_figures(const FlattenInput& input, const DartProposal& claimed) {
+  expect_figures(claimed.paths.empty() ? with_seams(input, claimed.edges) : with_paths(input, claimed.paths),
+                 {claimed.energy, claimed.strain, claimed.length, claimed.num_pieces});
 }
 
 }  // namespace wirewarp::test

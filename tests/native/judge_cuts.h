@@ -7,6 +7,7 @@
 
 #include "wirewarp/cut_mesh.h"
 #include "wirewarp/flatten.h"
+#include "wirewarp/propose.h"
 
 namespace wirewarp::test {
 
@@ -14,7 +15,7 @@ namespace wirewarp::test {
 /// of its area does not exceed. Every piece must have a shape.
 double most_strain(const FlattenInput& input, const FlattenResult& result);
 
-/// Returns the energy of all pieces, divided by their area.
+/// Returns the energy of all pieces over their area.
 double energy_of(const FlattenResult& result, bool has_cloth = false);
 
 /// Returns each edge once, with its smaller vertex first.
@@ -27,7 +28,9 @@ double length_of_seams(const FlattenInput& input);
 /// Returns the model with its mesh cut along these lines, and with a seam along each line.
 FlattenInput with_paths(FlattenInput input, const std::vector<SurfacePath>& paths);
 
-/// The figures of suggested darts, seams and sets of seams.
+/// Returns point i of a path in space.
+Eigen::RowVector3d point_of(const FlattenInput& input, const SurfacePath& path, std::size_t i);
+
 struct CutFigures {
   double energy, strain, length;
   int num_pieces;
@@ -36,5 +39,8 @@ struct CutFigures {
 /// Flattens the cut model without a fabric. Expects that every piece has a flat shape, and that the claimed figures are
 /// those of this run.
 void expect_figures(const FlattenInput& cut, const CutFigures& claimed);
+
+/// Expects that the claimed figures of a dart or a set of seams are true, along its lines or, without lines, its edges.
+void expect_figures(const FlattenInput& input, const DartProposal& claimed);
 
 }  // namespace wirewarp::test

@@ -80,7 +80,7 @@ void expect_own_parts_kept(const Chart& chart, const Chart& refined) {
 }
 
 void expect_sound_helpers(const Chart& chart, const Chart& refined) {
-  std::set<int> edges;  // edges of wires and outlines
+  std::set<int> edges;  // of wires and outlines
   for (const HalfEdgeChain& loop : refined.boundary_loops) {
     for (const HalfedgeHandle h : loop) edges.insert(refined.mesh.edge_handle(h).idx());
   }
@@ -120,8 +120,8 @@ Processed process(const FlattenInput& input) {
 
 double stretch_of_flattening(const Chart& chart) {
   const WireNetwork network = build_wire_network(chart);
-  Eigen::VectorXd lengths(static_cast<Eigen::Index>(network.edges.size()));
-  for (Eigen::Index e = 0; e < lengths.size(); ++e) lengths[e] = network.edges[static_cast<std::size_t>(e)].length;
+  Eigen::VectorXd lengths(network.edges.size());
+  for (Eigen::Index e = 0; e < lengths.size(); ++e) lengths[e] = network.edges[e].length;
   InnerProblem inner(network, NodeWeight::length);
   const InnerSolution solution = inner.solve(lengths, Inner::minimum);
   EXPECT_TRUE(solution.is_feasible);

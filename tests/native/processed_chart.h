@@ -16,8 +16,8 @@ struct Processed {
 /// processing the result again changes nothing.
 Processed process(const FlattenInput& input);
 
-/// Returns the largest relative difference between an edge's length on the surface and its flat length, if all wires
-/// keep their lengths on the surface.
+/// Flattens the chart with all wires at their lengths on the surface. Returns the largest relative change of an edge's
+/// length.
 double stretch_of_flattening(const Chart& chart);
 
 }  // namespace wirewarp::test

@@ -3,8 +3,8 @@
 
 #include <Eigen/Cholesky>
 #include <cmath>
-#include <random>
 
+#include "dense_algebra.h"
 #include "numerics/optimize/active_set_bfgs.h"
 #include "numerics/optimize/box_quadratic.h"
 
@@ -14,25 +14,17 @@ namespace {
 Eigen::VectorXd constant(int n, double value) { return Eigen::VectorXd::Constant(n, value); }
 
 TEST(ActiveSetBfgs, ModelMinimumSatisfiesTheOptimalityConditions) {
-  std::mt19937 random(5);
-  std::normal_distribution<double> normal;
   for (const int n : {1, 3, 20, 100}) {
-    Eigen::MatrixXd root(n, n);
-    Eigen::VectorXd g(n);
-    for (double& x : root.reshaped()) x = normal(random);
-    for (double& x : g) x = normal(random);
+    const Eigen::MatrixXd root = test::random_normal(n, n, 5);
+    const Eigen::VectorXd g = test::random_normal(n, 1, 6);
     const Eigen::MatrixXd b = root * root.transpose() + 0.1 * Eigen::MatrixXd::Identity(n, n);
     const Eigen::VectorXd d = minimize_quadratic_in_box(g, b, constant(n, -0.1), constant(n, 0.2));
     const Eigen::VectorXd slope = g + b * d;
     for (int i = 0; i < n; ++i) {
       ASSERT_GE(d[i], -0.1);
       ASSERT_LE(d[i], 0.2);
-      if (d[i] > -0.1) {
-        EXPECT_LT(slope[i], 1e-6);
-      }
-      if (d[i] < 0.2) {
-        EXPECT_GT(slope[i], -1e-6);
-      }
+      EXPECT_LT(d[i] > -0.1 ? slope[i] : 0, 1e-6);
+      EXPECT_GT(d[i] < 0.2 ? slope[i] : 0, -1e-6);
     }
   }
 }
@@ -47,8 +39,7 @@ TEST(ActiveSetBfgs, TheModelDecreasesEvenWithoutACholeskyFactor) {
 
 /// Returns 1 plus Rosenbrock's function, with the minimum 1 at (1, 1).
 std::optional<ValueAndGradient> rosenbrock(const Eigen::VectorXd& x) {
-  const double a = 1 - x[0];
-  const double b = x[1] - x[0] * x[0];
+  const double a = 1 - x[0], b = x[1] - x[0] * x[0];
   return ValueAndGradient{1 + a * a + 100 * b * b, Eigen::Vector2d(-2 * a - 400 * x[0] * b, 200 * b)};
 }
 

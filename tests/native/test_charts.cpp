@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tests how inputs are cut into charts: seams in every arrangement, outlines, and the parts of wires between seams.
+// Tests how inputs are cut into charts, wires into parts between seams, and charts into patches between wires.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,17 +9,20 @@
 #include <string>
 
 #include "base/planar.h"
-#include "judge.h"
+#include "error_of.h"
+#include "surface/network/wire_lines.h"
+#include "surface/network/wire_network.h"
 #include "test_meshes.h"
 
 namespace wirewarp::test_charts {
 namespace {
 
 using test::charts_of;
+using test::section;
 
-/// Returns a text that lists, for each chart, its numbers of faces and of edges of each loop, and its wire parts. Then
-/// the text lists, for each seam, its number of edges and the charts on its sides. Example: "24 faces around 16,
-/// elastic part 0 of 2; 6 edges between 0 1".
+/// Returns a text about the charts and seams, such as "24 faces around 16, elastic part 0 of 2; 6 edges between 0 1".
+/// This chart has 24 faces, an outline of 16 edges, and part 0 of a wire, which has 2 edges. The seam between charts 0
+/// and 1 has 6 edges.
 std::string described(const Charts& charts) {
   std::ostringstream text;
   for (const Chart& chart : charts.charts) {
@@ -40,13 +43,13 @@ std::string described(const Charts& charts) {
 }
 
 void expect_sound(const Charts& charts, const FlattenInput& input) {
-  std::vector<int> seen(static_cast<std::size_t>(input.faces.rows()), 0);
+  std::vector<int> seen(input.faces.rows(), 0);
   for (const Chart& chart : charts.charts) {
     for (std::size_t f = 0; f < chart.source_face.size(); ++f) {
-      ++seen[static_cast<std::size_t>(chart.source_face[f])];
+      ++seen[chart.source_face[f]];
       HalfedgeHandle h = chart.mesh.halfedge_handle(FaceHandle(static_cast<int>(f)));
       for (int k = 0; k < 3; ++k, h = chart.mesh.next_halfedge_handle(h)) {
-        const auto v = static_cast<std::size_t>(chart.mesh.from_vertex_handle(h).idx());
+        const int v = chart.mesh.from_vertex_handle(h).idx();
         EXPECT_EQ(chart.source_vertex[v], input.faces(chart.source_face[f], k));
       }
     }
@@ -64,7 +67,7 @@ void expect_sound(const Charts& charts, const FlattenInput& input) {
   EXPECT_EQ(std::count(seen.begin(), seen.end(), 1), static_cast<long>(seen.size())) << "every face in one chart";
 }
 
-constexpr int kN = 6;  // squares along a side of the sheet, each of two triangles
+constexpr int kN = 6;
 
 FlattenInput sheet(const std::vector<int>& seam, const std::vector<std::vector<int>>& wires = {}) {
   FlattenInput input = test::flat_rectangle(kN, kN, 1, 1);
@@ -73,24 +76,19 @@ FlattenInput sheet(const std::vector<int>& seam, const std::vector<std::vector<i
   return input;
 }
 
-/// Returns the part of a line that has `edges` edges and starts with edge `begin` of the line.
-std::vector<int> part_of(std::vector<int> line, std::size_t edges, std::size_t begin = 0) {
-  return {line.begin() + static_cast<long>(begin), line.begin() + static_cast<long>(begin + edges + 1)};
-}
-
 TEST(Charts, HaveTheirFacesLoopsSeamsAndPartsOfWires) {
   const std::vector<int> column = test::grid_column(kN, kN, 2), row = test::grid_row(kN, 3);
-  std::vector<int> up_and_right = part_of(column, 3);  // three edges up along the seam, then along the row to the right
+  std::vector<int> up_and_right = section(column, 0, 3);  // up along the seam, then along the row to the right
   up_and_right.insert(up_and_right.end(), row.begin() + 3, row.end());
   const std::vector<std::pair<FlattenInput, std::string>> cases = {
       {sheet(column), "24 faces around 16; 48 faces around 20; 6 edges between 0 1"},
-      {sheet(part_of(column, 3)), "72 faces around 30; 3 edges between 0 0"},       // a dart
-      {sheet(part_of(column, 2, 2)), "72 faces around 24 4; 2 edges between 0 0"},  // a slit: its loop is the second
+      {sheet(section(column, 0, 3)), "72 faces around 30; 3 edges between 0 0"},    // a dart
+      {sheet(section(column, 2, 4)), "72 faces around 24 4; 2 edges between 0 0"},  // a slit, whose loop is the second
       {sheet(test::grid_square(kN, 3, 3, 1)), "64 faces around 24 8; 8 faces around 8; 8 edges between 0 1"},
       {sheet(column, {row}),
        "24 faces around 16, elastic part 0 of 2; 48 faces around 20, elastic part 1 of 4; 6 edges between 0 1"},
       // One wire leads through the tip of a dart, and one wire across the dart.
-      {sheet(part_of(column, 3), {row, test::grid_row(kN, 2)}),
+      {sheet(section(column, 0, 3), {row, test::grid_row(kN, 2)}),
        "72 faces around 30, elastic part 0 of 2, elastic part 1 of 4, elastic part 0 of 2, elastic part 1 of 4; "
        "3 edges between 0 0"},
       {sheet(column, {up_and_right}),
@@ -115,7 +113,7 @@ TEST(Charts, FiveFacesOnASeamEdgeMakeFiveSides) {
 }
 
 TEST(Charts, TheOuterLoopIsFirstEvenIfAHoleIsLonger) {
-  // An annulus whose hole has a wavy outline, longer than the outer loop.
+  // An annulus with a hole whose wavy outline is longer than the outer loop.
   FlattenInput input = test::flat_annulus(96, 4, 1, 2);
   for (int v = 0; v < input.vertices.rows(); ++v) {
     const double angle = std::atan2(input.vertices(v, 1), input.vertices(v, 0));
@@ -149,9 +147,8 @@ TEST(Charts, ChartsThatShareOnlyAVertexAreFlattenedSeparately) {
       test::mesh_of({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {-1, 0, 0}, {-1, -1, 1}}, {{0, 1, 2}, {0, 3, 4}});
   for (const FlattenInput& input : {triangles, disks_that_touch()}) {
     const FlattenResult result = flatten(input);
-    ASSERT_EQ(result.pieces.size(), 2u);
-    for (const Piece& piece : result.pieces) EXPECT_FALSE(piece.error) << piece.error->what();
-    EXPECT_EQ(test::broken_guarantees(input, {}, result), std::vector<std::string>{});
+    EXPECT_EQ(result.pieces.size(), 2u);
+    test::expect_good(input, result);
     expect_sound(charts_of(input), input);
   }
 }
@@ -173,15 +170,14 @@ TEST(Charts, AWireThroughThePointWhereChartsTouchHasAPartInEach) {
       }
       EXPECT_EQ(found, expected);
       const FlattenResult result = flatten(input);
-      EXPECT_EQ(test::broken_guarantees(input, {}, result), std::vector<std::string>{});
+      test::expect_good(input, result);
       EXPECT_NEAR(result.wires.at(0).length_2d, static_cast<double>(chain.size() - 1), 1e-8);  // edges of length 1
     }
   }
 }
 
 TEST(Charts, PartsOfAClosedWirePartlyAlongTheOutlineDoNotDependOnWhereItsListBegins) {
-  constexpr int n = kN;
-  const auto vertex = [&](int i, int j) { return i + (n + 1) * j; };
+  const auto vertex = [](int i, int j) { return i + (kN + 1) * j; };
   std::vector<int> ring;  // a closed wire along the lower edge from column 1 to 5, and back at height 3
   for (int i = 1; i < 5; ++i) ring.push_back(vertex(i, 0));
   for (int j = 0; j < 3; ++j) ring.push_back(vertex(5, j));
@@ -191,10 +187,128 @@ TEST(Charts, PartsOfAClosedWirePartlyAlongTheOutlineDoNotDependOnWhereItsListBeg
     std::vector<int> chain = ring;
     std::rotate(chain.begin(), chain.begin() + static_cast<long>(turn), chain.end());
     chain.push_back(chain.front());
-    FlattenInput input = test::flat_rectangle(n, n, 1, 1);
+    FlattenInput input = test::flat_rectangle(kN, kN, 1, 1);
     test::add_wire(input, chain, 0.05);
     EXPECT_EQ(described(charts_of(input)), "72 faces around 24, outline part 0 of 4, elastic part 1 of 10") << turn;
   }
+}
+
+struct Network {
+  explicit Network(const FlattenInput& input) : chart(test::chart_of(input)), network(build_wire_network(chart)) {}
+  Chart chart;
+  WireNetwork network;
+};
+
+std::size_t num_loop_nodes(const WireNetwork& network) {
+  std::size_t count = 0;
+  for (const WirePatch& patch : network.patches) {
+    for (const auto& loop : patch.loops) count += loop.size();
+  }
+  return count;
+}
+
+void expect_closed_walks(const WireNetwork& network) {
+  EXPECT_EQ(num_loop_nodes(network), network.nodes.size()) << "every node in one loop";
+  for (const WirePatch& patch : network.patches) {
+    for (const auto& loop : patch.loops) {
+      for (std::size_t b = 0; b < loop.size(); ++b) {
+        const WireNode& node = network.nodes[loop[b].node];
+        const WireHalfEdge before = loop[(b + loop.size() - 1) % loop.size()].half_edge;
+        EXPECT_EQ(node.in.edge, before.edge);
+        EXPECT_EQ(node.in.reversed, before.reversed);
+        EXPECT_EQ(node.out.edge, loop[b].half_edge.edge);
+      }
+    }
+  }
+}
+
+TEST(WireNetwork, CrossingWiresMakeFourPatchesAndFourNodesWhereTheyCross) {
+  const int n = 6;
+  FlattenInput input = test::flat_rectangle(n, n, 1, 1);
+  test::add_wire(input, test::grid_row(n, 3));
+  test::add_wire(input, test::grid_column(n, n, 2));
+  const Network p(input);
+  expect_closed_walks(p.network);
+  EXPECT_EQ(p.network.patches.size(), 4u);
+  EXPECT_EQ(p.network.edges.size(), static_cast<std::size_t>(4 * n + 2 * n));
+  // Each boundary vertex has one node, or two if a wire ends there. Inner vertices of wires have two nodes, and the
+  // crossing has four nodes.
+  EXPECT_EQ(p.network.nodes.size(), static_cast<std::size_t>(4 * n + 4 + 2 * (2 * n - 3) - 2 + 4));
+  std::size_t most = 0;
+  for (const auto& nodes : p.network.inner_vertex_nodes) most = std::max(most, nodes.size());
+  EXPECT_EQ(most, 4u);
+}
+
+TEST(WireNetwork, GaussBonnet) {
+  // On every disk, the turning of the outline and the angle deficits inside add up to 2π.
+  const Network p(test::quarter_sphere(8));
+  const HalfEdgeMesh& mesh = p.chart.mesh;
+  double sum = 0;
+  std::vector<double> node_angle(mesh.n_vertices(), 0);
+  for (const WireNode& node : p.network.nodes) node_angle[node.vertex.idx()] += node.surface_angle;
+  for (const HalfedgeHandle h : p.chart.boundary_loops[0]) {
+    sum += kPi - node_angle[mesh.from_vertex_handle(h).idx()];
+  }
+  for (const VertexHandle v : mesh.vertices()) {
+    if (mesh.is_boundary(v)) continue;
+    sum += 2 * kPi;
+    for (const HalfedgeHandle h : mesh.voh_range(v)) {
+      const auto along = mesh.point(mesh.to_vertex_handle(h)) - mesh.point(v);
+      const auto next = mesh.point(mesh.to_vertex_handle(mesh.next_halfedge_handle(h))) - mesh.point(v);
+      sum -= std::acos((along | next) / (along.norm() * next.norm()));
+    }
+  }
+  EXPECT_NEAR(sum, 2 * kPi, 1e-11);
+}
+
+TEST(WireNetwork, ATailHasOneNodeAndAHoleItsOwnLoop) {
+  const int n = 6;
+  FlattenInput input = test::flat_rectangle(n, n, 1, 1);
+  test::add_wire(input, test::section(test::grid_row(n, 3), 0, 3));
+  const Network tail(input);
+  expect_closed_walks(tail.network);
+  EXPECT_EQ(std::count_if(tail.network.nodes.begin(), tail.network.nodes.end(),
+                          [](const WireNode& node) { return node.is_tail; }),
+            1);
+
+  const Network annulus(test::flat_annulus(12, 2, 1, 2));
+  expect_closed_walks(annulus.network);
+  ASSERT_EQ(annulus.network.patches.size(), 1u);
+  EXPECT_EQ(annulus.network.patches[0].loops.size(), 2u);
+  ASSERT_EQ(annulus.network.holes.size(), 1u);
+  EXPECT_EQ(annulus.network.holes[0].size(), 12u);
+}
+
+std::size_t bends_past_corners(const WireLines& lines) {
+  return static_cast<std::size_t>(
+      std::count_if(lines.bends.begin(), lines.bends.end(), [](const LineBend& bend) { return bend.num_sectors > 1; }));
+}
+
+TEST(WireLines, ContinueThroughCrossingsAndWhereWiresMeetTheOutline) {
+  FlattenInput input = test::flat_rectangle(6, 6, 1, 1);
+  test::add_wire(input, test::grid_row(6, 3));
+  test::add_wire(input, test::grid_column(6, 6, 2));
+  const Network crossed(input);
+  const WireLines lines = find_lines(crossed.chart, crossed.network);
+  EXPECT_EQ(lines.corners.size(), 4u + 4u * 2u);
+  EXPECT_EQ(lines.bends.size(), 24u + 2u * 2u * 5u)
+      << "one bend at each outline vertex, two at each inner vertex of a wire";
+  EXPECT_EQ(bends_past_corners(lines), 4u + 4u);
+  for (const LineBend& bend : lines.bends) {
+    const bool is_corner_of_square = std::abs(bend.node.surface_angle - kPi / 2) < 1e-12;
+    EXPECT_TRUE(is_corner_of_square || std::abs(bend.node.surface_angle - kPi) < 1e-12) << bend.node.surface_angle;
+  }
+}
+
+TEST(WireLines, TwoWiresEndToEndAreOneLineUnlessAThirdWireMeetsThem) {
+  FlattenInput input = test::flat_rectangle(6, 6, 1, 1);
+  test::add_wire(input, test::section(test::grid_row(6, 3), 0, 3));
+  test::add_wire(input, test::section(test::grid_row(6, 3), 3, 6));
+  const Network joined(input);
+  EXPECT_EQ(find_lines(joined.chart, joined.network).corners.size(), 2u * 2u) << "only where they meet the outline";
+  test::add_wire(input, test::section(test::grid_column(6, 6, 3), 0, 3));
+  const Network met(input);
+  EXPECT_EQ(find_lines(met.chart, met.network).corners.size(), 3u * 2u + 3u);
 }
 
 }  // namespace

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tests of coarse charts. Wires keep their course and length, every removed vertex has a place in a coarse triangle,
-// and shapes are prolonged to the fine chart.
+// Tests of coarse charts, and of fine shapes that start from coarse shapes.
 #include <gtest/gtest.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -18,7 +16,6 @@
 #include "newton/coarsen/prolong_wires.h"
 #include "newton/minimize.h"
 #include "newton/refine_chart.h"
-#include "surface/mesh/edge_table.h"
 #include "surface/mesh/geometry.h"
 #include "test_meshes.h"
 
@@ -34,7 +31,8 @@ Eigen::Vector3d dome(double s, double t) {
   return {x, y, -0.3 * (x * x + y * y) + 0.05 * std::sin(5 * x + 2 * y)};
 }
 
-FlattenInput with_cross(FlattenInput input, int n, double tolerance = 0) {
+FlattenInput crossed(int n, double jitter, const test::Surface& surface = dome, double tolerance = 0) {
+  FlattenInput input = jittered_grid(n, jitter, surface);
   test::add_wire(input, test::grid_row(n, n / 2), tolerance);
   test::add_wire(input, test::grid_column(n, n, n / 3), tolerance);
   return input;
@@ -42,16 +40,11 @@ FlattenInput with_cross(FlattenInput input, int n, double tolerance = 0) {
 
 struct Coarse {
   explicit Coarse(const FlattenInput& input, double stride = 4)
-      : charts(test::charts_of(input)),
+      : chart(test::chart_of(input)),
         coarse(coarsen(chart, network,
                        stride * std::sqrt(2 * surface_area(chart.mesh) / static_cast<double>(chart.mesh.n_faces())))) {}
 
-  Eigen::Vector3d fine_point(int v) const {
-    const auto p = chart.mesh.point(VertexHandle(v));
-    return {p[0], p[1], p[2]};
-  }
-  Charts charts;
-  const Chart& chart = charts.charts.at(0);
+  Chart chart;
   HeldNetwork network = build_held_network(chart);
   CoarseChart coarse;
 };
@@ -64,22 +57,13 @@ Solution refine_from_scratch(Problem& problem) {
 }
 
 TEST(Coarsen, RemovesMostVertices) {
-  const int n = 40;
-  const Coarse c(with_cross(jittered_grid(n, 0.3, dome), n));
+  const Coarse c(crossed(40, 0.3));
   EXPECT_LT(10 * c.coarse.chart.mesh.n_faces(), c.chart.mesh.n_faces());
   EXPECT_GT(c.coarse.chart.mesh.n_faces(), 50u);
 }
 
-TEST(Coarsen, StopsWhenAsked) {
-  const Coarse c(with_cross(jittered_grid(40, 0.3, dome), 40));
-  int rounds = 0;
-  EXPECT_THROW(coarsen(c.chart, c.network, 0.2, StopToken([&](const char*) { return rounds++ < 1; })), Stopped);
-  EXPECT_EQ(rounds, 2);
-}
-
 TEST(Coarsen, RunsPartitionTheFineEdgesAndTheirLengths) {
-  const int n = 40;
-  const Coarse c(with_cross(jittered_grid(n, 0.3, dome), n));
+  const Coarse c(crossed(40, 0.3));
   std::vector<int> count(c.network.edges.size(), 0);
   double walked = 0, total = 0;
   for (const WireRun& run : c.coarse.runs) {
@@ -92,8 +76,7 @@ TEST(Coarsen, RunsPartitionTheFineEdgesAndTheirLengths) {
 }
 
 TEST(Coarsen, ChordsAndAnglesAreThoseOfTheCoarseMeshOnAPlane) {
-  const int n = 40;
-  const Coarse c(with_cross(jittered_grid(n, 0.3, flat), n));
+  const Coarse c(crossed(40, 0.3, flat));
   const HeldNetwork measured = build_held_network(c.coarse.chart);
   for (std::size_t e = 0; e < measured.edges.size(); ++e) {
     EXPECT_NEAR(c.coarse.network.edges[e].length, measured.edges[e].length, 1e-12);
@@ -103,10 +86,8 @@ TEST(Coarsen, ChordsAndAnglesAreThoseOfTheCoarseMeshOnAPlane) {
   }
 }
 
-/// The sum of π − α over all nodes, which is the total turning of the network, does not change.
 TEST(Coarsen, KeepsTheTurningOfTheNetworkOnACurvedSurface) {
-  const int n = 40;
-  const Coarse c(with_cross(jittered_grid(n, 0.3, dome), n));
+  const Coarse c(crossed(40, 0.3));
   const auto turning = [](const WireNetwork& network) {
     double sum = 0;
     for (const WireNode& node : network.nodes) sum += kPi - node.surface_angle;
@@ -115,13 +96,10 @@ TEST(Coarsen, KeepsTheTurningOfTheNetworkOnACurvedSurface) {
   EXPECT_NEAR(turning(c.coarse.network), turning(c.network), 1e-9);
 }
 
-/// A closed wire must not collapse onto itself, however coarse the chart is.
 TEST(Coarsen, ClosedWiresStayOpen) {
   const int n = 40;
   FlattenInput input = jittered_grid(n, 0.3, dome);
-  const auto vertex = [](int i, int j) { return j * (n + 1) + i; };
-  test::add_wire(input, {vertex(20, 20), vertex(21, 20), vertex(22, 20), vertex(22, 21), vertex(22, 22), vertex(21, 22),
-                         vertex(20, 22), vertex(20, 21), vertex(20, 20)});
+  test::add_wire(input, test::grid_square(n, 21, 21, 1));
   const Coarse c(input, 12);
   const HalfEdgeChain& ring = c.coarse.chart.wire_parts.at(0).half_edges;
   EXPECT_GE(ring.size(), 3u);
@@ -131,17 +109,16 @@ TEST(Coarsen, ClosedWiresStayOpen) {
 }
 
 Positions2 mapped(const HalfEdgeMesh& mesh, const std::function<Eigen::Vector2d(const Eigen::Vector2d&)>& map) {
-  Positions2 uv(static_cast<Eigen::Index>(mesh.n_vertices()), 2);
+  Positions2 uv(mesh.n_vertices(), 2);
   for (const VertexHandle v : mesh.vertices()) uv.row(v.idx()) = map({mesh.point(v)[0], mesh.point(v)[1]}).transpose();
   return uv;
 }
 
-/// The map is weakly quadratic. Linear interpolation in triangles of size h would have the error h²/8 times the second
-/// derivative.
+/// On a quadratic map, linear interpolation in triangles of size h has the error h²/8 times the second derivative.
+/// interpolate() must be much better.
 TEST(Prolong, FollowsQuadraticMaps) {
-  const int n = 40;
   const double bend = 0.01;
-  const Coarse c(jittered_grid(n, 0.3, flat));
+  const Coarse c(jittered_grid(40, 0.3, flat));
   const auto map = [&](const Eigen::Vector2d& p) -> Eigen::Vector2d {
     return p + bend * Eigen::Vector2d(p.x() * p.x() - p.x() * p.y(), p.y() * p.y() + p.x() * p.y());
   };
@@ -150,8 +127,9 @@ TEST(Prolong, FollowsQuadraticMaps) {
   double error = 0, linear = 0;
   for (const VertexHandle v : c.chart.mesh.vertices()) {
     const CoarsePlace& place = c.coarse.places[v.idx()];
-    if ((c.fine_point(v.idx()) - Eigen::Vector3d(1, 1, 0)).cwiseAbs().maxCoeff() > 0.8)
-      continue;  // near the outline, derivatives are one-sided and therefore less accurate
+    const auto p = c.chart.mesh.point(v);
+    // Near the outline, derivatives are one-sided and therefore less accurate.
+    if (std::max(std::abs(p[0] - 1), std::abs(p[1] - 1)) > 0.8) continue;
     Eigen::RowVector2d flat_place(0, 0);
     for (int k = 0; k < 3; ++k) flat_place += place.weights[k] * coarse_uv.row(place.vertices[k]);
     linear += (flat_place - wanted.row(v.idx())).squaredNorm();
@@ -162,8 +140,7 @@ TEST(Prolong, FollowsQuadraticMaps) {
 
 /// Some triangles of the sheet are folded over their neighbors, and a smooth map keeps these folds.
 TEST(Prolong, FlipsNoTriangleOfAJitteredSheet) {
-  const int n = 72;
-  const Coarse c(with_cross(jittered_grid(n, 0.32, dome), n));
+  const Coarse c(crossed(72, 0.32));
   Problem coarse_problem(c.coarse.chart, c.coarse.network, 0.3);
   const Positions2 coarse_uv = refine_from_scratch(coarse_problem).shape.uv;
   Positions2 smooth = interpolate(c.chart, c.coarse, coarse_uv);
@@ -174,7 +151,6 @@ TEST(Prolong, FlipsNoTriangleOfAJitteredSheet) {
   EXPECT_LT(((uv - smooth).rowwise().norm().array() > 0).count(), uv.rows() / 10) << "most vertices stay";
 }
 
-/// Expects that the coarse shape leads to the same minimum as a start from scratch, in at most max_factorizations.
 void expect_same_minimum(const FlattenInput& input, double fairness = 0.3, int max_factorizations = 2) {
   const Chart chart = test::chart_of(input);
   Problem problem(chart, fairness);
@@ -191,8 +167,8 @@ void expect_same_minimum(const FlattenInput& input, double fairness = 0.3, int m
 }
 
 TEST(CoarseStart, ReachesTheSameMinimum) {
-  expect_same_minimum(with_cross(jittered_grid(48, 0.1, dome), 48, 0.03));
-  expect_same_minimum(with_cross(jittered_grid(64, 0.25, dome), 64, 0.05));  // with jagged wires
+  expect_same_minimum(crossed(48, 0.1, dome, 0.03));
+  expect_same_minimum(crossed(64, 0.25, dome, 0.05));     // with jagged wires
   expect_same_minimum(test::quarter_sphere(40), 0.1, 3);  // far from developable: 13 factorizations from scratch
   FlattenInput plate = test::flat_plate_with_two_holes(24);
   for (int v = 0; v < plate.vertices.rows(); ++v) {
@@ -202,29 +178,26 @@ TEST(CoarseStart, ReachesTheSameMinimum) {
 }
 
 TEST(CoarseStart, LargeChartsTakeOneFactorization) {
-  const int n = 104;  // 21,632 faces
-  const Charts charts = test::charts_of(with_cross(jittered_grid(n, 0.2, dome), n));
+  const Chart chart = test::chart_of(crossed(104, 0.2));  // 21,632 faces
   int asked = 0;
-  const Solution refined =
-      refine_chart(charts.charts.at(0), Options{}, StopToken([&](const char*) { return ++asked > 0; }));
+  const Solution refined = refine_chart(chart, Options{}, StopToken([&](const char*) { return ++asked > 0; }));
   EXPECT_TRUE(refined.is_converged());
   EXPECT_EQ(refined.factorizations, 1);
   EXPECT_GE(asked, refined.factorizations);
 }
 
 TEST(CoarseStart, StopsWhenAsked) {
-  const int n = 16;
   InternalOptions options;
   options.large_chart = 1;
   options.fairness = 0.3;
-  const Charts charts = test::charts_of(with_cross(jittered_grid(n, 0.2, dome), n));
+  const Chart chart = test::chart_of(crossed(16, 0.2));
   int asked = 0;
-  refine_chart(charts.charts.at(0), options, StopToken([&](const char*) { return ++asked > 0; }));
+  refine_chart(chart, options, StopToken([&](const char*) { return ++asked > 0; }));
   bool was_exact = false;
   for (int last = 0; last < asked; ++last) {  // also cancels while the coarse chart is solved
     int count = 0;
     const StopToken stop([&](const char*) { return ++count <= last; });
-    const Solution stopped = refine_chart(charts.charts.at(0), options, stop);
+    const Solution stopped = refine_chart(chart, options, stop);
     EXPECT_TRUE(stopped.is_exact() ? stopped.length_error < 1e-10 : stopped.status == SolutionStatus::cancelled);
     EXPECT_TRUE(stopped.is_exact() || !was_exact) << "a run that stops later must not lose exact lengths";
     was_exact = stopped.is_exact();
@@ -238,10 +211,7 @@ TEST(CoarseStart, StopsWhenAsked) {
 TEST(CoarseStart, IsRejectedIfTheCoarseChartHasNoExactLengths) {
   FlattenInput input = test::quarter_sphere(5);
   input.wires.clear();
-  const EdgeTable edges(input.faces, static_cast<int>(input.vertices.rows()));
-  for (int e = 0; e < edges.num_edges(); ++e) {
-    if (edges.num_sides(e) == 2) test::add_wire(input, {edges.vertices(e)[0], edges.vertices(e)[1]});
-  }
+  test::add_wires_on_edges(input);
   const Chart chart = test::chart_of(input);
   Budget budget(100);
   EXPECT_FALSE(start_from_coarse({chart, 1}, {budget}));
@@ -249,19 +219,18 @@ TEST(CoarseStart, IsRejectedIfTheCoarseChartHasNoExactLengths) {
 
 /// With little fairness, wires may have waves of a few edges, which a coarser chart cannot represent.
 TEST(CoarseStart, IsRejectedIfWiresMayHaveShortWaves) {
-  const Chart chart = test::chart_of(with_cross(jittered_grid(24, 0.2, dome), 24));
+  const Chart chart = test::chart_of(crossed(24, 0.2));
   Budget budget(100);
   EXPECT_FALSE(start_from_coarse({chart, 0.01}, {budget}));
 }
 
 /// The start has multipliers, as if it were near the minimum, but all its vertices coincide.
 TEST(Minimize, RejectsAStartThatIsNotNearTheMinimum) {
-  const int n = 24;
-  const Chart chart = test::chart_of(with_cross(jittered_grid(n, 0.2, dome), n));
+  const Chart chart = test::chart_of(crossed(24, 0.2));
   const Problem problem(chart, 0.1);
-  const Positions2 point = Positions2::Constant(static_cast<Eigen::Index>(chart.mesh.n_vertices()), 2, 1.0);
+  const Positions2 point = Positions2::Constant(chart.mesh.n_vertices(), 2, 1.0);
   Budget budget(100);
-  const Eigen::VectorXd forces = Eigen::VectorXd::Ones(static_cast<Eigen::Index>(problem.network().edges.size()));
+  const Eigen::VectorXd forces = Eigen::VectorXd::Ones(problem.network().edges.size());
   const Solution found = minimize(problem, {}, {point, {}, forces}, {budget});
   EXPECT_FALSE(found.is_exact());
 }

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tests of meshes that are cut along lines. The surface stays the same, lines become edges, and no slivers appear.
+// Tests of meshes that are cut along lines.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <random>
 #include <set>
 
+#include "error_of.h"
+#include "judge_cuts.h"
 #include "surface/mesh/edge_table.h"
 #include "test_meshes.h"
 #include "wirewarp/cut_mesh.h"
@@ -19,24 +20,15 @@ Eigen::Vector3d corner(const Positions3& vertices, const Triangles& faces, Eigen
   return vertices.row(faces(f, k)).transpose();
 }
 
-/// Returns twice the area vector of a face.
 Eigen::Vector3d doubled_area_of(const Positions3& vertices, const Triangles& faces, Eigen::Index f) {
   const Eigen::Vector3d a = corner(vertices, faces, f, 0);
   return (corner(vertices, faces, f, 1) - a).cross(corner(vertices, faces, f, 2) - a);
 }
 
-Eigen::RowVector3d point_at(const FlattenInput& mesh, const SurfacePath& path, std::size_t i) {
-  Eigen::RowVector3d point = Eigen::RowVector3d::Zero();
-  for (int k = 0; k < 3; ++k) {
-    point += path.coordinates(static_cast<Eigen::Index>(i), k) * mesh.vertices.row(mesh.faces(path.faces[i], k));
-  }
-  return point;
-}
-
 SurfacePath path_of(const std::vector<int>& faces, const std::vector<std::array<double, 3>>& coordinates) {
-  SurfacePath path{faces, Positions3(static_cast<Eigen::Index>(coordinates.size()), 3)};
+  SurfacePath path{faces, Positions3(coordinates.size(), 3)};
   for (std::size_t i = 0; i < coordinates.size(); ++i) {
-    for (int k = 0; k < 3; ++k) path.coordinates(static_cast<Eigen::Index>(i), k) = coordinates[i][k];
+    for (int k = 0; k < 3; ++k) path.coordinates(i, k) = coordinates[i][k];
   }
   return path;
 }
@@ -106,9 +98,8 @@ SurfacePath line_in_random_plane(const FlattenInput& mesh, std::mt19937& random)
   const Eigen::Vector3d normal(number(random), number(random), number(random));
   const Eigen::RowVector3d center = mesh.vertices.colwise().mean();
   SurfacePath line = line_in_plane(mesh, (mesh.vertices.rowwise() - center) * normal);
-  return line.faces.size() > 4
-             ? line
-             : line_in_random_plane(mesh, random);  // again if the line cuts off only a corner of the mesh
+  const bool cuts_only_a_corner = line.faces.size() <= 4;
+  return cuts_only_a_corner ? line_in_random_plane(mesh, random) : line;
 }
 
 /// Returns the smallest ratio of a face's height to the height of the input face that contains it. Heights are measured
@@ -129,7 +120,6 @@ double least_height(const FlattenInput& mesh, const CutMesh& cut) {
   return least;
 }
 
-/// Expects that cuts do not change the surface of a mesh. No face is flipped, and the parts of each input face fill it.
 void expect_same_surface(const FlattenInput& mesh, const CutMesh& cut) {
   ASSERT_EQ(cut.vertices.topRows(mesh.vertices.rows()), mesh.vertices);
   ASSERT_EQ(cut.sources.faces.size(), static_cast<std::size_t>(cut.faces.rows()));
@@ -212,12 +202,12 @@ TEST(CutMesh, ALineAlongEdgesChangesNothing) {
   const FlattenInput sphere = test::quarter_sphere(6);
   const EdgeTable edges(sphere.faces, static_cast<int>(sphere.vertices.rows()));
   const std::vector<int> column = test::grid_column(6, 12, 2);
-  SurfacePath path{{}, Positions3::Zero(static_cast<Eigen::Index>(column.size()), 3)};
+  SurfacePath path{{}, Positions3::Zero(column.size(), 3)};
   for (std::size_t i = 0; i < column.size(); ++i) {
     for (int side = 0; side < 3 * static_cast<int>(sphere.faces.rows()); ++side) {
       if (edges.from(side) != column[i]) continue;
       path.faces.push_back(side / 3);
-      path.coordinates(static_cast<Eigen::Index>(i), side % 3) = 1;
+      path.coordinates(i, side % 3) = 1;
       break;
     }
   }
@@ -231,7 +221,7 @@ TEST(CutMesh, ALineAlongEdgesChangesNothing) {
 
 TEST(CutMesh, AStraightLineLeavesNoSlivers) {
   std::mt19937 random(5);
-  for (int i = 0; i < 200; ++i) {
+  for (int i = 0; i < 100; ++i) {
     const FlattenInput mesh = i % 2 == 0 ? test::quarter_sphere(6) : test::saddle(7, 0.8);
     const double snap = i % 4 < 2 ? 0.05 : 0.01;
     const SurfacePath path = line_in_random_plane(mesh, random);
@@ -258,9 +248,10 @@ TEST(CutMesh, ScribblesKeepTheSurface) {
     const double reach = 3 * snap * 0.7;  // 0.7: longest edge of the meshes
     for (const SurfacePath& path : paths) {
       for (const std::size_t at : {std::size_t{0}, path.faces.size() - 1}) {
+        const Eigen::RowVector3d point = test::point_of(mesh, path, at);
         double nearest = 1;
         for (const VertexPair& edge : cut.edges) {
-          for (const int v : edge) nearest = std::min(nearest, (cut.vertices.row(v) - point_at(mesh, path, at)).norm());
+          for (const int v : edge) nearest = std::min(nearest, (cut.vertices.row(v) - point).norm());
         }
         EXPECT_LT(nearest, reach);
       }
@@ -270,12 +261,7 @@ TEST(CutMesh, ScribblesKeepTheSurface) {
 
 std::string message_of(const std::vector<SurfacePath>& paths, double snap = 0.05) {
   const FlattenInput square = test::flat_rectangle(2, 1, 2, 1);
-  try {
-    cut_mesh(square.vertices, square.faces, paths, snap);
-  } catch (const FlattenError& error) {
-    return error.what();
-  }
-  return "";
+  return test::error_of([&] { cut_mesh(square.vertices, square.faces, paths, snap); }).what();
 }
 
 TEST(CutMesh, PathsThatAreNotLinesOnTheMeshAreRefused) {
@@ -292,7 +278,6 @@ TEST(CutMesh, PathsThatAreNotLinesOnTheMeshAreRefused) {
   EXPECT_EQ(message_of({path_of({0, 0}, {{1, 0, 0}, {0.98, 0.01, 0.01}})}),
             "The option paths[0] is a line whose points all snap to one point: it must be longer.");
   EXPECT_EQ(message_of({}, 0.3), "The option snap is 0.3: it must be from 0.0001 to 0.25.");
-  EXPECT_EQ(message_of({path_of({0, 0}, {{1, 0, 0}, {0, 0.5, 0.5}})}), "");
   FlattenInput square = test::flat_rectangle(1, 1, 1, 1);
   square.faces.row(1) << 0, 3, 3;
   EXPECT_THROW(cut_mesh(square.vertices, square.faces, {}), FlattenError);

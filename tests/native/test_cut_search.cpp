@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tests of cuts that are suggested for one of several pieces. The energy of a cut is that of a new run of the whole
-// model, because a cut may also change other pieces. The other tests of this file are of parts of the search.
+// Tests of cuts that are suggested for one of several pieces, and of parts of the search for cuts.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <ostream>
-#include <string>
 #include <vector>
 
 #include "base/planar.h"
@@ -22,20 +19,10 @@
 namespace wirewarp::test_cut_search {
 namespace {
 
-/// A case in which a cut of one piece may change other pieces, because of an elastic seam, a stretched fabric or thick
-/// material.
-struct Neighbors {
-  const char* name;
-  FlattenInput input;
-  Options options;
-};
-
-/// Names the case in test reports.
-void PrintTo(const Neighbors& test, std::ostream* out) { *out << test.name; }
-
 /// Returns a hill cut into three pieces side by side, with a wire across all three pieces. One side of a seam is longer
 /// than the other side.
-FlattenInput three_pieces(int n) {
+FlattenInput three_pieces() {
+  const int n = 8;
   FlattenInput input = test::hill(n);
   for (const int column : {n / 4, 3 * n / 4}) test::add_seam(input, test::grid_column(n, n, column));
   test::add_wire(input, test::grid_row(n, n / 2), 0.02);
@@ -43,31 +30,8 @@ FlattenInput three_pieces(int n) {
   return input;
 }
 
-Neighbors with_elastic_seam(int n) {
-  Neighbors test{"elastic_seam", three_pieces(n), {}};
-  test::add_wire(test.input, test::grid_column(n, n, n / 4), 0.03);
-  return test;
-}
-
-Neighbors with_stretched_cloth(int n) {
-  Neighbors test{"stretched_cloth", three_pieces(n), {}};
-  test.options.cloth.emplace();
-  test.options.cloth->stretch = {0.1, 0.05};
-  test.options.grain = 0;
-  return test;
-}
-
-Neighbors with_thick_material(int n) {
-  Neighbors test{"thick_material", three_pieces(n), {}};
-  test.options.thickness = 0.05;
-  test.options.surface = Surface::inside;
-  return test;
-}
-
-class CutsBesideNeighbors : public testing::TestWithParam<Neighbors> {};
-
-TEST_P(CutsBesideNeighbors, HaveTheFiguresOfAFreshRunOfTheWholeModel) {
-  const auto& [name, input, options] = GetParam();
+/// Expects that suggested cuts of the middle piece have the energy of a run of the whole model.
+void expect_energy_of_the_whole_model(const FlattenInput& input, const Options& options) {
   CutOptions cut_options;
   cut_options.count = 2;
   cut_options.piece = 1;
@@ -86,11 +50,26 @@ TEST_P(CutsBesideNeighbors, HaveTheFiguresOfAFreshRunOfTheWholeModel) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Models, CutsBesideNeighbors,
-                         testing::Values(with_elastic_seam(8), with_stretched_cloth(8), with_thick_material(8)),
-                         [](const testing::TestParamInfo<Neighbors>& test) { return std::string(test.param.name); });
+TEST(CutsBesideNeighbors, HaveTheEnergyOfTheWholeModelWithAnElasticSeam) {
+  FlattenInput input = three_pieces();
+  test::add_wire(input, test::grid_column(8, 8, 2), 0.03);
+  expect_energy_of_the_whole_model(input, {});
+}
 
-// Tests of allowed strains, of the canonical order of a chart's vertices, and of mirror images.
+TEST(CutsBesideNeighbors, HaveTheEnergyOfTheWholeModelOfAStretchedFabric) {
+  Options options;
+  options.cloth.emplace();
+  options.cloth->stretch = {0.1, 0.05};
+  options.grain = 0;
+  expect_energy_of_the_whole_model(three_pieces(), options);
+}
+
+TEST(CutsBesideNeighbors, HaveTheEnergyOfTheWholeModelOfThickMaterial) {
+  Options options;
+  options.thickness = 0.05;
+  options.surface = Surface::inside;
+  expect_energy_of_the_whole_model(three_pieces(), options);
+}
 
 /// Returns a regular polygon with a vertex in its center, so that walks around the outline look the same from every
 /// start.
@@ -137,8 +116,7 @@ TEST(MirrorImage, PathsAcrossFacesWithoutMirrorImagesHaveNoMirrorImage) {
     std::vector<VertexHandle> image;
     for (const VertexHandle v : chart.mesh.vertices()) {
       const int at = chart.source_vertex[v.idx()], column = at % (n + 1), mirrored_at = at + n - 2 * column;
-      const auto& sources = chart.source_vertex;
-      image.emplace_back(static_cast<int>(std::find(sources.begin(), sources.end(), mirrored_at) - sources.begin()));
+      image.emplace_back(test::position_in(chart.source_vertex, mirrored_at));
     }
     // Tries all paths from a corner of a face across the opposite edge to the far corner of the next face.
     int num_mirrored = 0, num_refused = 0;
@@ -166,22 +144,19 @@ TEST(MirrorImage, PathsAcrossFacesWithoutMirrorImagesHaveNoMirrorImage) {
   }
 }
 
-// Tests of paths of cuts along edges.
-
-constexpr int kN = 14;  // edges along a side
+constexpr int kN = 14;
 constexpr int kMiddle = 6;
 
 bool is_inside(int i, int j) { return i > 0 && j > 0 && i < kN && j < kN; }
 
-/// Returns whether paths may use a vertex. Two lanes come from the left and from below, and are open. The area above
-/// and to the right of their crossing is open, too.
+/// Returns whether paths may use a vertex. Two lanes from the left and from below are open, and the area above and to
+/// the right of their crossing.
 bool is_open(int i, int j) {
   if (!is_inside(i, j)) return false;
   return (i >= kMiddle && j >= kMiddle) || (j == kMiddle && i < kMiddle) || (i == kMiddle && j < kMiddle);
 }
 
-/// Returns whether an edge is a diagonal at the crossing or at the ends of the lanes next to the crossing. Paths must
-/// not use these diagonals.
+/// Returns whether an edge is a diagonal beside the crossing. Paths must not take this shortcut.
 bool is_diagonal_of_the_crossing(int i, int j, int other_i, int other_j) {
   const auto is_near = [](int a, int b) { return a + b <= 2 * kMiddle && a <= kMiddle && b <= kMiddle; };
   return i != other_i && j != other_j && (is_near(i, j) || is_near(other_i, other_j));
@@ -193,10 +168,7 @@ TEST(SmoothPaths, PathsThatCrossThemselvesAreRejected) {
   const Chart chart = test::chart_of(input);
   const auto column = [&](VertexHandle v) { return chart.source_vertex[v.idx()] % (kN + 1); };
   const auto row = [&](VertexHandle v) { return chart.source_vertex[v.idx()] / (kN + 1); };
-  const auto at = [&](int i, int j) {
-    const auto found = std::find(chart.source_vertex.begin(), chart.source_vertex.end(), i + (kN + 1) * j);
-    return VertexHandle(static_cast<int>(found - chart.source_vertex.begin()));
-  };
+  const auto at = [&](int i, int j) { return VertexHandle(test::position_in(chart.source_vertex, i + (kN + 1) * j)); };
   Forbidden forbidden{std::vector<char>(chart.mesh.n_vertices(), 0), std::vector<char>(chart.mesh.n_edges(), 0)};
   for (const VertexHandle v : chart.mesh.vertices()) forbidden.vertices[v.idx()] = is_open(column(v), row(v)) ? 0 : 1;
   for (const EdgeHandle e : chart.mesh.edges()) {

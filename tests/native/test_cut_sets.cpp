@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tests of sets of seams that are suggested for models without seams. A run with the seams must confirm their figures.
-// The sets must not depend on position, orientation and numbering.
+// Tests of sets of seams that are suggested for models without seams, and of plans of several cuts.
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
@@ -8,7 +7,6 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <ostream>
 #include <set>
 #include <string>
 #include <vector>
@@ -49,32 +47,21 @@ FlattenInput hill() {
   return test::height_field(8, [](double x, double y) { return 2 * (1 - x * x) * (1 - y * y); });
 }
 
-/// Returns options for few cuts, which are quick to find.
 CutOptions rough() {
   CutOptions cut_options;
   cut_options.strain = 0.3;
   return cut_options;
 }
 
-struct Case {
-  const char* name;
-  FlattenInput input;
-};
-
-/// Names the case in test reports.
-void PrintTo(const Case& shape, std::ostream* out) { *out << shape.name; }
-
-class SeamSetsOf : public testing::TestWithParam<Case> {};
-
-TEST_P(SeamSetsOf, FlattenEveryPieceWithTheFiguresOfAFreshRun) {
-  const FlattenInput& input = GetParam().input;
+/// Expects that the sets flatten every piece with the claimed figures, and that shorter sets have more strain.
+void expect_true_sets(const FlattenInput& input) {
   CutOptions cut_options;
   cut_options.strain = 0.15;
   const std::vector<DartProposal> sets = propose_seams(input, {}, cut_options);
   ASSERT_FALSE(sets.empty());
   EXPECT_LE(sets.front().strain, *cut_options.strain);
   for (const DartProposal& set : sets) {
-    test::expect_figures(test::with_seams(input, set.edges), {set.energy, set.strain, set.length, set.num_pieces});
+    test::expect_figures(input, set);
     EXPECT_EQ(set.energy_before, std::numeric_limits<double>::infinity());
     EXPECT_EQ(set.strain_before, std::numeric_limits<double>::infinity());
     EXPECT_EQ(set.piece, 0);
@@ -98,11 +85,12 @@ TEST(CutSetSearch, ReportsProgressThatNeverFallsAndIsNotStuckAtTheEnd) {
   EXPECT_LT(reported[reported.size() / 2], 0.9);
 }
 
-INSTANTIATE_TEST_SUITE_P(Shapes, SeamSetsOf,
-                         testing::Values(Case{"ball", ball()}, Case{"head", head()}, Case{"lopsided_head", head(0.5)},
-                                         Case{"hill", hill()}, Case{"torus", test::closed_torus(18, 9)},
-                                         Case{"tube", test::cylinder_tube(16, 8, 1, 4)}),
-                         [](const testing::TestParamInfo<Case>& test) { return std::string(test.param.name); });
+TEST(SeamSets, OfABallAreTrue) { expect_true_sets(ball()); }
+TEST(SeamSets, OfAHeadAreTrue) { expect_true_sets(head()); }
+TEST(SeamSets, OfALopsidedHeadAreTrue) { expect_true_sets(head(0.5)); }
+TEST(SeamSets, OfAHillAreTrue) { expect_true_sets(hill()); }
+TEST(SeamSets, OfATorusAreTrue) { expect_true_sets(test::closed_torus(18, 9)); }
+TEST(SeamSets, OfATubeAreTrue) { expect_true_sets(test::cylinder_tube(16, 8, 1, 4)); }
 
 TEST(CutSetSearch, MakesNoSetForAPieceThatAWireStrains) {
   FlattenInput input = hill();
@@ -139,20 +127,19 @@ TEST(CutSetSearch, FindsSymmetricSeamsOfASymmetricModel) {
 }
 
 VertexPairs as_rows(const std::set<VertexPair>& edges) {
-  VertexPairs rows(static_cast<Eigen::Index>(edges.size()), 2);
+  VertexPairs rows(edges.size(), 2);
   Eigen::Index row = 0;
   for (const VertexPair& edge : edges) rows.row(row++) << edge[1], edge[0];  // in the reverse direction
   return rows;
 }
 
 TEST(CutSetSearch, AvoidsEdgesThatMayHaveNoSeam) {
-  for (const FlattenInput& input : {ball(), head(0.5)}) {
-    CutOptions cut_options = rough();
-    const std::set<VertexPair> forbidden = test::undirected(propose_seams(input, {}, cut_options).front().edges);
-    cut_options.no_seam = as_rows(forbidden);
-    for (const DartProposal& set : propose_seams(input, {}, cut_options)) {
-      for (const VertexPair& edge : test::undirected(set.edges)) EXPECT_EQ(forbidden.count(edge), 0U);
-    }
+  const FlattenInput input = head(0.5);
+  CutOptions cut_options = rough();
+  const std::set<VertexPair> forbidden = test::undirected(propose_seams(input, {}, cut_options).front().edges);
+  cut_options.no_seam = as_rows(forbidden);
+  for (const DartProposal& set : propose_seams(input, {}, cut_options)) {
+    for (const VertexPair& edge : test::undirected(set.edges)) EXPECT_EQ(forbidden.count(edge), 0U);
   }
 }
 
@@ -217,7 +204,7 @@ TEST(CutSetSearch, ReturnsTheSetsFoundSoFarIfStopped) {
     ASSERT_FALSE(sets.empty());
     for (const DartProposal& set : sets) {
       EXPECT_EQ(set.piece, 0);
-      test::expect_figures(test::with_seams(input, set.edges), {set.energy, set.strain, set.length, set.num_pieces});
+      test::expect_figures(input, set);
     }
   }
 }
@@ -228,6 +215,131 @@ TEST(CutSetSearch, APlanIsCanceledWithItsSets) {
   const auto stop = [](const std::string&, double reached) { return reached < 0.5; };
   const auto plan = [&] { plan_seams(head(), {}, target, stop); };
   EXPECT_EQ(test::error_of(plan).code, ErrorCode::cancelled);
+}
+
+FlattenInput hills(int n) { return test::two_hills(n, 1.1); }
+
+/// Returns the strain of the most strained piece with the first num_cuts of these cuts.
+double most_strain(FlattenInput input, const std::vector<DartProposal>& cuts, std::size_t num_cuts) {
+  for (std::size_t i = 0; i < num_cuts; ++i) input = test::with_seams(std::move(input), cuts[i].edges);
+  const FlattenResult result = flatten(input);
+  for (const Piece& piece : result.pieces) EXPECT_FALSE(piece.error);
+  return test::most_strain(input, result);
+}
+
+TEST(PlanCuts, StrainLeftIsThatOfAFreshRun) {
+  const FlattenInput input = hills(6);
+  CutTarget target;
+  target.strain = 0;
+  const std::vector<DartProposal> seams = plan_seams(input, {}, target);
+  ASSERT_EQ(seams.size(), 2U);
+  for (std::size_t i = 0; i < seams.size(); ++i) {
+    EXPECT_NEAR(*seams[i].strain_left, most_strain(input, seams, i + 1), 1e-6 * seams[0].strain_before);
+  }
+}
+
+TEST(PlanCuts, MirroredPairsAreChosenTogetherIfBothAreAllowed) {
+  FlattenInput input = hills(8);
+  // No dart crosses this wire, so no single dart can help both hills.
+  test::add_wire(input, test::grid_column(8, 8, 4));
+  CutTarget target;
+  target.strain = 0;
+  target.twins = true;
+  const std::vector<DartProposal> both = plan_darts(input, {}, target);
+  ASSERT_EQ(both.size(), 2U);
+  EXPECT_EQ(both[0].twin, 1);
+  EXPECT_EQ(both[1].twin, 0);
+  EXPECT_NEAR(both[0].length, both[1].length, 1e-9);
+  EXPECT_NEAR(*both[0].strain_left, *both[0].strain_with_twin, 1e-6 * both[0].strain_before);
+  EXPECT_EQ(both[0].strain_left, both[1].strain_left);
+  EXPECT_NEAR(*both[0].strain_left, most_strain(input, both, 2), 1e-6 * both[0].strain_before);
+  for (const bool is_number : {true, false}) {
+    CutTarget less = target;
+    if (is_number) less.most = 1;
+    if (!is_number) less.total_length = 1.5 * both[0].length;
+    const std::vector<DartProposal> cuts = plan_darts(input, {}, less);
+    double length = 0;
+    for (const DartProposal& cut : cuts) {
+      EXPECT_FALSE(cut.twin && is_number);
+      EXPECT_LT(cut.twin ? *cut.strain_with_twin : cut.strain, cut.strain_before);
+      length += cut.length;
+    }
+    EXPECT_LE(static_cast<int>(cuts.size()), less.most);
+    EXPECT_LE(length, less.total_length);
+  }
+}
+
+/// Returns a sheet with a wide flat bulge, a small steep bulge and a seam between them. The wide bulge has the most
+/// energy, and the steep bulge has the most strain.
+FlattenInput bulges(int n) {
+  FlattenInput input = test::make_grid(n, n, [](double s, double t) {
+    const double x = 6 * s - 2, y = 2 * t - 1;
+    const auto bulge = [&](double at, double height, double sharpness) {
+      return height * std::exp(-sharpness * ((x - at) * (x - at) + 2 * (y - 0.1) * (y - 0.1)));
+    };
+    return Eigen::Vector3d(x, y, bulge(1.8, 1.1, 0.6) + bulge(-1.1, 0.45, 6));
+  });
+  test::alternate_diagonals(input, n);
+  test::add_seam(input, test::grid_column(n, n, n / 3));
+  return input;
+}
+
+TEST(PlanCuts, CutThePieceWithTheMostStrainRatherThanTheMostEnergy) {
+  const FlattenInput input = bulges(12);
+  const FlattenResult uncut = flatten(input);
+  std::vector<double> energies;
+  for (const Piece& piece : uncut.pieces) energies.push_back(piece.metrics.arap_energy * piece.metrics.area_3d);
+  CutTarget target;
+  target.strain = 0;
+  target.most = 1;
+  const std::vector<DartProposal> cuts = plan_seams(input, {}, target);
+  ASSERT_EQ(cuts.size(), 1U);
+  const int other = 1 - cuts[0].piece;
+  EXPECT_LT(energies[cuts[0].piece], energies[other]);
+  EXPECT_LT(*cuts[0].strain_left, most_strain(input, {}, 0));
+}
+
+TEST(PlanCuts, OfOnePieceStayWithinIt) {
+  const int n = 6;
+  FlattenInput input = hills(n);
+  test::add_seam(input, test::grid_column(n, n, n / 2));
+  const std::vector<int> own = flatten(input).pieces[1].source_vertex;
+  CutTarget target;
+  target.strain = 0;
+  target.most = 3;
+  target.piece = 1;
+  for (const DartProposal& cut : plan_seams(input, {}, target)) {
+    for (const VertexPair& edge : cut.edges) {
+      for (const int v : edge) EXPECT_GT(std::count(own.begin(), own.end(), v), 0);
+    }
+  }
+}
+
+TEST(PlanCuts, ProgressNeverFallsAndCanCancelInAnyRound) {
+  CutTarget target;
+  target.strain = 0;
+  std::vector<double> fractions;
+  plan_darts(hills(4), {}, target, [&](const std::string& stage, double fraction) {
+    EXPECT_EQ(stage, "cuts");
+    fractions.push_back(fraction);
+    return true;
+  });
+  EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
+  const double second_round = 0.5;
+  ASSERT_GE(fractions.back(), second_round);
+  // The number of polls in this thread depends on how much work the other threads do. The test therefore cancels at a
+  // fraction of the progress.
+  for (const double last : {fractions.front(), second_round}) {
+    bool has_ended = false;
+    const auto plan = [&] {
+      plan_darts(hills(4), {}, target, [&](const std::string&, double fraction) {
+        EXPECT_FALSE(has_ended);
+        has_ended = fraction >= last;
+        return !has_ended;
+      });
+    };
+    EXPECT_EQ(test::error_of(plan).code, ErrorCode::cancelled);
+  }
 }
 
 }  // namespace

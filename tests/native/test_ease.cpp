@@ -30,10 +30,7 @@ TEST(Ease, OfAllLinesScalesASheet) {
   const int n = 6;
   const double ease = -0.1;
   FlattenInput input = test::flat_rectangle(n, n, 1, 1);
-  for (int i = 0; i <= n; ++i) {
-    test::add_wire(input, test::grid_row(n, i));
-    test::add_wire(input, test::grid_column(n, n, i));
-  }
+  test::add_net(input, n, {0, 1, 2, 3, 4, 5, 6});
   for (Wire& wire : input.wires) wire.ease = ease;
   const FlattenResult result = flatten(input);
   expect_good(input, result);
@@ -49,8 +46,7 @@ TEST(Ease, OfASeamAppliesToAllItsSides) {
     FlattenInput input = sheet_and_saddle();
     test::add_wire(input, seam_of_sheets());
     input.wires.back().ease = 0.05;
-    Options options;
-    options.method = method;
+    Options options = test::by(method);
     const FlattenResult result = flatten(input, options);
     const SeamReport& seam = result.seams.at(0);
     EXPECT_NEAR(seam.variation, 0.05, 1e-12);
@@ -79,18 +75,15 @@ TEST(Ease, OfOneSideDoesNotChangeTheOther) {
 
 TEST(Ease, BetweenTwoMarksAppliesToTheEdgesBetween) {
   FlattenInput input = sheet_and_saddle();
-  std::vector<int> marked = seam_of_sheets();
-  marked = {marked.begin() + 2, marked.begin() + 6};  // three of eight edges
-  input.eases.push_back(ease_along(marked, 0.1));
+  input.eases.push_back(ease_along(test::section(seam_of_sheets(), 2, 5), 0.1));  // three of eight edges
   const FlattenResult result = flatten(input);
   expect_good(input, result);
   EXPECT_NEAR(result.seams.at(0).eases[0], 0.1 * 3 / 8, 1e-9);
 }
 
 /// If one end of a strip of height H becomes longer by the fraction r, the strip becomes a sector of a ring. At the
-/// distance y from the other end, its threads become arcs that are longer by r y/H. E is the integral of the square of
-/// this fraction. The effect of a strip's free sides is the same at any width, so it cancels out in the difference of
-/// two widths.
+/// distance y from the other end, its threads become arcs that are longer by r y/H. E is the integral of (r y/H)². The
+/// strip's free sides cost the same energy at any width, which cancels out in the difference of two widths.
 TEST(Ease, OfOneEndTurnsACylinderIntoASector) {
   const double ease = 0.05, height = 1;
   const int rows = 8;

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tests that errors of the input, options and pieces have the right code, and name the faulty elements in their lists
-// and messages.
+// Tests the codes, listed elements and messages of errors.
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <ostream>
 #include <set>
 
 #include "base/planar.h"
@@ -50,7 +48,6 @@ FlattenInput scaled(FlattenInput input, double factor) {
   return input;
 }
 
-/// Returns `count` squares that share no vertices. Each square has one or two triangles.
 FlattenInput loose_squares(int count, int triangles_of_each) {
   FlattenInput input;
   input.vertices.resize(4 * count, 3);
@@ -65,119 +62,89 @@ FlattenInput loose_squares(int count, int triangles_of_each) {
 }
 
 struct Fault {
-  const char* name;
   FlattenInput input;
   Code code;
-  const char* words;  // words that the message must contain
+  const char* words;
+  // The error must list these elements. Empty lists are not compared.
   std::vector<int> faces = {};
   std::vector<int> vertices = {};
   std::vector<VertexPair> edges = {};
 };
 
-/// Names the case in test reports.
-void PrintTo(const Fault& fault, std::ostream* out) { *out << fault.name; }
-std::string name_of(const testing::TestParamInfo<Fault>& test) { return test.param.name; }
-
 void expect_fault(const FlattenError& error, const Fault& fault) {
+  SCOPED_TRACE(fault.words);
   EXPECT_EQ(error.code, fault.code);
   expect_words(error, fault.words);
-  if (!fault.faces.empty()) {
-    EXPECT_EQ(error.elements.faces, fault.faces);
-  }
-  if (!fault.vertices.empty()) {
-    EXPECT_EQ(error.elements.vertices, fault.vertices);
-  }
-  if (!fault.edges.empty()) {
-    EXPECT_EQ(error.elements.edges, fault.edges);
-  }
-}
-
-class FaultOfTheInput : public testing::TestWithParam<Fault> {};
-
-TEST_P(FaultOfTheInput, IsThrown) {
-  expect_fault(test::error_of([] { flatten(GetParam().input); }), GetParam());
+  const auto expect_listed = [](const auto& found, const auto& expected) {
+    EXPECT_TRUE(expected.empty() || found == expected);
+  };
+  expect_listed(error.elements.faces, fault.faces);
+  expect_listed(error.elements.vertices, fault.vertices);
+  expect_listed(error.elements.edges, fault.edges);
 }
 
 const double kInfinity = std::numeric_limits<double>::infinity(), kNan = std::nan("");
 
-INSTANTIATE_TEST_SUITE_P(
-    ErrorCodes, FaultOfTheInput,
-    testing::Values(
-        Fault{"no_mesh", {}, Code::empty_mesh, ""},
-        Fault{"face_out_of_range",
-              triangles({{0, 1, 2}, {0, 2, 7}}),
-              Code::vertex_out_of_range,
-              "Face 1 names vertex 7,",
-              {1},
-              {7}},
-        Fault{"faces_out_of_range",
-              triangles({{0, 7, 2}, {0, 9, 7}}),
-              Code::vertex_out_of_range,
-              "Faces 0 and 1 name vertices 7 and 9,",
-              {0, 1},
-              {7, 9}},
-        Fault{"seam_out_of_range", with_seam({0, 99}), Code::vertex_out_of_range, "99"},
-        Fault{"wire_out_of_range", with_wire({0, -1}), Code::vertex_out_of_range, "-1"},
-        Fault{"nan", with_coordinate(kNan), Code::non_finite_coordinates, "vertex 2", {}, {2}},
-        Fault{"infinity", with_coordinate(kInfinity), Code::non_finite_coordinates, "vertex 2", {}, {2}},
-        Fault{"too_far", with_coordinate(1e60), Code::non_finite_coordinates, "vertex 2", {}, {2}},
-        Fault{"too_far_down", with_coordinate(-1e200), Code::non_finite_coordinates, "vertex 2", {}, {2}},
-        Fault{"seam_beside_edges", with_seam({1, 3}), Code::seam_not_an_edge, "edge 1-3", {}, {}, {{1, 3}}},
-        Fault{"wire_beside_edges", with_wire({0, 1, 3}), Code::wire_not_an_edge, "wire 0 (bust)", {}, {}, {{1, 3}}},
-        Fault{"short_wire", with_wire({2}), Code::wire_too_short, "(bust)"},
-        Fault{"wire_there_and_back", with_wire({0, 2, 0}), Code::edge_in_two_wires, "0"},
-        Fault{"negative_tolerance", with_wire({0, 2}, -0.01), Code::invalid_tolerance, "(bust)"},
-        Fault{"tolerance_nan", with_wire({0, 2}, kNan), Code::invalid_tolerance, "(bust)"}),
-    name_of);
-
-class FaultOfAPiece : public testing::TestWithParam<Fault> {};
-
-TEST_P(FaultOfAPiece, IsReportedWithThePiece) {
-  const FlattenResult result = flatten(GetParam().input);
-  ASSERT_TRUE(result.pieces.at(0).error);
-  expect_fault(*result.pieces[0].error, GetParam());
+TEST(ErrorCodes, FaultsOfTheInputAreThrown) {
+  FlattenInput two_wires = with_wire({0, 2});
+  test::add_wire(two_wires, {2, 0});
+  for (const Fault& fault : std::vector<Fault>{
+           {{}, Code::empty_mesh, ""},
+           {triangles({{0, 1, 2}, {0, 2, 7}}), Code::vertex_out_of_range, "Face 1 names vertex 7,", {1}, {7}},
+           {triangles({{0, 7, 2}, {0, 9, 7}}),
+            Code::vertex_out_of_range,
+            "Faces 0 and 1 name vertices 7 and 9,",
+            {0, 1},
+            {7, 9}},
+           {with_seam({0, 99}), Code::vertex_out_of_range, "99"},
+           {with_wire({0, -1}), Code::vertex_out_of_range, "-1"},
+           {with_coordinate(kNan), Code::non_finite_coordinates, "vertex 2", {}, {2}},
+           {with_coordinate(kInfinity), Code::non_finite_coordinates, "vertex 2", {}, {2}},
+           {with_coordinate(1e60), Code::non_finite_coordinates, "vertex 2", {}, {2}},
+           {with_coordinate(-1e200), Code::non_finite_coordinates, "vertex 2", {}, {2}},
+           {with_seam({1, 3}), Code::seam_not_an_edge, "edge 1-3", {}, {}, {{1, 3}}},
+           {with_wire({0, 1, 3}), Code::wire_not_an_edge, "wire 0 (bust)", {}, {}, {{1, 3}}},
+           {with_wire({2}), Code::wire_too_short, "(bust)"},
+           {with_wire({0, 2, 0}), Code::edge_in_two_wires, "0"},
+           {two_wires, Code::edge_in_two_wires, "", {}, {}, {{2, 0}}},
+           {with_wire({0, 2}, -0.01), Code::invalid_tolerance, "(bust)"},
+           {with_wire({0, 2}, kNan), Code::invalid_tolerance, "(bust)"},
+       }) {
+    expect_fault(test::error_of([&] { flatten(fault.input); }), fault);
+  }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    ErrorCodes, FaultOfAPiece,
-    testing::Values(
-        Fault{"area_too_small_for_a_double", scaled(square(), 1e-61), Code::zero_area_face, "", {0, 1}},
-        Fault{"repeated_vertex", triangles({{0, 1, 2}, {0, 2, 2}}), Code::repeated_vertex_in_face, "Face 1", {1}},
-        Fault{"repeated_face", triangles({{0, 1, 2}, {0, 2, 3}, {2, 1, 0}}), Code::repeated_face, "Face 2", {2}},
-        Fault{"no_area",
-              test::mesh_of({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}),
-              Code::zero_area_face,
-              "Face 0",
-              {0}},
-        Fault{"three_faces_at_an_edge",
-              triangles({{0, 1, 2}, {0, 2, 3}, {0, 2, 4}}),
-              Code::non_manifold_edge,
-              "edge 0-2",
-              {},
-              {},
-              {{0, 2}}},
-        Fault{"face_turned",
-              triangles({{0, 1, 2}, {0, 3, 2}}),
-              Code::inconsistent_orientation,
-              "recalculate the normals",
-              {},
-              {},
-              {{0, 2}}},
-        Fault{"closed",
-              triangles({{0, 2, 1}, {0, 1, 4}, {1, 2, 4}, {0, 4, 2}}),
-              Code::closed_chart,
-              "is closed: mark a seam that opens it, such as along edge",
-              {0, 1, 2, 3}}),
-    name_of);
+FlattenError carried_by(const FlattenInput& input, Code code) {
+  return test::expect_error(flatten(input).pieces.at(0).error, code);
+}
 
-FlattenError carried_by(const FlattenInput& input) {
-  return flatten(input).pieces.at(0).error.value_or(FlattenError(Code::cancelled, "no error"));
+TEST(ErrorCodes, FaultsOfAPieceAreReportedWithThePiece) {
+  const FlattenInput flat_face = test::mesh_of({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1, 1, 0}}, {{0, 1, 2}, {0, 2, 3}});
+  const FlattenInput three_faces = triangles({{0, 1, 2}, {0, 2, 3}, {0, 2, 4}});
+  const FlattenInput pyramid = triangles({{0, 2, 1}, {0, 1, 4}, {1, 2, 4}, {0, 4, 2}});
+  for (const Fault& fault : std::vector<Fault>{
+           {scaled(square(), 1e-61), Code::zero_area_face, "", {0, 1}},  // areas below the smallest double
+           {triangles({{0, 1, 2}, {0, 2, 2}}), Code::repeated_vertex_in_face, "Face 1", {1}},
+           {triangles({{0, 1, 2}, {0, 2, 3}, {2, 1, 0}}), Code::repeated_face, "Face 2", {2}},
+           {flat_face, Code::zero_area_face, "Face 0", {0}},
+           {three_faces, Code::non_manifold_edge, "edge 0-2", {}, {}, {{0, 2}}},
+           {triangles({{0, 1, 2}, {0, 3, 2}}),
+            Code::inconsistent_orientation,
+            "recalculate the normals",
+            {},
+            {},
+            {{0, 2}}},
+           {pyramid, Code::closed_chart, "is closed: mark a seam that opens it, such as along edge", {0, 1, 2, 3}},
+       }) {
+    expect_fault(carried_by(fault.input, fault.code), fault);
+  }
 }
 
 TEST(ErrorCodes, SeamsAreProposedIfNothingElseHelps) {
-  const FlattenError three_faces = carried_by(triangles({{0, 1, 2}, {0, 2, 3}, {0, 2, 4}}));
+  const FlattenError three_faces = carried_by(triangles({{0, 1, 2}, {0, 2, 3}, {0, 2, 4}}), Code::non_manifold_edge);
   EXPECT_EQ(three_faces.elements.proposed_seams, three_faces.elements.edges);
-  EXPECT_TRUE(carried_by(triangles({{0, 1, 2}, {0, 3, 2}})).elements.proposed_seams.empty()) << "flip a face";
+  const FlattenError flipped = carried_by(triangles({{0, 1, 2}, {0, 3, 2}}), Code::inconsistent_orientation);
+  EXPECT_TRUE(flipped.elements.proposed_seams.empty()) << "flip a face instead";
 }
 
 TEST(ErrorCodes, LooseFacesAreMoreThanAThousandSeparateParts) {
@@ -201,21 +168,13 @@ TEST(ErrorCodes, TheScaleOfTheModelDoesNotMatter) {
   FlattenInput saddle = test::saddle(6, 0.4);  // rounding errors change its shape little, because nothing buckles
   test::add_wire(saddle, test::grid_row(6, 2));
   const Positions2 expected = flatten(saddle).pieces[0].vertices;
-  for (const double scale : {1e-57, 1e-30, 1e30, 0.9e60}) {
+  for (const double scale : {1e-57, 0.9e60}) {
     const FlattenResult result = flatten(scaled(saddle, scale));
     ASSERT_FALSE(result.pieces[0].error.has_value()) << scale << " " << result.pieces[0].error->what();
-    // Rounding errors change the last step, and each stage stops when the next step would gain less than 1e-9 of its
-    // objective.
+    // Rounding errors may change positions by 1e-6, because each stage stops when the next step would gain less than
+    // 1e-9 of its objective.
     EXPECT_LT((result.pieces[0].vertices / scale - expected).cwiseAbs().maxCoeff(), 1e-6) << scale;
   }
-}
-
-TEST(ErrorCodes, AnEdgeInTwoWires) {
-  FlattenInput input = with_wire({0, 2});
-  test::add_wire(input, {2, 0});
-  const FlattenError error = test::error_of([&] { flatten(input); });
-  EXPECT_EQ(error.code, Code::edge_in_two_wires);
-  EXPECT_EQ(error.elements.edges, (std::vector<VertexPair>{{2, 0}}));
 }
 
 TEST(ErrorCodes, InvalidOption) {
@@ -256,13 +215,12 @@ TEST(ErrorCodes, CornersOfTheWrongNumberOfFaces) {
 }
 
 TEST(ErrorCodes, NonManifoldVertex) {
-  // A ring of quads without its last triangle. Its two ends touch only at one vertex.
+  // A ring of quads without its last triangle. The two ends of the ring touch only at one vertex.
   const int n = 8;
   FlattenInput input = test::flat_annulus(n, 1, 1, 2);
   const Eigen::RowVector3i left_out = input.faces.bottomRows(1);
   input.faces.conservativeResize(2 * n - 1, 3);
-  const FlattenError error = carried_by(input);
-  EXPECT_EQ(error.code, Code::non_manifold_vertex);
+  const FlattenError error = carried_by(input, Code::non_manifold_vertex);
   ASSERT_EQ(error.elements.vertices.size(), 1u);
   EXPECT_TRUE((left_out.array() == error.elements.vertices[0]).any());
   expect_words(error, "vertex " + std::to_string(error.elements.vertices[0]));
@@ -271,9 +229,7 @@ TEST(ErrorCodes, NonManifoldVertex) {
 TEST(ErrorCodes, Handles) {
   FlattenInput torus = test::closed_torus(6, 6);
   torus.faces.conservativeResize(torus.faces.rows() - 1, 3);
-  const FlattenError error = carried_by(torus);
-  EXPECT_EQ(error.code, Code::handles);
-  expect_words(error, "such as along edges");
+  expect_words(carried_by(torus, Code::handles), "such as along edges");
 }
 
 TEST(ErrorCodes, OtherChartsAreFlattenedIfOneIsNotSolvable) {
@@ -287,8 +243,7 @@ TEST(ErrorCodes, OtherChartsAreFlattenedIfOneIsNotSolvable) {
     points.insert(points.end(), {{size, 0, -size}, {0, size, -size}, {-size, 0, -size}, {0, -size, -size}});
     if (ring == 0) continue;
     for (int i = 0; i < 4; ++i) {
-      const int outer = 4 * (ring - 1) + i;
-      const int next = 4 * (ring - 1) + (i + 1) % 4;
+      const int outer = 4 * (ring - 1) + i, next = 4 * (ring - 1) + (i + 1) % 4;
       faces.push_back({outer, next, next + 4});
       faces.push_back({outer, next + 4, outer + 4});
     }
@@ -300,15 +255,13 @@ TEST(ErrorCodes, OtherChartsAreFlattenedIfOneIsNotSolvable) {
   points.insert(points.end(), {{5, 0, 0}, {6, 0, 0}, {6, 1, 0}});
   faces.push_back({last + 4, last + 5, last + 6});
   const FlattenResult result = flatten(test::mesh_of(points, faces));
-  ASSERT_TRUE(result.pieces[0].error.has_value());
-  EXPECT_EQ(result.pieces[0].error->code, Code::not_solvable) << result.pieces[0].error->what();
+  const FlattenError error = test::expect_error(result.pieces[0].error, Code::not_solvable);
   std::set<int> small;  // all faces without an edge on the outermost square
   for (std::size_t f = 0; f < num_nested; ++f) {
     if (f >= 8 || f % 2 == 1) small.insert(static_cast<int>(f));
   }
-  const std::vector<int>& named = result.pieces[0].error->elements.faces;
-  EXPECT_EQ(std::set<int>(named.begin(), named.end()), small);
-  expect_words(*result.pieces[0].error, "differ too much in size");
+  EXPECT_EQ(std::set<int>(error.elements.faces.begin(), error.elements.faces.end()), small);
+  expect_words(error, "differ too much in size");
   EXPECT_EQ(result.pieces[0].report.termination, Termination::failed);
   EXPECT_FALSE(result.pieces[1].error.has_value());
 }
@@ -346,8 +299,7 @@ TEST(OneSidedSurface, AMobiusStripIsCutWhereFacesFlip) {
     strip.faces.row(2 * i) << a, c, b;
     strip.faces.row(2 * i + 1) << b, c, d;
   }
-  const FlattenError error = carried_by(strip);
-  EXPECT_EQ(error.code, ErrorCode::inconsistent_orientation);
+  const FlattenError error = carried_by(strip, Code::inconsistent_orientation);
   expect_words(error, "one-sided");
   ASSERT_FALSE(error.elements.proposed_seams.empty());
   for (const VertexPair& pair : error.elements.proposed_seams) test::add_seam(strip, {pair[0], pair[1]});

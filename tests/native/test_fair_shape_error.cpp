@@ -1,26 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Tests of the terms of the objective: shape error, bending and barriers.
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
 #include <cmath>
 #include <limits>
-#include <random>
 
 #include "dense_algebra.h"
 #include "energy/fair_shape_error.h"
+#include "energy/log_barrier.h"
+#include "energy/outline_barrier.h"
 #include "energy/vertex_matrix.h"
 #include "test_meshes.h"
 
 namespace wirewarp::test_fair_shape_error {
 namespace {
 
-Positions2 random_positions(Eigen::Index rows, unsigned seed) {
-  std::mt19937 random(seed);
-  std::normal_distribution<double> normal;
-  Positions2 uv(rows, 2);
-  for (double& x : uv.reshaped()) x = normal(random);
-  return uv;
-}
+Positions2 random_positions(Eigen::Index rows, unsigned seed) { return test::random_normal(rows, 2, seed); }
 
 double dot(const Positions2& a, const Positions2& b) { return (a.array() * b.array()).sum(); }
 
@@ -39,19 +35,14 @@ class FairShapeErrorOnASaddle : public testing::Test {
     return 0.8 * flat + 0.15 * random_positions(flat.rows(), seed);
   }
 
-  VertexMatrix empty_hessian() {
+  Eigen::MatrixXd hessian(const Positions2& uv, Curvature curvature) {
     std::vector<VertexPair> pairs;
     objective.list_pairs(pairs);
-    VertexMatrix hessian(static_cast<int>(chart.mesh.n_vertices()), pairs);
-    objective.attach_to(hessian);
-    return hessian;
-  }
-
-  Eigen::MatrixXd hessian(const Positions2& uv, Curvature curvature) {
-    VertexMatrix matrix = empty_hessian();
+    VertexMatrix matrix(static_cast<int>(chart.mesh.n_vertices()), pairs);
+    objective.attach_to(matrix);
     objective.add_constant_hessian(matrix);
     objective.add_curvature(uv, curvature, matrix);
-    return Eigen::MatrixXd(Eigen::MatrixXd(matrix.lower()).selfadjointView<Eigen::Lower>());
+    return test::symmetric(matrix.lower());
   }
 
   /// Compares gradient and Hessian with central differences along the line uv + t d. The differences have the error h²
@@ -164,16 +155,8 @@ TEST_F(FairShapeErrorOfAFabric, TheConvexCurvatureIsPositiveAndAboveTheExactCurv
   }
 }
 
-TEST_F(FairShapeErrorOfAFabric, FlippedTrianglesAreInfinite) {
-  Positions2 mirrored = test::planar_positions(chart);
-  mirrored.col(0) *= -1;
-  const FairShapeError without_barrier(chart, network, 0.2, &cloth);
-  EXPECT_EQ(without_barrier.value(mirrored), std::numeric_limits<double>::infinity());
-}
-
 TEST(FairShapeError, AStepEndsWhereTheFirstTriangleFlips) {
-  const Charts charts = test::charts_of(test::flat_rectangle(1, 1, 1, 1));  // diagonal from (0, 0) to (1, 1)
-  const Chart& chart = charts.charts.at(0);
+  const Chart chart = test::chart_of(test::flat_rectangle(1, 1, 1, 1));  // diagonal from (0, 0) to (1, 1)
   const HeldNetwork network = build_held_network(chart);
   const Positions2 uv = test::planar_positions(chart);
   Positions2 d = Positions2::Zero(4, 2);
@@ -185,79 +168,61 @@ TEST(FairShapeError, AStepEndsWhereTheFirstTriangleFlips) {
   EXPECT_EQ(FairShapeError(chart, network, 0.1).longest_step(uv, d), 1) << "flips are not forbidden";
 }
 
+Bending bending(const Chart& chart, double fairness) {
+  return bending_of(chart, build_held_network(chart), fairness, std::vector<double>(chart.mesh.n_vertices(), 1));
+}
+
 TEST(FairShapeError, AMirrorImageHasOnlyFlippedTriangles) {
   const Chart chart = test::chart_of(test::flat_rectangle(3, 2, 3, 2));
   const FairShapeError objective(chart, build_held_network(chart), 0.1);
   const Positions2 uv = test::planar_positions(chart);
   EXPECT_EQ(objective.count_flips(uv), 0);
   EXPECT_EQ(objective.count_flips(uv * Eigen::Vector2d(-1, 1).asDiagonal()), 12);
-  // Without distortion, f and its bending term are 0.
   EXPECT_NEAR(objective.value(uv), 0, 1e-25);
-  EXPECT_NEAR(
-      bending_of(chart, build_held_network(chart), 0.1, std::vector<double>(chart.mesh.n_vertices(), 6)).value(uv), 0,
-      1e-25);
+  EXPECT_NEAR(bending(chart, 0.1).value(uv), 0, 1e-25);
 }
 
-/// A square sheared into a rhombus by β. Lengths along rows and columns are exact, and every angle between a row and a
-/// column changes by β. The square of the residual of each angle is |r|² = 2 - 2 cos β.
-class BendingOfARhombus : public testing::TestWithParam<int> {};
-
-TEST_P(BendingOfARhombus, IsTheAngleTermOfEquation1HoweverFineTheMesh) {
-  const int n = GetParam();
-  FlattenInput input = test::flat_rectangle(n, n, 1, 1);
-  test::add_wire(input, test::grid_row(n, n / 2));
-  test::add_wire(input, test::grid_column(n, n, n / 2), 0.1);
-  test::add_wire(input, test::grid_column(n, n, 1),
-                 std::numeric_limits<double>::infinity());  // a free wire has no corners
-  const Chart chart = test::chart_of(input);
-  const double beta = 0.3, fairness = 0.25;
-  Positions2 uv = test::planar_positions(chart);
-  uv = (uv * (Eigen::Matrix2d() << 1, 0, std::sin(beta), std::cos(beta)).finished()).eval();
-  const int of_square = 4, between_lines = 4 * 2 + 4;  // corners between wires and the outline, and at the crossing
-  const double lengths = of_square * n + between_lines * std::min<double>(n, 8 / fairness);  // sum of 1/ℓ
-  const double expected = 0.5 * lengths * std::pow(fairness, 3) * (2 - 2 * std::cos(beta));
-  const Bending bending =
-      bending_of(chart, build_held_network(chart), fairness, std::vector<double>(chart.mesh.n_vertices(), 1));
-  EXPECT_NEAR(bending.value(uv), expected, 1e-13);
-  const double moved = bending.value(uv.rowwise() + Eigen::RowVector2d(1e6, -2e6));
-  EXPECT_NEAR(moved, expected, 1e-7) << "only differences of positions matter";
-}
-
-INSTANTIATE_TEST_SUITE_P(CoarseAndFine, BendingOfARhombus, testing::Values(4, 64));
-
-/// Two edges of a row of the unit square, each rotated by γ about their common vertex.
-class BendingOfAFold : public testing::Test {
- protected:
-  static constexpr int n = 4;
-  static constexpr double gamma = 0.2;
-
-  double value(FlattenInput input, double fairness) {
-    const auto vertex = [](int i, int j) { return (n + 1) * j + i; };
-    test::add_wire(input, {vertex(1, 2), vertex(2, 2), vertex(3, 2)});
+/// A square is sheared into a rhombus by β. Lengths along rows and columns are exact, and every angle between a row and
+/// a column changes by β. The square of the residual of each angle is |r|² = 2 - 2 cos β.
+TEST(BendingOfARhombus, IsTheAngleTermOfEquation1HoweverFineTheMesh) {
+  for (const int n : {4, 64}) {
+    FlattenInput input = test::flat_rectangle(n, n, 1, 1);
+    test::add_wire(input, test::grid_row(n, n / 2));
+    test::add_wire(input, test::grid_column(n, n, n / 2), 0.1);
+    test::add_wire(input, test::grid_column(n, n, 1),
+                   std::numeric_limits<double>::infinity());  // a free wire has no corners
     const Chart chart = test::chart_of(input);
+    const double beta = 0.3, fairness = 0.25;
     Positions2 uv = test::planar_positions(chart);
-    const auto row_of = [&](int v) {
-      return static_cast<int>(std::find(chart.source_vertex.begin(), chart.source_vertex.end(), v) -
-                              chart.source_vertex.begin());
-    };
-    const Eigen::RowVector2d middle = uv.row(row_of(vertex(2, 2)));
-    uv.row(row_of(vertex(1, 2))) = middle + Eigen::RowVector2d(-std::cos(gamma), -std::sin(gamma)) / n;
-    uv.row(row_of(vertex(3, 2))) = middle + Eigen::RowVector2d(std::cos(gamma), -std::sin(gamma)) / n;
-    return bending_of(chart, build_held_network(chart), fairness, std::vector<double>(chart.mesh.n_vertices(), 1))
-        .value(uv);
+    uv = (uv * (Eigen::Matrix2d() << 1, 0, std::sin(beta), std::cos(beta)).finished()).eval();
+    const int of_square = 4, between_lines = 4 * 2 + 4;  // corners between wires and the outline, and at the crossing
+    const double lengths = of_square * n + between_lines * std::min<double>(n, 8 / fairness);  // sum of 1/ℓ
+    const double expected = 0.5 * lengths * std::pow(fairness, 3) * (2 - 2 * std::cos(beta));
+    EXPECT_NEAR(bending(chart, fairness).value(uv), expected, 1e-13);
+    const double moved = bending(chart, fairness).value(uv.rowwise() + Eigen::RowVector2d(1e6, -2e6));
+    EXPECT_NEAR(moved, expected, 1e-7) << "only differences of positions matter";
   }
-  static double squared(double angle) { return 2 - 2 * std::cos(angle); }
-};
-
-TEST_F(BendingOfAFold, AWireHasNoCornerAtAnEndInsideThePiece) {
-  const double expected = 0.5 * 2 * std::pow(0.1, 3) * n * squared(2 * gamma);
-  EXPECT_NEAR(value(test::flat_rectangle(n, n, 1, 1), 0.1), expected, 1e-13);
 }
 
-TEST_F(BendingOfAFold, ALineBendsAtACrossingLikeItsCornersOnACoarseMesh) {
+/// Two edges of a row are each rotated by γ about their common vertex.
+TEST(BendingOfAFold, HasNoCornersAtTheEndsOfAWireInsideAndIsABendOfTheLineAtACrossing) {
+  const int n = 4;
+  const double gamma = 0.2;
+  const auto value = [&](FlattenInput input, double fairness) {
+    test::add_wire(input, test::section(test::grid_row(n, 2), 1, 3));
+    const Chart chart = test::chart_of(input);
+    Positions2 uv = test::planar_positions(chart);  // vertices have the order of the input
+    const int middle = test::grid_row(n, 2)[2];
+    uv.row(middle - 1) = uv.row(middle) + Eigen::RowVector2d(-std::cos(gamma), -std::sin(gamma)) / n;
+    uv.row(middle + 1) = uv.row(middle) + Eigen::RowVector2d(std::cos(gamma), -std::sin(gamma)) / n;
+    return bending(chart, fairness).value(uv);
+  };
+  const auto squared = [](double angle) { return 2 - 2 * std::cos(angle); };
   FlattenInput input = test::flat_rectangle(n, n, 1, 1);
+  EXPECT_NEAR(value(input, 0.1), 0.5 * 2 * std::pow(0.1, 3) * n * squared(2 * gamma), 1e-13);
   test::add_wire(input, test::grid_column(n, n, n / 2));
   EXPECT_NEAR(value(input, 0.1), 0.5 * 4 * std::pow(0.1, 3) * n * squared(gamma), 1e-13);
+  // With much fairness, the line bends like its corners on a coarse mesh.
   const double fairness = 4, corner = std::pow(fairness, 3) * 8 / fairness, line = std::pow(fairness, 3) * n - corner;
   EXPECT_NEAR(value(input, fairness), 0.5 * (4 * corner * squared(gamma) + 2 * line / 2 * squared(2 * gamma)), 1e-10);
 }
@@ -267,6 +232,106 @@ TEST(VertexMatrix, AVertexPairedWithItselfHasItsDiagonalBlockOnly) {
   EXPECT_EQ(matrix.lower().nonZeros(), without.lower().nonZeros());
   // Eigen copies a submatrix by columns, and requires sorted rows for this.
   EXPECT_EQ(Eigen::SparseMatrix<double>(matrix.lower().topLeftCorner(4, 4)).nonZeros(), 6);
+}
+
+constexpr double kGap = 0.02;
+
+TEST(LogBarrier, HasTheValueAndDerivativesOfItsFormula) {
+  const double x = 0.3, step = 1e-5;
+  const auto b = [](double at) { return -(1 - at) * (1 - at) * std::log(at); };
+  EXPECT_NEAR(LogBarrier(x).value, b(x), 1e-15);
+  EXPECT_NEAR(LogBarrier(x).slope, (b(x + step) - b(x - step)) / (2 * step), 1e-7);
+  EXPECT_NEAR(LogBarrier(x).curvature, (LogBarrier(x + step).slope - LogBarrier(x - step).slope) / (2 * step), 1e-7);
+  EXPECT_EQ(LogBarrier(1).value, 0);
+  EXPECT_EQ(LogBarrier(0).value, std::numeric_limits<double>::infinity());
+}
+
+/// A plate with a notch of width kGap. Edges are 1 long, and the barrier begins at distances of 0.1.
+class OutlineOfANotch : public testing::Test {
+ protected:
+  /// Returns a plate of 5 by 3 without the upper two squares in the middle, in the form of a U.
+  static FlattenInput plate() {
+    return test::keep_faces(test::flat_rectangle(5, 3, 5, 3),
+                            [](const Eigen::Vector3d& p) { return !(p.x() > 2 && p.x() < 3 && p.y() > 1); });
+  }
+
+  /// Returns the shape with the arms moved together until the notch has this width.
+  Positions2 closed_to(double gap) const {
+    Positions2 uv = wide;
+    for (int v = 0; v < uv.rows(); ++v) {
+      if (uv(v, 1) > 1.5) uv(v, 0) += (uv(v, 0) < 2.5 ? 1 : -1) * (1 - gap) / 2;
+    }
+    return uv;
+  }
+
+  const Chart chart = test::chart_of(plate());
+  const Positions2 wide = test::planar_positions(chart);
+  const Positions2 narrow = closed_to(kGap);
+  const OutlineBarrier barrier{chart, narrow};
+};
+
+TEST_F(OutlineOfANotch, IsZeroForAWideNotchAndInfiniteIfTheOutlineTouches) {
+  EXPECT_EQ(barrier.value(wide), 0);
+  EXPECT_GT(barrier.value(narrow), 0);
+  EXPECT_TRUE(std::isfinite(barrier.value(narrow)));
+  EXPECT_EQ(barrier.value(closed_to(0)), std::numeric_limits<double>::infinity());
+}
+
+/// Every energy of a shape is proportional to the area. Otherwise the shape would depend on the unit of length.
+TEST_F(OutlineOfANotch, IsProportionalToTheArea) {
+  const double scale = 1024;
+  FlattenInput large = plate();
+  large.vertices *= scale;
+  const Chart chart_of_large = test::chart_of(large);
+  const double expected = scale * scale * barrier.value(narrow);
+  EXPECT_NEAR(OutlineBarrier(chart_of_large, scale * narrow).value(scale * narrow), expected, 1e-12 * expected);
+}
+
+TEST_F(OutlineOfANotch, GradientEqualsDifferences) {
+  Positions2 uv = narrow, gradient = Positions2::Zero(uv.rows(), 2);
+  for (int v = 0; v < uv.rows(); ++v) uv.row(v) += 2e-3 * Eigen::RowVector2d(std::sin(3.0 * v), std::cos(5.0 * v));
+  barrier.add_gradient(uv, gradient);
+  const double step = 1e-7;
+  for (int v = 0; v < uv.rows(); ++v) {
+    for (int k = 0; k < 2; ++k) {
+      Positions2 ahead = uv, behind = uv;
+      ahead(v, k) += step;
+      behind(v, k) -= step;
+      EXPECT_NEAR(gradient(v, k), (barrier.value(ahead) - barrier.value(behind)) / (2 * step),
+                  1e-5 * gradient.cwiseAbs().maxCoeff());
+    }
+  }
+}
+
+/// The arms move towards each other. All distances are linear in this motion, so the Gauss-Newton Hessian is exact.
+TEST_F(OutlineOfANotch, HessianEqualsDifferencesAlongALinearMotion) {
+  std::vector<VertexPair> pairs;
+  barrier.list_pairs(pairs);
+  VertexMatrix matrix(static_cast<int>(chart.mesh.n_vertices()), pairs);
+  barrier.add_hessian(narrow, matrix);
+  const Eigen::MatrixXd hessian = test::symmetric(matrix.lower());
+  EXPECT_GT(test::eigenvalues(hessian).minCoeff(), -1e-12 * hessian.norm());
+  const double step = 1e-5;
+  const Positions2 closing = (closed_to(kGap - step) - narrow) / step;
+  const double second =
+      (barrier.value(closed_to(kGap - step)) - 2 * barrier.value(narrow) + barrier.value(closed_to(kGap + step))) /
+      (step * step);
+  const Eigen::VectorXd d = closing.reshaped<Eigen::RowMajor>();
+  EXPECT_NEAR(d.dot(hessian * d), second, 1e-4 * second);
+}
+
+TEST_F(OutlineOfANotch, AStepEndsWhereTheOutlineFirstTouches) {
+  // A quarter of this step of four gap widths closes the notch.
+  const Positions2 too_far = closed_to(-3 * kGap) - narrow;
+  EXPECT_NEAR(barrier.longest_step(narrow, too_far), 0.25, 1e-12);
+  EXPECT_EQ(barrier.longest_step(narrow, wide - narrow), 1);
+  EXPECT_EQ(barrier.longest_step(wide, closed_to(kGap) - wide), 1);
+}
+
+TEST_F(OutlineOfANotch, ReportsWhetherItsHessianHasAllContacts) {
+  EXPECT_TRUE(barrier.covers_contacts(narrow));
+  EXPECT_TRUE(barrier.covers_contacts(wide));
+  EXPECT_FALSE(OutlineBarrier(chart, wide).covers_contacts(narrow));
 }
 
 }  // namespace

@@ -23,12 +23,7 @@ Positions2 turned(const Positions2& uv, double angle) {
   return uv * Eigen::Rotation2Dd(angle).toRotationMatrix().transpose();
 }
 
-/// Returns the positions of the only chart after packing.
-Positions2 pack_one(const Charts& charts, const Positions2& uv, bool mirror = false) {
-  Options options;
-  options.mirror = mirror;
-  return pack_pieces(charts.charts, {uv}, options).at(0);
-}
+Positions2 pack_one(const Charts& charts, const Positions2& uv) { return pack_pieces(charts.charts, {uv}, {}).at(0); }
 
 TEST(PackBoxes, NoTwoOverlapAndTheGapIsKept) {
   std::mt19937 random(2);
@@ -76,26 +71,16 @@ TEST(PackBoxes, DoesNotDependOnRounding) {
 
 TEST(PackPieces, TheFirstWireIsUprightHoweverTheShapeIsTurned) {
   FlattenInput input = test::flat_rectangle(6, 4, 3, 2);
-  test::add_wire(input, test::grid_row(6, 2));  // from left to right
+  test::add_wire(input, test::grid_row(6, 2));
   const Charts charts = charts_of(input);
   const Positions2 uv = planar_positions(charts.charts[0]);
-  for (const double angle : {0.0, 1.0, 2.5, -1.5}) {
+  for (const double angle : {0.0, 2.5}) {
     const Positions2 packed = pack_one(charts, turned(uv, angle));
     // The wire along x becomes upright. The new y is the old x, and the new x is 2 minus the old y, because the piece
     // was 2 high.
     EXPECT_LT((packed.col(1) - uv.col(0)).cwiseAbs().maxCoeff(), 1e-14);
     EXPECT_LT((packed.col(0) - (2 - uv.col(1).array()).matrix()).cwiseAbs().maxCoeff(), 1e-14);
   }
-}
-
-TEST(PackPieces, MirroredPieceIsTheMirrorImage) {
-  FlattenInput input = test::flat_rectangle(6, 4, 3, 2);
-  test::add_wire(input, test::grid_column(6, 4, 3));  // upwards
-  const Charts charts = charts_of(input);
-  const Positions2 uv = planar_positions(charts.charts[0]);
-  const Positions2 packed = pack_one(charts, turned(uv, 0.5), true);
-  EXPECT_LT((packed.col(0) - (3 - uv.col(0).array()).matrix()).cwiseAbs().maxCoeff(), 1e-14);
-  EXPECT_LT((packed.col(1) - uv.col(1)).cwiseAbs().maxCoeff(), 1e-14);
 }
 
 TEST(PackPieces, AClosedOutlineIsUprightInItsSmallestBox) {
@@ -107,18 +92,9 @@ TEST(PackPieces, AClosedOutlineIsUprightInItsSmallestBox) {
   EXPECT_LT((again - packed).cwiseAbs().maxCoeff(), 1e-13) << "rounding errors decide which end points up";
 }
 
-// Packing makes one direction of a piece upright. This is the direction of the grain wire, the direction of the longest
-// straight section of the outline, or the direction that is up in space.
-
 Options by(Orientation orientation) {
   Options options;
   options.orientation = orientation;
-  return options;
-}
-
-Options grain(int wire) {
-  Options options;
-  options.grain = wire;
   return options;
 }
 
@@ -129,9 +105,11 @@ TEST(Grain, PiecesWithoutTheGrainWireUseTheirFirstWire) {
   test::add_wire(input, {test::grid_row(6, 2)[4], test::grid_row(6, 2)[5]});
   const Charts charts = charts_of(input);
   ASSERT_EQ(charts.charts.size(), 2u);
+  Options options;
   for (const int wire : {0, 1}) {
-    EXPECT_EQ(upright_direction(charts.charts[0], planar_positions(charts.charts[0]), grain(wire)).x(), 0) << wire;
-    EXPECT_EQ(upright_direction(charts.charts[1], planar_positions(charts.charts[1]), grain(wire)).y(), 0) << wire;
+    options.grain = wire;
+    EXPECT_EQ(upright_direction(charts.charts[0], planar_positions(charts.charts[0]), options).x(), 0) << wire;
+    EXPECT_EQ(upright_direction(charts.charts[1], planar_positions(charts.charts[1]), options).y(), 0) << wire;
   }
 }
 
@@ -171,9 +149,8 @@ FlattenInput hill(int nx) {
 }
 
 TEST(StraightestOutline, IsTheLongestSideWithLittleTurning) {
-  for (const int nx : {6, 40, 200}) {
-    Charts charts = charts_of(hill(nx));
-    Chart& chart = charts.charts[0];
+  for (const int nx : {6, 200}) {
+    Chart chart = test::chart_of(hill(nx));
     const Positions2 uv = planar_positions(chart);
     // The loop may begin anywhere, even in the middle of the straight side.
     HalfEdgeChain& loop = chart.boundary_loops[0];
@@ -194,7 +171,7 @@ TEST(RisingDirection, IsTheMeanGradientOfTheTriangles) {
   const Eigen::Vector3d up = Eigen::Vector3d(1, 2, 3).normalized();
   Eigen::Vector2d sum(0, 0);
   for (const FaceHandle f : chart.mesh.faces()) {
-    Eigen::Matrix2d edges;  // one edge per row
+    Eigen::Matrix2d edges;
     Eigen::Vector2d rises;
     const HalfedgeHandle h = chart.mesh.halfedge_handle(f);
     const VertexHandle a = chart.mesh.from_vertex_handle(h), b = chart.mesh.to_vertex_handle(h);
@@ -211,10 +188,7 @@ TEST(RisingDirection, IsTheMeanGradientOfTheTriangles) {
 }
 
 TEST(RisingDirection, ALevelPieceIsAlignedByItsWire) {
-  FlattenInput dome = test::make_grid(8, 8, [](double s, double t) {
-    const double x = 2 * s - 1, y = 2 * t - 1;
-    return Eigen::Vector3d(x, y, 1e6 - 0.3 * (x * x + y * y));
-  });
+  FlattenInput dome = test::height_field(8, [](double x, double y) { return 1e6 - 0.3 * (x * x + y * y); });
   test::add_wire(dome, test::grid_column(8, 8, 4));
   for (const FlattenInput& input : {dome, test::flat_rectangle(4, 4, 1, 2)}) {
     EXPECT_EQ(flatten(input, by(Orientation::up)).corner_uv, flatten(input).corner_uv);

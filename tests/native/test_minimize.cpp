@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tests of the least distorted shape with exact lengths. Every start leads to the same minimum, not to saddles. Lengths
-// are exact whenever the solver stops.
+// Tests of the least distorted shape with exact lengths.
 #include <gtest/gtest.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <optional>
-#include <random>
 #include <vector>
 
-#include "base/planar.h"
+#include "dense_algebra.h"
 #include "energy/fair_shape_error.h"
 #include "energy/free_boundary_arap.h"
 #include "energy/length_constraints.h"
@@ -32,7 +28,7 @@ constexpr double kFree = std::numeric_limits<double>::infinity();
 constexpr double kSameMinimum = 1e-7;
 
 struct Case {
-  explicit Case(const FlattenInput& input) : charts(test::charts_of(input)) {}
+  explicit Case(const FlattenInput& input) : chart(test::chart_of(input)) {}
 
   Solution refine(const Positions2& start, int max_factorizations = 100) const {
     Budget budget(max_factorizations);
@@ -40,14 +36,16 @@ struct Case {
   }
   Solution refine() const { return refine(free_boundary_arap(chart, 30).uv); }
 
-  /// Returns the shape that the paper's method finds for the lengths on the surface.
-  Positions2 warped() const {
-    const std::optional<Chart> processed = process_topology(chart);
-    const Chart& prepared = processed ? *processed : chart;
+  /// Returns the shape of the paper's method, with the best lengths or with the lengths on the surface.
+  Positions2 warped(bool has_best_lengths) const {
+    const Chart prepared = process_topology(chart).value_or(chart);
     const WireNetwork prepared_network = build_wire_network(prepared);
     Warp warp(prepared, prepared_network, NodeWeight::length, Inner::minimum);
-    return warp(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(prepared.wire_parts.size())))
-        .uv.topRows(static_cast<Eigen::Index>(chart.mesh.n_vertices()));
+    const WarpedShape shape = has_best_lengths
+                                  ? choose_variation(prepared, warp, variation_bounds(prepared, Options{})).shape
+                                  : warp(Eigen::VectorXd::Zero(prepared.wire_parts.size()));
+    EXPECT_TRUE(shape.inner.is_feasible);
+    return shape.uv.topRows(chart.mesh.n_vertices());
   }
 
   double value(const Positions2& uv) const {
@@ -62,7 +60,7 @@ struct Case {
     Eigen::VectorXd variation(constraints.num_elastic());
     for (std::size_t i = 0; i < constraints.elastic_of_part().size(); ++i) {
       const int elastic = constraints.elastic_of_part()[i];
-      if (elastic >= 0) variation[elastic] = shape.variation[static_cast<Eigen::Index>(i)];
+      if (elastic >= 0) variation[elastic] = shape.variation[i];
     }
     return constraints.largest_error(constraints.residual(shape.uv, variation));
   }
@@ -73,17 +71,13 @@ struct Case {
     return shortest;
   }
 
-  Charts charts;
-  const Chart& chart = charts.charts.at(0);
+  Chart chart;
   HeldNetwork network = build_held_network(chart);
   double fairness = 0.1;
 };
 
-Positions2 jittered(Positions2 uv, double size, unsigned seed) {
-  std::mt19937 random(seed);
-  std::normal_distribution<double> normal(0, size);
-  for (double& x : uv.reshaped()) x += normal(random);
-  return uv;
+Positions2 jittered(const Positions2& uv, double size, unsigned seed) {
+  return uv + size * test::random_normal(uv.rows(), 2, seed);
 }
 
 FlattenInput with_tolerance(FlattenInput input, double tolerance) {
@@ -130,7 +124,7 @@ TEST(Minimize, EveryStartLeadsToTheSameMinimum) {
       EXPECT_LT(panel.length_error(first.shape), 1e-12);
       EXPECT_NEAR(first.objective, panel.value(first.shape.uv), 1e-12 * first.objective);
       const std::pair<const char*, Positions2> starts[] = {
-          {"the wires first", panel.warped()},
+          {"the wires first", panel.warped(false)},
           {"flipped", free_boundary_arap(panel.chart, 30, mirror).uv},
           {"on a circle", free_boundary_arap(panel.chart, 30, tutte_embedding(panel.chart)).uv},
           {"jittered, then free", free_boundary_arap(panel.chart, 30, jittered(free, 200 * little, 1)).uv},
@@ -147,7 +141,7 @@ TEST(Minimize, EveryStartLeadsToTheSameMinimum) {
 TEST(Minimize, MoreToleranceNeverRaisesTheMinimum) {
   for (const auto& make : {dome_with_wires, gore_with_wires, saddle_with_a_floating_ring}) {
     std::optional<Solution> before;
-    for (const double tolerance : {0.0, 0.01, 0.03, 0.1, 0.5}) {
+    for (const double tolerance : {0.0, 0.01, 0.1, 0.5}) {
       const Case panel(make(tolerance));
       const Solution found = panel.refine();
       EXPECT_LE(found.shape.variation.cwiseAbs().maxCoeff(), tolerance + 1e-12);
@@ -183,8 +177,8 @@ TEST(Minimize, NothingNearIsBetter) {
   }
 }
 
-/// Returns the distances between points on the outline of the quarter sphere. The points are the same for every n.
-/// turn_s and turn_t choose one of four orders that are equivalent by symmetry.
+/// Returns the distances between points on the outline of the quarter sphere. The points do not depend on n. turn_s and
+/// turn_t choose one of four orders that are equivalent by symmetry.
 Eigen::MatrixXd outline_distances(const Chart& chart, const Positions2& uv, int n, bool turn_s, bool turn_t) {
   std::vector<int> row_of(chart.source_vertex.size());
   for (std::size_t v = 0; v < row_of.size(); ++v) row_of[chart.source_vertex[v]] = static_cast<int>(v);
@@ -195,15 +189,9 @@ Eigen::MatrixXd outline_distances(const Chart& chart, const Positions2& uv, int 
       points.push_back(row_of[i + (n + 1) * j]);
     }
   }
-  const auto count = static_cast<Eigen::Index>(points.size());
-  Eigen::MatrixXd distances(count, count);
-  for (Eigen::Index a = 0; a < count; ++a) {
-    for (Eigen::Index b = 0; b < count; ++b) {
-      distances(a, b) =
-          (uv.row(points[static_cast<std::size_t>(a)]) - uv.row(points[static_cast<std::size_t>(b)])).norm();
-    }
-  }
-  return distances;
+  return Eigen::MatrixXd::NullaryExpr(points.size(), points.size(), [&](Eigen::Index a, Eigen::Index b) {
+    return (uv.row(points[a]) - uv.row(points[b])).norm();
+  });
 }
 
 TEST(Minimize, ConvergesWhenTheSurfaceIsRefined) {
@@ -278,7 +266,7 @@ TEST(Minimize, CanceledAtAnyMomentTheShapeIsExactOrReportedAsCanceled) {
         EXPECT_LT(last, questions) << "exact by then";
       }
       EXPECT_TRUE(stop.is_stopped());
-      EXPECT_EQ(asked, last) << "no more questions after a refusal";
+      EXPECT_EQ(asked, last) << "it asks no more after a refusal";
     }
   }
 }
@@ -290,13 +278,7 @@ TEST(Minimize, IsNeverAboveTheShapeOfThePapersMethod) {
     inputs.push_back(with_tolerance(test::quarter_sphere(12), tolerance));
     for (const FlattenInput& input : inputs) {
       const Case panel(input);
-      const std::optional<Chart> processed = process_topology(panel.chart);
-      const Chart& prepared = processed ? *processed : panel.chart;
-      const WireNetwork network = build_wire_network(prepared);
-      Warp warp(prepared, network, NodeWeight::length, Inner::minimum);
-      const OuterSolution solution = choose_variation(prepared, warp, variation_bounds(prepared, Options{}));
-      ASSERT_TRUE(solution.shape.inner.is_feasible);
-      const Positions2 uv = solution.shape.uv.topRows(static_cast<Eigen::Index>(panel.chart.mesh.n_vertices()));
+      const Positions2 uv = panel.warped(true);
       const Solution refined = refine_chart(panel.chart, Options{});
       EXPECT_LT(refined.objective, panel.value(uv));
       const Solution from_there = panel.refine(uv);

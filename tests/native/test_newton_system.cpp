@@ -5,7 +5,6 @@
 #include <Eigen/Core>
 #include <cmath>
 #include <limits>
-#include <random>
 
 #include "dense_algebra.h"
 #include "energy/free_boundary_arap.h"
@@ -19,25 +18,12 @@ namespace {
 
 constexpr double kFree = std::numeric_limits<double>::infinity();
 
-Eigen::VectorXd random_vector(Eigen::Index size, unsigned seed) {
-  std::mt19937 random(seed);
-  std::normal_distribution<double> normal;
-  Eigen::VectorXd v(size);
-  for (double& x : v) x = normal(random);
-  return v;
-}
+Eigen::VectorXd random_vector(Eigen::Index size, unsigned seed) { return test::random_normal(size, 1, seed); }
 
 Positions2 as_positions(const Eigen::VectorXd& v) { return Eigen::Map<const Positions2>(v.data(), v.size() / 2, 2); }
 
 Eigen::VectorXd as_vector(const Positions2& p) { return Eigen::Map<const Eigen::VectorXd>(p.data(), p.size()); }
 
-/// Returns the full symmetric matrix with this lower triangle.
-Eigen::MatrixXd dense(const Eigen::SparseMatrix<double>& lower) {
-  const Eigen::MatrixXd matrix(lower);
-  return matrix.selfadjointView<Eigen::Lower>();
-}
-
-/// A bent sheet with one rigid, two elastic and one free wire.
 class NewtonSystemOnASaddle : public testing::Test {
  protected:
   static FlattenInput input() {
@@ -58,14 +44,10 @@ class NewtonSystemOnASaddle : public testing::Test {
     return j;
   }
 
-  /// Returns the Hessian H on the null space of J.
-  Eigen::MatrixXd reduced_hessian(const Eigen::VectorXd& multipliers, const Convexity& convexity) {
-    return test::reduced_to(test::null_space(jacobian(constraints.directions(uv))),
-                            dense(system.hessian(uv, multipliers, convexity)));
-  }
-
+  /// Returns the lowest eigenvalue of the Hessian H on the null space of J.
   double lowest_curvature(const Eigen::VectorXd& multipliers, const Convexity& convexity) {
-    return test::eigenvalues(reduced_hessian(multipliers, convexity))[0];
+    const Eigen::MatrixXd space = test::null_space(jacobian(constraints.directions(uv)));
+    return test::eigenvalues(test::reduced_to(space, test::symmetric(system.hessian(uv, multipliers, convexity))))[0];
   }
 
   const Chart chart = test::chart_of(input());
@@ -157,8 +139,8 @@ TEST_F(NewtonSystemOnASaddle, TheHessianByVariationEqualsTheDenseHessian) {
   const Eigen::VectorXd multipliers = 0.01 * random_vector(constraints.size(), 5);
   ASSERT_TRUE(system.factorize(uv, multipliers, convex));
   const Eigen::MatrixXd j = jacobian(system.directions());
-  const Eigen::MatrixXd h = dense(system.hessian(uv, multipliers, convex));
-  // The minimum of ½ d·Hd over all d with J d = T h is ½ h·S h. S = Tᵀ (J H⁻¹ Jᵀ)⁻¹ T. The pins make H regular.
+  const Eigen::MatrixXd h = test::symmetric(system.hessian(uv, multipliers, convex));
+  // With S = Tᵀ (J H⁻¹ Jᵀ)⁻¹ T, the minimum of ½ d·Hd over all d with J d = T h is ½ h·S h. The pins make H regular.
   const Eigen::MatrixXd t = constraints.elastic_lengths();
   const Eigen::MatrixXd by_force = test::product(j, test::solve(h, j.transpose()));
   const Eigen::MatrixXd expected = test::product(t.transpose(), test::solve(by_force, t));
@@ -172,9 +154,9 @@ TEST_F(NewtonSystemOnASaddle, TheStiffnessByVariationEqualsTheDenseStiffness) {
   const Eigen::MatrixXd j = jacobian(system.directions());
   const Eigen::MatrixXd stretched = soft.asDiagonal() * constraints.elastic_lengths();
   const Eigen::MatrixXd a =
-      dense(system.hessian(uv, 0 * soft, convex)) + test::product(j.transpose(), soft.asDiagonal() * j);
+      test::symmetric(system.hessian(uv, 0 * soft, convex)) + test::product(j.transpose(), soft.asDiagonal() * j);
   const Eigen::MatrixXd pulled = test::product(j.transpose(), stretched);
-  // The minimum over d of ½ Σ ρ (J d − T h)² + ½ d·Hd is ½ h·S h.
+  // With the stiffness ρ of each edge, the minimum over d of ½ Σ ρ (J d − T h)² + ½ d·Hd is ½ h·S h.
   const Eigen::MatrixXd expected =
       constraints.elastic_lengths().transpose() * stretched - test::product(pulled.transpose(), test::solve(a, pulled));
   EXPECT_LT((system.stiffness_by_variation() - expected).norm(), 1e-9 * expected.norm());

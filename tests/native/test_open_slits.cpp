@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tests of charts with slits. Each slit opens or stays shut, and lengths are exact whenever the solver stops.
+// Tests of charts with slits.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,25 +17,17 @@ constexpr int kSize = 20;
 int vertex(int i, int j) { return i + (kSize + 1) * j; }
 
 std::vector<int> along_row(int i, int j, int num_edges) {
-  std::vector<int> chain;
-  for (int k = 0; k <= num_edges; ++k) chain.push_back(vertex(i + k, j));
-  return chain;
+  return test::section(test::grid_row(kSize, j), i, i + num_edges);
 }
 
-std::vector<int> along_column(int i, int j, int num_edges) {
-  std::vector<int> chain;
-  for (int k = 0; k <= num_edges; ++k) chain.push_back(vertex(i, j + k));
-  return chain;
-}
-
-/// Returns a bump with two slits. One slit is at the top, where the sheet is compressed. One slit is on the slope,
-/// where the sheet is stretched sideways.
+/// Returns a bump with two slits: at the top, where the sheet is compressed, and on the slope, where the sheet is
+/// stretched sideways.
 FlattenInput bump_with_slits() {
   FlattenInput input = test::make_grid(kSize, kSize, [](double s, double t) {
     return Eigen::Vector3d(s, t, 0.25 * std::exp(-12 * ((s - 0.5) * (s - 0.5) + (t - 0.4) * (t - 0.4))));
   });
   test::add_seam(input, along_row(8, 8, 5));
-  test::add_seam(input, along_column(10, 14, 5));
+  test::add_seam(input, test::section(test::grid_column(kSize, kSize, 10), 14, 19));
   return input;
 }
 
@@ -82,7 +74,6 @@ TEST(OpenSlits, StopAtAnyBudgetWithExactLengths) {
   }
 }
 
-/// Returns a wavy sheet with n quads along its sides.
 FlattenInput waves(int n, double bend_s, double bend_t, double wave) {
   return test::make_grid(n, n, [&](double s, double t) {
     const double bend = bend_s * s * (1 - s) + bend_t * t * (1 - t);
@@ -113,13 +104,6 @@ TEST(OpenSlits, AShapeThatWouldPassThroughAShutSlitIsRejected) {
   EXPECT_LE(piece.report.factorizations, 50);
 }
 
-/// Returns a cylinder as Blender stores it, in single precision. It unfolds without strain except for rounding errors.
-FlattenInput rounded_cylinder() {
-  FlattenInput input = test::cylinder_patch(20, 8, 1, 2, 1);
-  input.vertices = input.vertices.cast<float>().cast<double>();
-  return input;
-}
-
 TEST(OpenSlits, RimsOfAPieceThatUnfoldsUpToRoundingStayApart) {
   const std::vector<std::vector<int>> slits = {along_row(5, 4, 8),
                                                {vertex(10, 2), vertex(10, 3), vertex(10, 4)},
@@ -128,7 +112,8 @@ TEST(OpenSlits, RimsOfAPieceThatUnfoldsUpToRoundingStayApart) {
                                                along_row(9, 3, 1),
                                                along_row(3, 1, 14)};
   for (std::size_t s = 0; s < slits.size(); ++s) {
-    FlattenInput input = rounded_cylinder();
+    FlattenInput input = test::cylinder_patch(20, 8, 1, 2, 1);
+    input.vertices = input.vertices.cast<float>().cast<double>();  // as Blender stores it
     test::add_seam(input, slits[s]);
     const Piece piece = flatten(input).pieces.at(0);
     EXPECT_FALSE(piece.error) << s << ": " << piece.error->what();
@@ -143,9 +128,7 @@ TEST(OpenSlits, OpenEquallyFarOnFineAndCoarseMeshes) {
     FlattenInput input = test::make_grid(n, n, [](double s, double t) {
       return Eigen::Vector3d(s, t, 0.25 * std::exp(-12 * ((s - 0.5) * (s - 0.5) + (t - 0.2) * (t - 0.2))));
     });
-    std::vector<int> slit;
-    for (int j = n / 2 - n / 12; j <= n - n / 12; ++j) slit.push_back(n / 2 + (n + 1) * j);
-    test::add_seam(input, slit);
+    test::add_seam(input, test::section(test::grid_column(n, n, n / 2), n / 2 - n / 12, n - n / 12));
     const Chart chart = test::chart_of(input);
     Problem problem(chart, Options{}.fairness);
     Budget budget(8);  // enough factorizations only if no face flips

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tests of the division of closed models into parts: distances along surfaces, level lines, necks, and sets of cuts.
+// Tests of the division of closed models into parts.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,7 +15,6 @@
 #include "cuts/propose/part_sets.h"
 #include "disguise.h"
 #include "judge_cuts.h"
-#include "surface/charts/cut_into_charts.h"
 #include "surface/mesh/geodesic_distance.h"
 #include "surface/mesh/geometry.h"
 #include "test_meshes.h"
@@ -25,7 +24,7 @@
 namespace wirewarp::test_parts {
 namespace {
 
-Chart chart_of(const FlattenInput& input) { return test::charts_of(input).charts.front(); }
+using test::chart_of;
 
 /// Returns a closed surface of two balls on the z axis that have grown together, with a neck of radius 0.35 at z = 0.
 FlattenInput dumbbell(int around, int rings) {
@@ -37,15 +36,11 @@ FlattenInput dumbbell(int around, int rings) {
   return input;
 }
 
-VertexHandle highest(const HalfEdgeMesh& mesh) {
-  return *std::max_element(mesh.vertices_begin(), mesh.vertices_end(),
-                           [&](VertexHandle a, VertexHandle b) { return mesh.point(a)[2] < mesh.point(b)[2]; });
-}
-
-/// Returns the largest error of the distances from a pole of the unit sphere.
 double error_on_sphere(int rings) {
   const Chart chart = chart_of(test::closed_sphere(2 * rings, rings));
-  const VertexHandle pole = highest(chart.mesh);
+  const VertexHandle pole = *std::max_element(
+      chart.mesh.vertices_begin(), chart.mesh.vertices_end(),
+      [&](VertexHandle a, VertexHandle b) { return chart.mesh.point(a)[2] < chart.mesh.point(b)[2]; });
   const Eigen::VectorXd distance = GeodesicDistance(chart.mesh, {}).from(pole);
   double error = 0;
   for (const VertexHandle v : chart.mesh.vertices())
@@ -66,7 +61,7 @@ TEST(GeodesicDistance, IsZeroAtItsVertexOnly) {
 }
 
 TEST(LevelLines, CrossASheetFromOutlineToOutline) {
-  const Chart chart = chart_of(test::make_grid(5, 5, [](double s, double t) { return Eigen::Vector3d(s, t, 0); }));
+  const Chart chart = chart_of(test::flat_rectangle(5, 5, 1, 1));
   const Eigen::VectorXd x = points_of(chart.mesh).col(0);
   for (const double level : {0.37, 0.4}) {  // across triangles, and along edges
     const std::vector<MeshPath> lines = level_lines(chart.mesh, x, level);
@@ -153,7 +148,7 @@ TEST(CreaseLines, FollowAnObliqueCrease) {
 
 TEST(Necks, AreMissingOnABall) { EXPECT_TRUE(find_necks(chart_of(test::closed_sphere(24, 16)).mesh, {}, {}).empty()); }
 
-TEST(PartPlanes, AreMirroredWithTheirPart) {
+TEST(PartPlanes, AreMirroredWithTheirPartAndAlsoPassThroughAStrainedPlace) {
   const Chart half = chart_of(test::sphere_band(24, 6, 0.8));
   const Plane mirror{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitX()};
   const Eigen::Vector3d strained(0.1, 0.2, 0.7);
@@ -162,14 +157,9 @@ TEST(PartPlanes, AreMirroredWithTheirPart) {
     EXPECT_NEAR(std::abs(other.normal.dot(plane.normal)), 1, 1e-12);
     EXPECT_NEAR((other.point - plane.point).dot(plane.normal), 0, 1e-12);
   }
-  EXPECT_GE(planes_through(half, std::nullopt, std::nullopt).size(), 2U);
-}
-
-TEST(PartPlanes, AlsoPassThroughAStrainedPlace) {
-  const Chart half = chart_of(test::sphere_band(24, 6, 0.8));
-  const Eigen::Vector3d strained(0.1, 0.2, 0.7);
   const std::vector<Plane> without = planes_through(half, std::nullopt, std::nullopt);
   const std::vector<Plane> planes = planes_through(half, strained, std::nullopt);
+  EXPECT_GE(without.size(), 2U);
   ASSERT_EQ(planes.size(), 2 * without.size());
   for (std::size_t i = 0; i < without.size(); ++i) {
     const Plane& parallel = planes[without.size() + i];
@@ -178,17 +168,17 @@ TEST(PartPlanes, AlsoPassThroughAStrainedPlace) {
   }
 }
 
+CutOptions up_to(double strain) {
+  CutOptions cut_options;
+  cut_options.strain = strain;
+  return cut_options;
+}
+
 std::vector<DartProposal> smooth_sets(const FlattenInput& input, CutOptions cut_options = {}) {
   cut_options.is_smooth = true;
   return propose_seams(input, {}, cut_options, {});
 }
 
-/// Compares the claimed figures of a set with those of a run with its seams.
-void expect_figures_of_a_run(const FlattenInput& input, const DartProposal& set) {
-  test::expect_figures(test::with_paths(input, set.paths), {set.energy, set.strain, set.length, set.num_pieces});
-}
-
-/// Returns the sets of seams that the search by parts finds.
 std::vector<DartProposal> sets_of_parts(const FlattenInput& input, const CutOptions& cut_options) {
   const InternalOptions options{Options()};
   const SurfaceToCut surface(input, options);
@@ -200,13 +190,11 @@ std::vector<DartProposal> sets_of_parts(const FlattenInput& input, const CutOpti
 
 TEST(PartSets, DivideAModelAtItsNeckAndClaimTheFiguresOfARun) {
   const FlattenInput input = dumbbell(20, 20);
-  CutOptions cut_options;
-  cut_options.strain = 0.15;
-  const std::vector<DartProposal> sets = smooth_sets(input, cut_options);
+  const std::vector<DartProposal> sets = smooth_sets(input, up_to(0.15));
   ASSERT_FALSE(sets.empty());
   for (const DartProposal& set : sets) {
     ASSERT_FALSE(set.paths.empty());
-    expect_figures_of_a_run(input, set);
+    test::expect_figures(input, set);
   }
   const FlattenInput cut = test::with_paths(input, sets.front().paths);
   for (const Piece& piece : flatten(cut).pieces) {
@@ -226,20 +214,19 @@ TEST(PartSets, DivideRoundModelsWithoutNecks) {
     for (const DartProposal& set : sets) {
       EXPECT_LE(set.num_pieces, 30);
       EXPECT_LE(set.strain, 0.2);
-      expect_figures_of_a_run(input, set);
+      test::expect_figures(input, set);
     }
   }
 }
 
 TEST(PartSets, KeepTheBestOfTheFirstSetsIfNoneKeepsTheLimit) {
   const FlattenInput input = dumbbell(6, 4);  // its triangles are so large that no plane helps
-  CutOptions cut_options;
-  cut_options.strain = 0.2;
+  CutOptions cut_options = up_to(0.2);
   cut_options.is_smooth = true;
   const std::vector<DartProposal> sets = sets_of_parts(input, cut_options);
   ASSERT_FALSE(sets.empty());
   EXPECT_GT(sets.back().strain, *cut_options.strain);
-  for (const DartProposal& set : sets) expect_figures_of_a_run(input, set);
+  for (const DartProposal& set : sets) test::expect_figures(input, set);
 }
 
 TEST(PartSets, LeaveTheSeamsOfAnOctahedronOnItsEdges) {
@@ -260,9 +247,7 @@ TEST(PartSets, LeaveTheSeamsOfAnOctahedronOnItsEdges) {
 TEST(PartSets, ListTheEdgesOfLinesAlongEdges) {
   FlattenInput input = test::closed_sphere(12, 8);
   for (auto p : input.vertices.rowwise()) p[2] /= 2;
-  CutOptions cut_options;
-  cut_options.strain = 0.4;
-  const std::vector<DartProposal> sets = sets_of_parts(input, cut_options);
+  const std::vector<DartProposal> sets = sets_of_parts(input, up_to(0.4));
   ASSERT_EQ(sets.size(), 1U);
   EXPECT_EQ(sets[0].edges.size(), 12U) << "the set is not the equator";
   EXPECT_EQ(test::undirected(sets[0].edges), test::undirected(test::with_paths(input, sets[0].paths).seams));
@@ -270,13 +255,11 @@ TEST(PartSets, ListTheEdgesOfLinesAlongEdges) {
 
 TEST(PartSets, AreFollowedByOthersIfTheyNeedTooMuchStrain) {
   const FlattenInput input = dumbbell(10, 10);
-  CutOptions cut_options;
-  cut_options.strain = 0.03;
-  const std::vector<DartProposal> parts = sets_of_parts(input, cut_options);
+  const std::vector<DartProposal> parts = sets_of_parts(input, up_to(0.03));
   ASSERT_FALSE(parts.empty());
   bool has_other = false;
-  for (const DartProposal& set : smooth_sets(input, cut_options)) {
-    expect_figures_of_a_run(input, set);
+  for (const DartProposal& set : smooth_sets(input, up_to(0.03))) {
+    test::expect_figures(input, set);
     has_other = has_other || std::none_of(parts.begin(), parts.end(),
                                           [&](const DartProposal& part) { return part.length == set.length; });
   }
@@ -288,10 +271,8 @@ TEST(PartSets, DoNotDependOnHowTheModelIsGiven) {
   // Without symmetry, no two planes are equally good.
   for (auto p : input.vertices.rowwise()) p << p[0] + 0.1 * p[1], 0.8 * p[1] * (1 + 0.1 * p[2]), p[2] + 0.15 * p[0];
   ASSERT_NE(input.vertices.rows() % 7, 0);
-  CutOptions cut_options;
-  cut_options.strain = 0.15;
-  const std::vector<DartProposal> sets = smooth_sets(input, cut_options),
-                                  others = smooth_sets(test::disguised(input), cut_options);
+  const std::vector<DartProposal> sets = smooth_sets(input, up_to(0.15)),
+                                  others = smooth_sets(test::disguised(input), up_to(0.15));
   ASSERT_FALSE(sets.empty());
   ASSERT_EQ(sets.size(), others.size());
   for (std::size_t i = 0; i < sets.size(); ++i) {
@@ -302,7 +283,6 @@ TEST(PartSets, DoNotDependOnHowTheModelIsGiven) {
   }
 }
 
-/// Returns the three edges of a face.
 VertexPairs edges_of(const FlattenInput& input, int face) {
   VertexPairs edges(3, 2);
   for (int k = 0; k < 3; ++k) edges.row(k) << input.faces(face, k), input.faces(face, (k + 1) % 3);
@@ -325,8 +305,7 @@ std::set<int> faces_touched(const FlattenInput& input, const DartProposal& set) 
 
 TEST(PartSets, DoNotEnterForbiddenFacesAndAreTheSameIfTheyAvoidThemAnyway) {
   const FlattenInput input = dumbbell(20, 20);
-  CutOptions cut_options;
-  cut_options.strain = 0.15;
+  CutOptions cut_options = up_to(0.15);
   const DartProposal first = smooth_sets(input, cut_options).front();
   const std::set<int> touched = faces_touched(input, first);
   int free = 0;

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <ostream>
+#include <utility>
 
 #include "base/planar.h"
 #include "processed_chart.h"
@@ -17,20 +17,16 @@ using test::process;
 using test::Processed;
 using test::stretch_of_flattening;
 
-/// Returns the vertices of row j from column `first` to column `last`.
 std::vector<int> row_part(int nx, int j, int first, int last) {
-  const std::vector<int> row = test::grid_row(nx, j);
-  return {row.begin() + first, row.begin() + last + 1};
+  return test::section(test::grid_row(nx, j), first, last);
 }
 
 TEST(ProcessTopology, LeavesASoundNetworkUntouched) {
-  EXPECT_FALSE(process_topology(test::charts_of(test::quarter_sphere(6)).charts[0]));
-  EXPECT_FALSE(process_topology(test::charts_of(test::flat_rectangle(5, 5, 1, 1)).charts[0])) << "no wires, one loop";
+  EXPECT_FALSE(process_topology(test::chart_of(test::quarter_sphere(6))));
+  EXPECT_FALSE(process_topology(test::chart_of(test::flat_rectangle(5, 5, 1, 1)))) << "no wires, one loop";
   FlattenInput dart = test::flat_rectangle(6, 6, 1, 1);
-  std::vector<int> seam = test::grid_column(6, 6, 3);
-  seam.resize(4);
-  test::add_seam(dart, seam);
-  EXPECT_FALSE(process_topology(test::charts_of(dart).charts[0])) << "a dart is part of the outline";
+  test::add_seam(dart, test::section(test::grid_column(6, 6, 3), 0, 3));
+  EXPECT_FALSE(process_topology(test::chart_of(dart))) << "a dart is part of the outline";
 }
 
 TEST(ProcessTopology, AWireEndingInsideGoesStraightOn) {
@@ -54,84 +50,64 @@ FlattenInput with_seam(FlattenInput input, const std::vector<int>& chain) {
   return input;
 }
 
-struct Network {
-  const char* name;
-  FlattenInput input;
-  std::size_t num_helpers;
-};
-
-/// Names the case in test reports.
-void PrintTo(const Network& network, std::ostream* out) { *out << network.name; }
-
-class HelperWires : public testing::TestWithParam<Network> {};
-
-TEST_P(HelperWires, AreAsFewAsTheNetworkNeeds) {
-  EXPECT_EQ(process(GetParam().input).num_helpers(), GetParam().num_helpers);
-}
-
 int at(int nx, int i, int j) { return i + (nx + 1) * j; }
 
 /// Returns a wire in the form of a hook, which runs from the left side inwards, around, and back towards itself.
 std::vector<int> hook() {
   std::vector<int> chain = row_part(12, 4, 0, 7);
-  for (const int v :
-       {at(12, 7, 5), at(12, 7, 6), at(12, 7, 7), at(12, 6, 7), at(12, 5, 7), at(12, 4, 7), at(12, 4, 6)}) {
-    chain.push_back(v);
+  for (const auto& [i, j] : {std::pair(7, 5), {7, 6}, {7, 7}, {6, 7}, {5, 7}, {4, 7}, {4, 6}}) {
+    chain.push_back(at(12, i, j));
   }
   return chain;
 }
 
-std::vector<int> half_of_a_ring() {
-  const std::vector<int> ring = test::tube_ring(16, 3);
-  return {ring.begin(), ring.begin() + 9};
+TEST(HelperWires, AreAsFewAsTheNetworkNeeds) {
+  const auto square = [](int n) { return test::flat_rectangle(n, n, 1, 1); };
+  struct Network {
+    const char* name;
+    FlattenInput input;
+    std::size_t num_helpers;
+  };
+  for (const Network& network : std::vector<Network>{
+           {"tail one edge from the outline", with_wires(square(6), {row_part(6, 3, 0, 5)}), 1},
+           {"both ends inside", with_wires(test::saddle(8, 0.4), {row_part(8, 3, 3, 5)}), 2},
+           {"one edge", with_wires(test::saddle(8, 0.4), {row_part(8, 4, 4, 5)}), 2},
+           // One helper wire closes the gap between the wires. One leads from the second wire to the outline.
+           {"tail along a wire", with_wires(square(10), {row_part(10, 5, 0, 4), row_part(10, 5, 6, 8)}), 2},
+           // One helper wire closes the wire into a ring, and four more lead from the ring to each end of the tube.
+           {"tail around a tube",
+            with_wires(test::cylinder_tube(16, 6, 1, 2), {test::section(test::tube_ring(16, 3), 0, 8)}), 1 + 4 + 4},
+           // One helper wire closes the hook. The stem and three more helper wires connect the hook with the outline.
+           {"tail to its own wire", with_wires(test::saddle(12, 0.2), {hook()}), 1 + 3},
+           {"two loops", test::cylinder_tube(12, 3, 1, 1), 4},
+           {"two loops on a sphere", test::sphere_band(18, 6, 0.8), 4},
+           {"loops one triangle apart", test::flat_annulus(12, 1, 1, 1.2), 4},
+           {"loops of three vertices", test::cylinder_tube(3, 1, 1, 1), 3},
+           {"hole with one wire", with_wires(test::flat_annulus(24, 6, 1, 2), {test::tube_line(24, 6, 5)}), 3},
+           {"ring", with_wires(test::saddle(10, 0.3), {test::grid_square(10, 5, 5, 2)}), 4},
+           {"ring in a ring",
+            with_wires(test::saddle(16, 0.3), {test::grid_square(16, 8, 8, 2), test::grid_square(16, 8, 8, 5)}), 8},
+           {"ring around one triangle", with_wires(square(6), {{at(6, 3, 3), at(6, 4, 3), at(6, 4, 4), at(6, 3, 3)}}),
+            3},
+           {"wire in a ring",
+            with_wires(test::saddle(16, 0.3), {test::grid_square(16, 8, 8, 5), row_part(16, 8, 7, 9)}), 2 + 4},
+           {"slit", with_seam(square(10), row_part(10, 5, 3, 7)), 4},
+           {"slit of one edge", with_seam(square(10), row_part(10, 5, 3, 4)), 2},  // one for each vertex
+           {"tail towards a dart", with_wires(with_seam(square(10), row_part(10, 5, 7, 10)), {row_part(10, 5, 0, 4)}),
+            1},
+       }) {
+    SCOPED_TRACE(network.name);
+    EXPECT_EQ(process(network.input).num_helpers(), network.num_helpers);
+  }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    ProcessTopology, HelperWires,
-    testing::Values(
-        Network{"tail_one_edge_from_the_outline", with_wires(test::flat_rectangle(6, 6, 1, 1), {row_part(6, 3, 0, 5)}),
-                1},
-        Network{"both_ends_inside", with_wires(test::saddle(8, 0.4), {row_part(8, 3, 3, 5)}), 2},
-        Network{"one_edge", with_wires(test::saddle(8, 0.4), {row_part(8, 4, 4, 5)}), 2},
-        // One helper wire closes the gap between both wires, and one helper wire leads from the second wire to the
-        // outline.
-        Network{"tail_along_a_wire",
-                with_wires(test::flat_rectangle(10, 10, 1, 1), {row_part(10, 5, 0, 4), row_part(10, 5, 6, 8)}), 2},
-        // One helper wire closes the wire into a ring, and four more lead from the ring to each end of the tube.
-        Network{"tail_around_a_tube", with_wires(test::cylinder_tube(16, 6, 1, 2), {half_of_a_ring()}), 1 + 4 + 4},
-        // One helper wire closes the hook. The stem and three more helper wires connect the hook with the outline.
-        Network{"tail_to_its_own_wire", with_wires(test::saddle(12, 0.2), {hook()}), 1 + 3},
-        Network{"two_loops", test::cylinder_tube(12, 3, 1, 1), 4},
-        Network{"two_loops_on_a_sphere", test::sphere_band(18, 6, 0.8), 4},
-        Network{"loops_one_triangle_apart", test::flat_annulus(12, 1, 1, 1.2), 4},
-        Network{"loops_of_three_vertices", test::cylinder_tube(3, 1, 1, 1), 3},
-        Network{"hole_with_one_wire", with_wires(test::flat_annulus(24, 6, 1, 2), {test::tube_line(24, 6, 5)}), 3},
-        Network{"ring", with_wires(test::saddle(10, 0.3), {test::grid_square(10, 5, 5, 2)}), 4},
-        Network{"ring_in_a_ring",
-                with_wires(test::saddle(16, 0.3), {test::grid_square(16, 8, 8, 2), test::grid_square(16, 8, 8, 5)}), 8},
-        Network{"ring_around_one_triangle",
-                with_wires(test::flat_rectangle(6, 6, 1, 1), {{at(6, 3, 3), at(6, 4, 3), at(6, 4, 4), at(6, 3, 3)}}),
-                3},
-        Network{"wire_in_a_ring",
-                with_wires(test::saddle(16, 0.3), {test::grid_square(16, 8, 8, 5), row_part(16, 8, 7, 9)}), 2 + 4},
-        Network{"slit", with_seam(test::flat_rectangle(10, 10, 1, 1), row_part(10, 5, 3, 7)), 4},
-        // The slit has two vertices, and one helper wire from each vertex.
-        Network{"slit_of_one_edge", with_seam(test::flat_rectangle(10, 10, 1, 1), row_part(10, 5, 3, 4)), 2},
-        Network{
-            "tail_towards_a_dart",
-            with_wires(with_seam(test::flat_rectangle(10, 10, 1, 1), row_part(10, 5, 7, 10)), {row_part(10, 5, 0, 4)}),
-            1}),
-    [](const testing::TestParamInfo<Network>& test) { return std::string(test.param.name); });
-
 TEST(ProcessTopology, ATailWithASpiralGeodesicTakesTheShortestPath) {
-  const int nx = 16;
-  const int ny = 40;
+  const int nx = 16, ny = 40;
   // Each ring rises and falls slightly. So the wire is not level, and its straight continuation is a flat helix.
   FlattenInput input = test::make_tube(nx, ny, [&](double s, double t) {
     return Eigen::Vector3d(std::cos(2 * kPi * s), std::sin(2 * kPi * s), 6 * t + 0.3 * s * (1 - s));
   });
-  const std::vector<int> ring = test::tube_ring(nx, ny / 2);
-  test::add_wire(input, {ring.begin() + 1, ring.begin() + 4});
+  test::add_wire(input, test::section(test::tube_ring(nx, ny / 2), 1, 3));
   const Processed p = process(input);
   for (const WirePart& part : p.refined.wire_parts) {
     double length = 0;

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tests of pieces that cannot be flattened. Suggested seams divide them into pieces that can be flattened. Pieces whose
-// outline is too short are found before any shape is computed.
+// Tests of seams that are suggested for pieces that cannot be flattened.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <ostream>
-#include <string>
 
 #include "base/planar.h"
 #include "closed_meshes.h"
@@ -46,7 +43,6 @@ FlattenInput close_bottom(const FlattenInput& tube, int around) {
   return closed;
 }
 
-/// Returns a trouser leg, which is a cone of radius 1 at the top and 0.5 at the bottom.
 FlattenInput cone(int around) {
   return test::make_tube(around, 8, [](double s, double t) {
     const double radius = 0.5 + 0.5 * t;
@@ -55,6 +51,10 @@ FlattenInput cone(int around) {
 }
 
 using test::cubes;
+
+FlattenInput plate_with_two_handles() {
+  return cubes(5, 3, 1, [](int i, int j, int) { return j != 1 || i % 2 == 0; });
+}
 
 bool has_proposal(const Piece& piece) { return piece.error && !piece.error->elements.proposed_seams.empty(); }
 
@@ -81,46 +81,37 @@ int follow_proposals(FlattenInput& input, FlattenResult& result) {
   }
 }
 
-struct Case {
-  const char* name;
-  FlattenInput input;
-  ErrorCode code;
-  std::size_t pieces;
-};
-
-std::string name_of(const testing::TestParamInfo<Case>& test) { return test.param.name; }
-
-/// Names the case in test reports.
-void PrintTo(const Case& shape, std::ostream* out) { *out << shape.name; }
-
-class ProposedSeams : public testing::TestWithParam<Case> {};
-
-TEST_P(ProposedSeams, LeadToFlatPieces) {
-  FlattenInput input = GetParam().input;
-  ASSERT_EQ(codes_of(flatten(input)), std::vector<ErrorCode>{GetParam().code});
-  FlattenResult result;
-  EXPECT_EQ(follow_proposals(input, result), 1);
-  EXPECT_EQ(result.pieces.size(), GetParam().pieces);
-  EXPECT_EQ(codes_of(result), std::vector<ErrorCode>{});
+TEST(ProposedSeams, LeadToFlatPieces) {
+  constexpr ErrorCode kShort = ErrorCode::boundary_too_short, kClosed = ErrorCode::closed_chart;
+  const auto solid = [](int, int, int) { return true; };
+  const FlattenInput tetrahedron =
+      test::mesh_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}});
+  struct Case {
+    const char* name;
+    FlattenInput input;
+    ErrorCode code;
+    std::size_t pieces;
+  };
+  for (Case shape : std::vector<Case>{
+           {"cylinder", test::cylinder_tube(16, 8, 1, 4), kShort, 1},
+           {"cone", cone(16), kShort, 1},
+           {"sphere", test::closed_sphere(16, 12), kClosed, 2},
+           {"tetrahedron", tetrahedron, kClosed, 2},
+           {"ball with a small hole", close_bottom(cap(16, 12, 0, kPi - 0.2), 16), kShort, 2},
+           {"ball with two small holes", cap(16, 12, 0.2, kPi - 0.2), kShort, 1},
+           {"cube", cubes(1, 1, 1, solid), kClosed, 2},
+           {"long box", cubes(9, 1, 1, solid), kClosed, 1},
+           {"torus", test::closed_torus(20, 10), kClosed, 1},
+           {"plate with two handles", plate_with_two_handles(), kClosed, 1},
+       }) {
+    SCOPED_TRACE(shape.name);
+    EXPECT_EQ(codes_of(flatten(shape.input)), std::vector<ErrorCode>{shape.code});
+    FlattenResult result;
+    EXPECT_EQ(follow_proposals(shape.input, result), 1);
+    EXPECT_EQ(result.pieces.size(), shape.pieces);
+    EXPECT_EQ(codes_of(result), std::vector<ErrorCode>{});
+  }
 }
-
-INSTANTIATE_TEST_SUITE_P(
-    Shapes, ProposedSeams,
-    testing::Values(
-        Case{"cylinder", test::cylinder_tube(16, 8, 1, 4), ErrorCode::boundary_too_short, 1},
-        Case{"cone", cone(16), ErrorCode::boundary_too_short, 1},
-        Case{"sphere", test::closed_sphere(16, 12), ErrorCode::closed_chart, 2},
-        Case{"tetrahedron",
-             test::mesh_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}),
-             ErrorCode::closed_chart, 2},
-        Case{"ball_with_a_small_hole", close_bottom(cap(16, 12, 0, kPi - 0.2), 16), ErrorCode::boundary_too_short, 2},
-        Case{"ball_with_two_small_holes", cap(16, 12, 0.2, kPi - 0.2), ErrorCode::boundary_too_short, 1},
-        Case{"cube", cubes(1, 1, 1, [](int, int, int) { return true; }), ErrorCode::closed_chart, 2},
-        Case{"long_box", cubes(9, 1, 1, [](int, int, int) { return true; }), ErrorCode::closed_chart, 1},
-        Case{"torus", test::closed_torus(20, 10), ErrorCode::closed_chart, 1},
-        Case{"plate_with_two_handles", cubes(5, 3, 1, [](int i, int j, int) { return j != 1 || i % 2 == 0; }),
-             ErrorCode::closed_chart, 1}),
-    name_of);
 
 /// These functions return garments as boxes with openings: trousers with two legs, a shirt with two sleeves, and a
 /// glove with four fingers.
@@ -158,8 +149,7 @@ TEST(ProposedSeamsOfAGarment, LeadToFlatPieces) {
 /// of each piece. If may_go_on is false, open_chart() is stopped.
 std::vector<std::size_t> faces_after(const std::function<bool(const Chart&)>& is_flat, bool may_go_on) {
   FlattenInput input = test::flat_rectangle(8, 8, 1, 1);
-  const Charts whole = test::charts_of(input);
-  const Chart& sheet = whole.charts.at(0);
+  const Chart sheet = test::chart_of(input);
   const CutMask opening = open_chart(sheet, is_flat, StopToken([=](const char*) { return may_go_on; }));
   for (const EdgeHandle e : sheet.mesh.edges()) {
     if (opening[e.idx()] == 0) continue;
@@ -187,13 +177,10 @@ TEST(Ranks, OfValuesThatDifferByRoundingAreEqual) {
 }
 
 TEST(ProposedSeamsOfATube, AreTheShortestPathBetweenItsLoops) {
-  const int n = 16;
-  const int rows = 4;
+  const int n = 16, rows = 4;
   const double height = 4;
   const FlattenInput input = test::cylinder_tube(n, rows, 1, height);
-  const FlattenResult result = flatten(input);
-  ASSERT_TRUE(result.pieces[0].error.has_value());
-  const FlattenError& error = *result.pieces[0].error;
+  const FlattenError error = flatten(input).pieces[0].error.value();
   EXPECT_EQ(error.elements.proposed_seams.size(), static_cast<std::size_t>(rows));
   double length = 0;
   for (const VertexPair& seam : error.elements.proposed_seams) {
@@ -227,7 +214,7 @@ TEST(ProposedSeamsOfARing, LeadToFlatPieces) {
   // Cuffs, waistbands and collars with oval sections. They are straight, flared or bulging. Some have wires around
   // them, and some have upright wires.
   const int around = 24, rows = 3;
-  for (int i = 0; i < 12; ++i) {
+  for (int i = 0; i < 8; ++i) {
     const double flare = 0.15 * (i % 5 - 2), bulge = 0.1 * (i % 3), tall = 0.15 + 0.1 * (i % 4);
     FlattenInput input = test::make_tube(around, rows, [&](double s, double t) {
       const double radius = 1 + flare * t + 4 * bulge * t * (1 - t);
@@ -244,7 +231,7 @@ TEST(ProposedSeamsOfARing, LeadToFlatPieces) {
 }
 
 TEST(CutToDisk, CutsEachHandleTwiceAndJoinsTheLoops) {
-  FlattenInput two_handles = cubes(5, 3, 1, [](int i, int j, int) { return j != 1 || i % 2 == 0; });
+  const FlattenInput two_handles = plate_with_two_handles();
   // Without its last face, the surface has one boundary loop. Without its first and last face, which are apart, the
   // surface has two loops.
   for (const int dropped_faces : {1, 2}) {
@@ -267,10 +254,7 @@ TEST(CutToDisk, LeavesADiskAlone) {
 }
 
 TEST(Isoperimetric, KnownShapesHaveTheirRatios) {
-  const auto ratio = [](const FlattenInput& input) {
-    const Chart chart = test::chart_of(input);
-    return isoperimetric_ratio(chart);
-  };
+  const auto ratio = [](const FlattenInput& input) { return isoperimetric_ratio(test::chart_of(input)); };
   EXPECT_NEAR(ratio(test::flat_rectangle(3, 3, 1, 1)), 16 / (4 * kPi), 1e-12);
   EXPECT_NEAR(ratio(cap(200, 100, 1e-6, kPi / 2)), 0.5, 1e-3);                 // (2 pi)^2 / (4 pi 2 pi)
   EXPECT_NEAR(ratio(test::cylinder_tube(200, 2, 1, 4)), 1 / (2 * 4.0), 1e-3);  // pi / (2 pi 4)

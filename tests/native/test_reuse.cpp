@@ -17,7 +17,6 @@
 namespace wirewarp::test_reuse {
 namespace {
 
-/// Returns two domes side by side with a seam between them, and a wire along each dome.
 FlattenInput two_domes() {
   FlattenInput input = test::make_grid(16, 8, [](double s, double t) {
     return Eigen::Vector3d(4 * s, 2 * t, 0.3 * std::abs(std::sin(2 * kPi * s)) * std::sin(3 * t));
@@ -28,7 +27,6 @@ FlattenInput two_domes() {
   return input;
 }
 
-/// Returns a tube with a wire around it. A run suggests seams for the tube.
 FlattenInput tube() {
   FlattenInput input = test::cylinder_tube(8, 4, 1, 6);
   test::add_wire(input, test::tube_ring(8, 2));

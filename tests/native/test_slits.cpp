@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tests that boundary loops that are slits are found, and that slits are sewn.
+// Tests that slits are found among the boundary loops, and are sewn.
 #include <gtest/gtest.h>
 
 #include "surface/charts/slits.h"
@@ -9,7 +9,7 @@
 namespace wirewarp::test_slits {
 namespace {
 
-int vertex(int i, int j) { return i + 9 * j; }  // index of a vertex of a grid of 8 by 8 quads
+int vertex(int i, int j) { return i + 9 * j; }  // of a grid of 8 by 8 quads
 
 FlattenInput sheet() {
   return test::make_grid(8, 8, [](double s, double t) { return Eigen::Vector3d(s, t, 0.3 * s * t); });
@@ -24,13 +24,12 @@ FlattenInput sheet_with_tree() {
 }
 
 TEST(Slits, AreLoopsThatContainBothRimsOfEveryEdge) {
-  const Charts charts = test::charts_of(sheet_with_tree());
-  const std::vector<Slit> slits = find_slits(charts.charts.at(0));
+  const Chart chart = test::chart_of(sheet_with_tree());
+  const std::vector<Slit> slits = find_slits(chart);
   ASSERT_EQ(slits.size(), 1U);
   const Slit& slit = slits[0];
   ASSERT_EQ(slit.rims.size(), 10U);  // both rims of five edges
   EXPECT_EQ(slit.mate.front(), 9) << "the slit begins at a tip";
-  const Chart& chart = charts.charts[0];
   for (std::size_t i = 0; i < slit.rims.size(); ++i) {
     const std::size_t other = slit.mate[i];
     EXPECT_EQ(slit.mate[other], static_cast<int>(i));
@@ -48,7 +47,7 @@ TEST(Slits, DartsHolesAndKeyholesAreNotSlits) {
   const int corner = test::nearest_vertex(keyhole, {0.375, 0.375, 0.3 * 0.375 * 0.375});
   test::add_seam(keyhole, {corner, test::nearest_vertex(keyhole, {0.25, 0.375, 0.3 * 0.25 * 0.375})});
   for (const FlattenInput& input : {dart, hole, keyhole}) {
-    EXPECT_TRUE(find_slits(test::charts_of(input).charts.at(0)).empty());
+    EXPECT_TRUE(find_slits(test::chart_of(input)).empty());
   }
 }
 
@@ -56,12 +55,11 @@ TEST(Slits, BecomeRigidWiresWhenSewn) {
   FlattenInput input = sheet_with_tree();
   test::add_wire(input, test::grid_row(8, 6), 0.05);
   test::add_wire(input, test::grid_column(8, 8, 3));  // in two parts, across the slit
-  const Charts charts = test::charts_of(input), whole = test::charts_of(sheet());
-  const Chart& open = charts.charts.at(0);
+  const Chart open = test::chart_of(input), whole = test::chart_of(sheet());
   const std::optional<SewnChart> sewn = sew(open, find_slits(open));
   ASSERT_TRUE(sewn);
-  EXPECT_EQ(sewn->chart.mesh.n_vertices(), whole.charts[0].mesh.n_vertices());
-  EXPECT_EQ(sewn->chart.mesh.n_edges(), whole.charts[0].mesh.n_edges());
+  EXPECT_EQ(sewn->chart.mesh.n_vertices(), whole.mesh.n_vertices());
+  EXPECT_EQ(sewn->chart.mesh.n_edges(), whole.mesh.n_edges());
   EXPECT_EQ(sewn->chart.boundary_loops.size(), 1U);
   const Positions3 points = points_of(sewn->chart.mesh);
   for (std::size_t v = 0; v < sewn->vertex.size(); ++v) {
@@ -90,10 +88,10 @@ TEST(Slits, SomeMayStayOpen) {
   FlattenInput input = sheet();
   test::add_seam(input, {vertex(2, 2), vertex(3, 2), vertex(4, 2)});
   test::add_seam(input, {vertex(2, 5), vertex(3, 5), vertex(4, 5)});
-  const Charts charts = test::charts_of(input);
-  const std::vector<Slit> slits = find_slits(charts.charts.at(0));
+  const Chart chart = test::chart_of(input);
+  const std::vector<Slit> slits = find_slits(chart);
   ASSERT_EQ(slits.size(), 2U);
-  const std::optional<SewnChart> sewn = sew(charts.charts[0], {slits[0]});
+  const std::optional<SewnChart> sewn = sew(chart, {slits[0]});
   ASSERT_TRUE(sewn);
   EXPECT_EQ(find_slits(sewn->chart).size(), 0U) << "the copies of a vertex have no common source";
   EXPECT_EQ(sewn->chart.boundary_loops.size(), 2U);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tests of smooth lines beside paths of edges. The lines are straight on flat surfaces, and cross no wire or seam that
-// the path does not cross.
+// Tests of smooth lines beside paths of edges.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,7 +12,7 @@
 namespace wirewarp::test_straighten_path {
 namespace {
 
-constexpr int kN = 12;  // edges along a side of the grid
+constexpr int kN = 12;
 
 int vertex(int i, int j) { return i + (kN + 1) * j; }
 
@@ -144,8 +143,7 @@ TEST(StraightenPath, MeetsWiresAtTheVerticesOfThePath) {
 
 TEST(StraightenPath, GoesAroundASeam) {
   FlattenInput input = grid();
-  std::vector<int> slit = test::grid_column(kN, kN, 6);
-  slit.resize(8);  // the slit ends at row 7
+  const std::vector<int> slit = test::section(test::grid_column(kN, kN, 6), 0, 7);
   test::add_seam(input, slit);
   const std::vector<int> path{vertex(5, 6), vertex(5, 7), vertex(5, 8), vertex(6, 8),
                               vertex(7, 8), vertex(7, 7), vertex(7, 6)};
@@ -174,7 +172,7 @@ TEST(StraightenPath, RefusesListsThatAreNotPaths) {
 TEST(StraightenPath, ReportsTheErrorOfThePiece) {
   FlattenInput input = grid();
   input.faces.conservativeResize(input.faces.rows() + 1, 3);
-  input.faces.row(input.faces.rows() - 1) = input.faces.row(30);
+  input.faces.bottomRows(1) = input.faces.row(30);
   const int a = input.faces(30, 0), b = input.faces(30, 1);
   EXPECT_EQ(message_of(input, {a, b}), "Face 288 has the vertices of another face: delete the copies.");
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tests that charts that are solved on several cores at once have the results of charts that are solved alone. Progress
-// must be reported in the caller's thread.
+// Tests that charts are solved on several cores at once, and that the caller is asked whether to continue after every
+// fixed amount of work.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +16,12 @@
 #include "base/cpu_quota.h"
 #include "base/in_threads.h"
 #include "base/progress_report.h"
+#include "base/work_meter.h"
+#include "error_of.h"
+#include "result/pack_boxes.h"
+#include "surface/mesh/overlap.h"
 #include "test_meshes.h"
+#include "warp/topology/process_topology.h"
 
 namespace wirewarp::test_threads {
 namespace {
@@ -26,9 +31,9 @@ FlattenInput many_gores() { return test::sphere_of_gores(12, 4, 16); }
 /// Returns the faces of one piece as an input, with the vertices of the whole input.
 FlattenInput only(const FlattenInput& input, const Piece& piece) {
   FlattenInput result = input;
-  result.faces.resize(static_cast<Eigen::Index>(piece.source_face.size()), 3);
+  result.faces.resize(piece.source_face.size(), 3);
   for (std::size_t f = 0; f < piece.source_face.size(); ++f) {
-    result.faces.row(static_cast<Eigen::Index>(f)) = input.faces.row(piece.source_face[f]);
+    result.faces.row(f) = input.faces.row(piece.source_face[f]);
   }
   result.seams.resize(0, 2);  // the seams are now the outline
   return result;
@@ -46,10 +51,8 @@ TEST(ChartsAtOnce, EachIsSolvedAsIfAlone) {
   }
 }
 
-/// Flattens the input. Expects progress that never decreases, from 0 to 1, in the caller's thread only.
 FlattenResult expect_progress(const FlattenInput& input, Method method) {
-  Options options;
-  options.method = method;
+  Options options = test::by(method);
   const std::thread::id caller = std::this_thread::get_id();
   std::vector<double> fractions;
   bool elsewhere = false;
@@ -66,16 +69,11 @@ FlattenResult expect_progress(const FlattenInput& input, Method method) {
 }
 
 TEST(ChartsAtOnce, ProgressIsReportedInTheCallersThreadAndNeverFalls) {
-  const int n = 4;
-  FlattenInput infeasible = test::quarter_sphere(n);  // a net of rigid wires
-  infeasible.wires.clear();
-  for (int i = 1; i < n; ++i) test::add_wire(infeasible, test::grid_column(n, 2 * n, i));
-  for (int j = 1; j < 2 * n; ++j) test::add_wire(infeasible, test::grid_row(n, j));
+  const FlattenInput infeasible = test::saddle_of_wires(4, 0);
   for (const Method method : {Method::refined, Method::wirewarp_plus_plus}) {
     expect_progress(many_gores(), method);
     const FlattenResult refused = expect_progress(infeasible, method);
-    ASSERT_TRUE(refused.pieces.at(0).error);
-    EXPECT_EQ(refused.pieces[0].error->code, ErrorCode::infeasible_lengths);
+    test::expect_error(refused.pieces.at(0).error, ErrorCode::infeasible_lengths);
   }
 }
 
@@ -147,7 +145,6 @@ TEST(ProgressReport, StaysCanceledIfTheCallerContinues) {
 
 using Files = std::map<std::string, std::string>;  // contents of files, by path
 
-/// Returns the quota, as a number of cores, on a system with these files.
 std::optional<std::size_t> quota_with(const Files& files) {
   // Tests run in parallel, so each test needs its own folder.
   const std::filesystem::path root =
@@ -192,12 +189,122 @@ TEST(CpuQuota, UsesTheLeastOfAllParentGroups) {
 TEST(CpuQuota, VersionOneBesideOtherControllers) {
   const std::string group = kTree + "cpu/docker/1a/";
   const std::string groups = "7:cpuset:/docker/1a\n4:cpu,cpuacct:/docker/1a\n1:name=systemd:/docker/1a\n";
-  EXPECT_EQ(
-      quota_with(
-          {{kGroups, groups}, {group + "cpu.cfs_quota_us", "200000\n"}, {group + "cpu.cfs_period_us", "100000\n"}}),
-      2U);
-  EXPECT_FALSE(
-      quota_with({{kGroups, groups}, {group + "cpu.cfs_quota_us", "-1\n"}, {group + "cpu.cfs_period_us", "100000\n"}}));
+  Files files{{kGroups, groups}, {group + "cpu.cfs_quota_us", "200000\n"}, {group + "cpu.cfs_period_us", "100000\n"}};
+  EXPECT_EQ(quota_with(files), 2U);
+  files[group + "cpu.cfs_quota_us"] = "-1\n";
+  EXPECT_FALSE(quota_with(files));
+}
+
+FlattenInput confetti(int n) {
+  FlattenInput input = test::flat_rectangle(n, n, n, n);
+  input.seams.resize(2 * n * (n + 1), 2);
+  int row = 0;
+  for (int j = 0; j <= n; ++j) {
+    for (int i = 0; i < n; ++i) {
+      input.seams.row(row++) << i + (n + 1) * j, i + 1 + (n + 1) * j;
+      input.seams.row(row++) << j + (n + 1) * i, j + (n + 1) * (i + 1);
+    }
+  }
+  return input;
+}
+
+std::map<std::string, int> questions(const FlattenInput& input) {
+  std::map<std::string, int> asked;
+  flatten(input, {}, [&](const std::string& stage, double) {
+    ++asked[stage];
+    return true;
+  });
+  return asked;
+}
+
+/// Counts polls, and answers no from poll number `limit` on.
+struct Asked {
+  int times = 0;
+  StopToken stop{[this](const char*) { return ++times < limit; }};
+  int limit = 1'000'000;
+};
+
+TEST(Questions, AreAskedAtLeastInProportionToTheFaces) {
+  const int few = 40, many = 110;
+  const std::map<std::string, int> before = questions(confetti(few)), after = questions(confetti(many));
+  const int faces = 2 * many * many;
+  EXPECT_GE(after.at("charts"), faces / static_cast<int>(WorkMeter::work_per_question));
+  EXPECT_GE(after.at("measure"), 2 * faces / static_cast<int>(WorkMeter::work_per_question));
+  EXPECT_GE(after.at("start"), 1);
+  EXPECT_GE(before.at("charts"), 1);
+}
+
+TEST(Questions, ARefusalEndsARunOfManyChartsInAnyStage) {
+  const FlattenInput input = confetti(100);
+  for (const std::string last : {"charts", "start", "measure"}) {
+    int asked_after = 0;
+    bool is_over = false;
+    const FlattenResult result = flatten(input, {}, [&](const std::string& stage, double) {
+      asked_after += is_over;
+      is_over = is_over || stage == last;
+      return !is_over;
+    });
+    EXPECT_EQ(asked_after, 0) << last;
+    ASSERT_EQ(result.pieces.size(), 10'000U) << last;
+    EXPECT_EQ(result.pieces.back().error.value().code, ErrorCode::cancelled) << last;
+    EXPECT_EQ(result.pieces.back().source_vertex.size(), 4U) << last;
+    EXPECT_EQ(result.pieces.back().report.termination, Termination::cancelled) << last;
+  }
+}
+
+TEST(Questions, AreAskedAmongOverlapsOfACrumpledPiece) {
+  const int n = 800;  // number of triangles, which all overlap: 320,000 pairs
+  Triangles faces(n, 3);
+  Positions2 uv(3 * n, 2);
+  for (int f = 0; f < n; ++f) {
+    faces.row(f) << 3 * f, 3 * f + 1, 3 * f + 2;
+    uv.middleRows(3 * f, 3) << 0, 0, 1, 0, 0, 1 + 1e-3 * f;
+  }
+  Asked asked;
+  find_overlapping_faces(faces, std::vector<bool>(n, true), uv, kRelativeOverlapDepth, asked.stop);
+  EXPECT_GE(asked.times, n * (n / 2) / static_cast<int>(WorkMeter::work_per_question));
+  Asked refused;
+  refused.limit = 3;
+  EXPECT_THROW(find_overlapping_faces(faces, std::vector<bool>(n, true), uv, kRelativeOverlapDepth, refused.stop),
+               Stopped);
+  EXPECT_EQ(refused.times, 3);
+}
+
+TEST(Questions, AreAskedWhileBoxesArePacked) {
+  Positions2 sizes(3000, 2);
+  for (int i = 0; i < sizes.rows(); ++i) sizes.row(i) << 1 + (i * 37) % 101, 1 + (i * 53) % 97;
+  Asked asked;
+  pack_boxes(sizes, 0.1, asked.stop);
+  EXPECT_GE(asked.times, 16 * sizes.rows() / static_cast<int>(WorkMeter::work_per_question));
+}
+
+TEST(Questions, AreAskedWhileWiresAreExtended) {
+  const int n = 41, num_wires = 30;
+  FlattenInput input = test::flat_rectangle(n - 1, n - 1, 1, 1);
+  // Each wire is one edge far from the other wires, so at least one of its ends is extended.
+  for (int i = 0; i < num_wires; ++i) {
+    const int v = 3 + 6 * (i % 6) + n * (3 + 7 * (i / 6));
+    test::add_wire(input, {v, v + n});
+  }
+  const Chart chart = test::chart_of(input);
+  Asked asked;
+  EXPECT_TRUE(process_topology(chart, asked.stop));
+  EXPECT_GE(asked.times, num_wires * n * n / static_cast<int>(WorkMeter::work_per_question));
+  Asked refused;
+  refused.limit = 2;
+  EXPECT_THROW(process_topology(chart, refused.stop), Stopped);
+  EXPECT_EQ(refused.times, 2);
+}
+
+TEST(Questions, TheLastStageOfASmallRunIsNotCanceled) {
+  bool was_cancelled = false;
+  const FlattenResult result = flatten(test::quarter_sphere(4), {}, [&](const std::string& stage, double) {
+    was_cancelled = was_cancelled || stage == "measure";
+    return stage != "measure";
+  });
+  EXPECT_TRUE(was_cancelled);
+  EXPECT_FALSE(result.pieces[0].error.has_value());
+  EXPECT_TRUE(result.corner_uv.allFinite());
 }
 
 }  // namespace

@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tests of the shape ψ(h), of the exact gradient of its energy, and of the search for the lengths with the least
-// distortion.
+// Tests of the shape ψ(h), of the gradient of its energy, and of the search for the lengths with the least distortion.
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <exception>
 #include <limits>
-#include <optional>
 
-#include "base/planar.h"
-#include "energy/free_boundary_arap.h"
 #include "numerics/optimize/active_set_bfgs.h"
-#include "surface/mesh/geometry.h"
 #include "test_meshes.h"
 #include "warp/outer/choose_variation.h"
 #include "warp/topology/process_topology.h"
@@ -21,26 +15,21 @@ namespace {
 
 constexpr double kFree = std::numeric_limits<double>::infinity();
 
-/// A chart with the helper wires that it needs, and its warp.
 struct Case {
   explicit Case(const FlattenInput& input, NodeWeight weight = NodeWeight::length)
-      : charts(test::charts_of(input)),
-        refined(process_topology(charts.charts[0])),
-        chart(refined ? *refined : charts.charts[0]),
+      : whole(test::chart_of(input)),
+        chart(process_topology(whole).value_or(whole)),
         network(build_wire_network(chart)),
         warp(chart, network, weight, Inner::minimum),
         bounds(variation_bounds(chart, Options{})) {}
   OuterSolution solve() { return choose_variation(chart, warp, bounds); }
   Eigen::VectorXd no_variation() const { return Eigen::VectorXd::Zero(bounds.lower.size()); }
-  Charts charts;
-  std::optional<Chart> refined;
-  const Chart& chart;
+  Chart whole, chart;
   WireNetwork network;
   Warp warp;
   VariationBounds bounds;
 };
 
-/// Returns a lopsided dome with `lines` wires in each direction, all with the same tolerance.
 FlattenInput dome(int n, int lines, double tolerance) {
   FlattenInput input = test::height_field(n, test::lopsided_dome);
   for (int i = 1; i <= lines; ++i) test::add_net(input, n, {i * n / (lines + 1)}, tolerance);
@@ -52,9 +41,8 @@ FlattenInput dome(int n, int lines, double tolerance) {
 FlattenInput saddle_with_loose_wires(double tolerance) {
   const int n = 12;
   FlattenInput input = test::saddle(n, 0.4);
-  const std::vector<int> row = test::grid_row(n, 4), column = test::grid_column(n, n, 9);
-  test::add_wire(input, {row.begin() + 3, row.begin() + 8}, tolerance);
-  test::add_wire(input, {column.begin(), column.begin() + 8}, tolerance);
+  test::add_wire(input, test::section(test::grid_row(n, 4), 3, 7), tolerance);
+  test::add_wire(input, test::section(test::grid_column(n, n, 9), 0, 7), tolerance);
   return input;
 }
 
@@ -64,10 +52,9 @@ FlattenInput dome_with_two_holes(double tolerance) {
   std::vector<int> across;
   for (int i = 0; i <= 8; ++i) across.push_back(test::nearest_vertex(input, {1.5, 0.25 * i, 0}));
   test::add_wire(input, across, tolerance);
-  for (int v = 0; v < input.vertices.rows(); ++v) {
-    const double x = input.vertices(v, 0) - 1.3;
-    const double y = input.vertices(v, 1) - 0.8;
-    input.vertices(v, 2) = 0.5 * std::exp(-x * x - y * y);
+  for (auto p : input.vertices.rowwise()) {
+    const double x = p[0] - 1.3, y = p[1] - 0.8;
+    p[2] = 0.5 * std::exp(-x * x - y * y);
   }
   return input;
 }
@@ -137,7 +124,7 @@ TEST(Warp, AsksBeforeEachFactorizationAndStopsAtOnce) {
   };
   Warp warp = new_warp();
   const int in_constructor = questions;
-  const Eigen::VectorXd h = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(chart.wire_parts.size()));
+  const Eigen::VectorXd h = Eigen::VectorXd::Zero(chart.wire_parts.size());
   warp.gradient(warp(h));
   const int whole = questions;
   EXPECT_GE(whole, warp.inner_factorizations());
@@ -156,8 +143,7 @@ TEST(Warp, AsksBeforeEachFactorizationAndStopsAtOnce) {
 /// Returns the outer side of a bent pipe, with a wire along every inner row.
 FlattenInput half_tube(int rows) {
   FlattenInput input = test::make_grid(8, rows + 1, [](double s, double t) {
-    const double around = 2 * (s - 0.5), along = 5 * t;
-    const double radius = 3 + std::cos(around);
+    const double around = 2 * (s - 0.5), along = 5 * t, radius = 3 + std::cos(around);
     return Eigen::Vector3d(std::sin(around), radius * std::sin(along), -radius * std::cos(along));
   });
   for (int j = 1; j <= rows; ++j) test::add_wire(input, test::grid_row(8, j), 0.05);
@@ -204,8 +190,7 @@ TEST(ChooseVariation, BacksOffFromLengthsThatCannotBeKept) {
 
 TEST(ChooseVariation, WireWarpingHasZeroToleranceExceptForHelperWires) {
   Case elastic(dome(12, 2, 0.05));
-  Options wirewarping;
-  wirewarping.method = Method::wirewarping;
+  Options wirewarping = test::by(Method::wirewarping);
   const VariationBounds rigid_bounds = variation_bounds(elastic.chart, wirewarping);
   EXPECT_TRUE(rigid_bounds.elastic_parts().empty());
   Options least_norm;

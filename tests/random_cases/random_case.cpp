@@ -5,7 +5,6 @@
 
 #include "judge.h"
 #include "random_input.h"
-#include "random_network.h"
 #include "wirewarp/cache.h"
 
 namespace wirewarp::test {
@@ -39,7 +38,7 @@ const char* name_of(Method method) {
   return method == Method::refined ? "refined" : method == Method::wirewarping ? "wirewarping" : "wirewarp++";
 }
 
-/// Returns the options with the default layout. The solver's options stay the same, so the cache contains all shapes.
+/// Returns the options with the default layout. The options of the solver do not change, so the cache has all shapes.
 InternalOptions with_plain_layout(InternalOptions options) {
   const Options plain;
   options.layout = plain.layout;
@@ -52,8 +51,8 @@ InternalOptions with_plain_layout(InternalOptions options) {
   return options;
 }
 
-/// Returns the result without the stretch. The directions of its edges determine the stretched lengths. Returns nullopt
-/// if there is no stretch.
+/// Returns the result without the stretch, because the directions of its edges determine the stretched lengths. Returns
+/// nullopt if there is no stretch.
 std::optional<FlattenResult> without_stretch(const FlattenInput& input, InternalOptions options, Cache& cache) {
   if (!options.cloth || options.cloth->stretch == Cloth{}.stretch) return std::nullopt;
   options.cloth->stretch = Cloth{}.stretch;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Makes random input of flatten(), and judges the result. The input is valid, with any topology and quality, or has one
-// known fault.
+// Makes random input of flatten(), and judges the result. The input is valid or has one known fault.
 #pragma once
 
 #include <cstdint>

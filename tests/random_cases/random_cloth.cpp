@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "random_input.h"
-#include "random_network.h"
 
 namespace wirewarp::test {
 namespace {
@@ -14,9 +13,7 @@ namespace {
 std::set<Edge> edges_of_wires(const FlattenInput& input) {
   std::set<Edge> edges;
   for (const Wire& wire : input.wires) {
-    for (std::size_t i = 1; i < wire.vertices.size(); ++i) {
-      edges.insert(edge_of(wire.vertices[i - 1], wire.vertices[i]));
-    }
+    for (const Edge& edge : edges_of(wire)) edges.insert(edge);
   }
   return edges;
 }
@@ -34,7 +31,6 @@ std::vector<int> take_chain(std::set<Edge>& edges) {
   }
 }
 
-/// Adds wires with random tolerances along most seams without a wire.
 void add_wires_along_seams(RandomStream& random, FlattenInput& input) {
   const std::set<Edge> taken = edges_of_wires(input);
   std::set<Edge> free;
@@ -50,18 +46,21 @@ void add_wires_along_seams(RandomStream& random, FlattenInput& input) {
   }
 }
 
-/// Adds eases to some wires of any kind.
 void add_eases_of_wires(RandomStream& random, FlattenInput& input) {
   for (Wire& wire : input.wires) {
     if (random.chance(0.2)) wire.ease = random.between(-0.1, 0.1);
   }
 }
 
-/// Adds one ease for some sides of seams and borders.
+/// Adds one ease, which applies to random sides of seams and borders.
 void add_eases_of_sides(RandomStream& random, FlattenInput& input) {
   std::map<Edge, int> num_faces;
+  std::map<VertexPair, int> num_sides;  // of each direction of an edge
   for (const auto& face : input.faces.rowwise()) {
-    for (int k = 0; k < 3; ++k) ++num_faces[edge_of(face[k], face[(k + 1) % 3])];
+    for (int k = 0; k < 3; ++k) {
+      ++num_faces[edge_of(face[k], face[(k + 1) % 3])];
+      ++num_sides[{face[k], face[(k + 1) % 3]}];
+    }
   }
   std::set<Edge> seams;
   for (const auto& seam : input.seams.rowwise()) seams.insert(edge_of(seam[0], seam[1]));
@@ -70,21 +69,14 @@ void add_eases_of_sides(RandomStream& random, FlattenInput& input) {
     for (int k = 0; k < 3; ++k) {
       const int a = face[k], b = face[(k + 1) % 3];
       const bool is_outline = seams.count(edge_of(a, b)) > 0 || num_faces[edge_of(a, b)] == 1;
-      if (is_outline && random.chance(0.2)) sides.push_back({a, b});
+      // Two sides of a non-manifold seam may have the same direction, and an ease cannot distinguish them.
+      if (is_outline && random.chance(0.2) && num_sides[{a, b}] == 1) sides.push_back({a, b});
     }
   }
-  // Two sides of a non-manifold seam may have the same direction, and an ease cannot distinguish them.
-  std::map<VertexPair, int> times;
-  for (const auto& face : input.faces.rowwise()) {
-    for (int k = 0; k < 3; ++k) ++times[{face[k], face[(k + 1) % 3]}];
-  }
-  sides.erase(std::remove_if(sides.begin(), sides.end(), [&](const VertexPair& side) { return times[side] > 1; }),
-              sides.end());
   if (sides.empty()) return;
   Ease ease;
-  ease.half_edges.resize(static_cast<Eigen::Index>(sides.size()), 2);
-  for (std::size_t i = 0; i < sides.size(); ++i)
-    ease.half_edges.row(static_cast<Eigen::Index>(i)) << sides[i][0], sides[i][1];
+  ease.half_edges.resize(sides.size(), 2);
+  for (std::size_t i = 0; i < sides.size(); ++i) ease.half_edges.row(i) << sides[i][0], sides[i][1];
   ease.ratio = random.between(-0.05, 0.1);
   input.eases.push_back(ease);
 }

@@ -11,31 +11,20 @@ namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-void append_face(FlattenInput& input, int a, int b, int c) {
-  input.faces.conservativeResize(input.faces.rows() + 1, 3);
-  input.faces.bottomRows(1) << a, b, c;
-}
-
-int append_vertex(FlattenInput& input, const Eigen::Vector3d& position) {
-  input.vertices.conservativeResize(input.vertices.rows() + 1, 3);
-  input.vertices.bottomRows(1) = position.transpose();
-  return static_cast<int>(input.vertices.rows()) - 1;
-}
-
 /// Appends a ring of eight quads without one triangle, so that only a vertex connects the ends of the ring.
-void append_ring_that_touches_itself(FlattenInput& input, const Eigen::Vector3d& at, double size) {
+void append_ring_that_touches_itself(FlattenInput& input, const Eigen::RowVector3d& at, double size) {
   constexpr int kAround = 8;
   const int first = static_cast<int>(input.vertices.rows());
   for (int i = 0; i < kAround; ++i) {
     const double angle = 2 * 3.141592653589793 * i / kAround;
     for (const double radius : {1.0, 2.0}) {
-      append_vertex(input, at + size * radius * Eigen::Vector3d(std::cos(angle), std::sin(angle), 0));
+      add_vertex(input, at + size * radius * Eigen::RowVector3d(std::cos(angle), std::sin(angle), 0));
     }
   }
   for (int i = 0; i < kAround; ++i) {
     const int inner = first + 2 * i, next = first + 2 * ((i + 1) % kAround);
-    append_face(input, inner, inner + 1, next + 1);
-    if (i + 1 < kAround) append_face(input, inner, next + 1, next);
+    add_face(input, inner, inner + 1, next + 1);
+    if (i + 1 < kAround) add_face(input, inner, next + 1, next);
   }
 }
 
@@ -46,6 +35,7 @@ void clear_marks(FlattenInput& input) {
   input.wires.clear();
 }
 
+/// Returns a face that has a common edge with a face of the same orientation, or -1 if there is none.
 int face_with_neighbor(RandomStream& random, const FlattenInput& input) {
   std::set<VertexPair> directed;
   for (int f = 0; f < input.faces.rows(); ++f) {
@@ -53,7 +43,7 @@ int face_with_neighbor(RandomStream& random, const FlattenInput& input) {
   }
   std::vector<int> found;
   for (int f = 0; f < input.faces.rows(); ++f) {
-    bool has_neighbor = false;  // whether a neighbor passes the common edge in the opposite direction
+    bool has_neighbor = false;
     for (int k = 0; k < 3; ++k) {
       has_neighbor = has_neighbor || directed.count({input.faces(f, (k + 1) % 3), input.faces(f, k)}) > 0;
     }
@@ -66,9 +56,7 @@ int face_with_neighbor(RandomStream& random, const FlattenInput& input) {
 
 ErrorCode add_random_fault(RandomStream& random, FlattenInput& input, Options& options) {
   const int f = random.below(static_cast<int>(input.faces.rows()));
-  const int a = input.faces(f, 0);
-  const int b = input.faces(f, 1);
-  const int c = input.faces(f, 2);
+  const int a = input.faces(f, 0), b = input.faces(f, 1), c = input.faces(f, 2);
   const int num_vertices = static_cast<int>(input.vertices.rows());
   options.grain = -1;  // some faults remove wires, and the grain wire must exist
   switch (random.below(18)) {
@@ -88,7 +76,7 @@ ErrorCode add_random_fault(RandomStream& random, FlattenInput& input, Options& o
       input.seams << a, a;
       return ErrorCode::seam_not_an_edge;
     case 4:
-      input.wires.push_back({{a, append_vertex(input, {0, 0, 0})}, 0, "loose"});
+      input.wires.push_back({{a, add_vertex(input, {0, 0, 0})}, 0, "loose"});
       return ErrorCode::wire_not_an_edge;
     case 5:
       input.wires.push_back({random.chance(0.5) ? std::vector<int>{} : std::vector<int>{a}, 0, "short"});
@@ -101,24 +89,23 @@ ErrorCode add_random_fault(RandomStream& random, FlattenInput& input, Options& o
       return ErrorCode::invalid_tolerance;
     case 8:
       clear_marks(input);
-      append_face(input, a, b, a);
+      add_face(input, a, b, a);
       return ErrorCode::repeated_vertex_in_face;
     case 9:
       clear_marks(input);
-      append_face(input, b, c, a);
+      add_face(input, b, c, a);
       return ErrorCode::repeated_face;
-    case 10: {
+    case 10:
       clear_marks(input);
-      append_face(input, a, b, append_vertex(input, input.vertices.row(a).transpose()));
+      add_face(input, a, b, add_vertex(input, input.vertices.row(a)));
       return ErrorCode::zero_area_face;
-    }
     case 11: {
       clear_marks(input);
-      const Eigen::Vector3d side = input.vertices.row(b) - input.vertices.row(a);
-      const Eigen::Vector3d other = input.vertices.row(c) - input.vertices.row(a);
-      const Eigen::Vector3d up = input.vertices.row(a).transpose() + side.cross(other).normalized() * side.norm();
-      append_face(input, b, a, append_vertex(input, up));
-      append_face(input, b, a, append_vertex(input, up + 0.3 * side));  // at least three faces at a-b
+      const Eigen::RowVector3d side = input.vertices.row(b) - input.vertices.row(a);
+      const Eigen::RowVector3d other = input.vertices.row(c) - input.vertices.row(a);
+      const Eigen::RowVector3d up = input.vertices.row(a) + side.cross(other).normalized() * side.norm();
+      add_face(input, b, a, add_vertex(input, up));
+      add_face(input, b, a, add_vertex(input, up + 0.3 * side));  // at least three faces at a-b
       return ErrorCode::non_manifold_edge;
     }
     case 12:

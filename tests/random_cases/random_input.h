@@ -1,17 +1,50 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <Eigen/Core>
+#include <array>
 #include <string>
+#include <vector>
 
+#include "judged.h"
 #include "random_stream.h"
 #include "wirewarp/flatten.h"
 
 namespace wirewarp::test {
 
+inline void add_face(FlattenInput& input, int a, int b, int c) {
+  input.faces.conservativeResize(input.faces.rows() + 1, 3);
+  input.faces.bottomRows(1) << a, b, c;
+}
+
+inline int add_vertex(FlattenInput& input, const Eigen::RowVector3d& position) {
+  input.vertices.conservativeResize(input.vertices.rows() + 1, 3);
+  input.vertices.bottomRows(1) = position;
+  return static_cast<int>(input.vertices.rows()) - 1;
+}
+
+/// A manifold part of a mesh, with faces counter-clockwise from outside.
+struct MeshPart {
+  std::vector<Eigen::Vector3d> vertices;
+  std::vector<std::array<int, 3>> faces;
+};
+
+/// Returns a mesh like a scan or a sculpture. It is a Delaunay triangulation of a random domain with up to four holes,
+/// a rough height and needles of up to 1 : 10,000. Appends a word to the description.
+MeshPart rough_sheet(RandomStream& random, std::string& description);
+
 /// Returns a legal mesh of one to three separate parts. Each part is a sheet, a sheet with holes, a rough sheet, a
 /// tube, a ball, a ring, a fan or a single triangle. A part may have even or uneven faces, slivers, any size and any
 /// place, with vertices and faces in any order. Appends words about the mesh to the description.
 FlattenInput random_mesh(RandomStream& random, std::string& description);
+
+/// Adds random seams, or sometimes no seams. Seams are walks along edges, shortest paths between borders, or small
+/// darts, slits and loops.
+void add_random_seams(RandomStream& random, FlattenInput& input, std::string& description);
+
+/// Adds random wires of every kind, sometimes many. Wires are walks or shortest paths along edges without a wire. They
+/// may be closed, and may run along seams and outlines.
+void add_random_wires(RandomStream& random, FlattenInput& input, std::string& description);
 
 /// Chooses two vertices of a legal mesh at random. If they belong to different parts, moves one part so that both
 /// vertices coincide, and merges the vertices. Adds a wire through the merged vertex, unless other wires use one of its

@@ -8,12 +8,9 @@
 
 #include "base/planar.h"
 #include "random_input.h"
-#include "rough_sheet.h"
 
 namespace wirewarp::test {
 namespace {
-
-using Mesh = MeshPart;
 
 /// Returns the positions of grid lines in [0, 1]: evenly spaced, random, or denser towards 0.
 std::vector<double> grid_lines(RandomStream& random, int count) {
@@ -36,25 +33,20 @@ std::vector<double> grid_lines(RandomStream& random, int count) {
 /// Returns a triangulated grid of nx by ny quads. wraps_s, wraps_t: whether the last points in this direction are the
 /// first points. place(s, t): returns the position of a grid point in space.
 template <typename Place>
-Mesh make_grid(RandomStream& random, int nx, int ny, bool wraps_s, bool wraps_t, const Place& place) {
-  const std::vector<double> s = grid_lines(random, nx);
-  const std::vector<double> t = grid_lines(random, ny);
-  const int columns = wraps_s ? nx : nx + 1;
-  const int rows = wraps_t ? ny : ny + 1;
-  Mesh mesh;
+MeshPart make_grid(RandomStream& random, int nx, int ny, bool wraps_s, bool wraps_t, const Place& place) {
+  const std::vector<double> s = grid_lines(random, nx), t = grid_lines(random, ny);
+  const int columns = wraps_s ? nx : nx + 1, rows = wraps_t ? ny : ny + 1;
+  MeshPart mesh;
   for (int j = 0; j < rows; ++j) {
     for (int i = 0; i < columns; ++i) {
-      mesh.vertices.push_back(place(s[static_cast<std::size_t>(i)], t[static_cast<std::size_t>(j)]));
+      mesh.vertices.push_back(place(s[i], t[j]));
     }
   }
   const auto index = [&](int i, int j) { return i % columns + columns * (j % rows); };
   const int diagonals = random.below(3);
   for (int j = 0; j < ny; ++j) {
     for (int i = 0; i < nx; ++i) {
-      const int a = index(i, j);
-      const int b = index(i + 1, j);
-      const int c = index(i + 1, j + 1);
-      const int d = index(i, j + 1);
+      const int a = index(i, j), b = index(i + 1, j), c = index(i + 1, j + 1), d = index(i, j + 1);
       if (diagonals == 2 ? random.chance(0.5) : diagonals == 1) {
         mesh.faces.insert(mesh.faces.end(), {{a, b, d}, {b, c, d}});
       } else {
@@ -65,11 +57,9 @@ Mesh make_grid(RandomStream& random, int nx, int ny, bool wraps_s, bool wraps_t,
   return mesh;
 }
 
-/// Returns a random height function on the unit square: flat, bent in one direction, a dome, a saddle or bumps.
 std::function<double(double, double)> random_height(RandomStream& random) {
   const double high = random.across_scales(0.01, 1.5);
-  const double fx = random.between(0.3, 4);
-  const double fy = random.between(0.3, 4);
+  const double fx = random.between(0.3, 4), fy = random.between(0.3, 4);
   switch (random.below(5)) {
     case 0:
       return [](double, double) { return 0.0; };
@@ -84,14 +74,13 @@ std::function<double(double, double)> random_height(RandomStream& random) {
   }
 }
 
-Mesh random_sheet(RandomStream& random) {
+MeshPart random_sheet(RandomStream& random) {
   const auto height = random_height(random);
   const double width = random.across_scales(0.05, 20);
   const bool jitters = random.chance(0.3);
   const bool is_huge = random.chance(0.006);  // 20,000 faces or more, solved from coarse to fine
   const int most = is_huge ? 120 : random.chance(0.03) ? 45 : 12;
-  const int nx = random.whole(is_huge ? 100 : 1, most);
-  const int ny = random.whole(is_huge ? 100 : 1, most);
+  const int least = is_huge ? 100 : 1, nx = random.whole(least, most), ny = random.whole(least, most);
   RandomStream shake(static_cast<std::uint64_t>(random.below(1 << 30)));
   return make_grid(random, nx, ny, false, false, [&](double s, double t) {
     const double lift = jitters ? shake.between(-0.6, 0.6) / most : 0;
@@ -99,18 +88,18 @@ Mesh random_sheet(RandomStream& random) {
   });
 }
 
-/// Returns a sheet without some quads inside. The remaining faces never touch only at a vertex.
-Mesh with_holes(RandomStream& random, int holes) {
+/// Returns a sheet without one to three quads inside. The remaining faces never touch only at a vertex.
+MeshPart sheet_with_holes(RandomStream& random) {
+  const int holes = random.whole(1, 3);
   const auto height = random_height(random);
   const int nx = 3 * holes + 1 + random.whole(0, 6);
   const int ny = random.whole(4, 9);
-  Mesh mesh = make_grid(random, nx, ny, false, false,
-                        [&](double s, double t) { return Eigen::Vector3d(2 * s, t, 0.5 * height(s, t)); });
+  MeshPart mesh = make_grid(random, nx, ny, false, false,
+                            [&](double s, double t) { return Eigen::Vector3d(2 * s, t, 0.5 * height(s, t)); });
   std::vector<char> removed(mesh.faces.size(), 0);
   for (int hole = 0; hole < holes; ++hole) {  // one quad, two columns apart from other holes, not at the outline
     const int quad = 1 + 3 * hole + nx * random.whole(1, ny - 2);
-    const std::size_t first = 2 * static_cast<std::size_t>(quad);
-    removed[first] = removed[first + 1] = 1;
+    removed[2 * quad] = removed[2 * quad + 1] = 1;
   }
   std::vector<std::array<int, 3>> kept;
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
@@ -120,11 +109,11 @@ Mesh with_holes(RandomStream& random, int holes) {
   return mesh;
 }
 
-Mesh random_tube(RandomStream& random) {
+MeshPart random_tube(RandomStream& random) {
   const double high = random.across_scales(0.05, 5);
   const double taper = random.chance(0.5) ? random.between(-0.9, 0.9) : 0;
   const double belly = random.between(-0.5, 0.5);
-  const bool is_ring = random.chance(0.15);  // a closed tube, which is a torus
+  const bool is_ring = random.chance(0.15);  // whether the ends of the tube meet, as in a torus
   const int around = random.whole(3, 14);
   const int along = is_ring ? random.whole(3, 10) : random.whole(1, 10);
   return make_grid(random, around, along, true, is_ring, [&](double s, double t) {
@@ -140,10 +129,10 @@ Mesh random_tube(RandomStream& random) {
 }
 
 /// Returns a tube with fans that close both ends, or only the lower end.
-Mesh random_ball(RandomStream& random) {
+MeshPart random_ball(RandomStream& random) {
   const int around = random.whole(3, 12);
   const int along = random.whole(1, 8);
-  Mesh mesh = make_grid(random, around, along, true, false, [&](double s, double t) {
+  MeshPart mesh = make_grid(random, around, along, true, false, [&](double s, double t) {
     const double latitude = kPi * (0.1 + 0.8 * t - 0.5);
     return Eigen::Vector3d(std::cos(latitude) * std::cos(2 * kPi * s), std::cos(latitude) * std::sin(2 * kPi * s),
                            std::sin(latitude));
@@ -161,11 +150,11 @@ Mesh random_ball(RandomStream& random) {
   return mesh;
 }
 
-Mesh random_fan(RandomStream& random) {
+MeshPart random_fan(RandomStream& random) {
   const int blades = random.whole(1, 12);
   const double turn = random.between(0.2, 1.9) * kPi / blades;
   const double rise = random.between(-0.5, 0.5);
-  Mesh mesh;
+  MeshPart mesh;
   mesh.vertices.push_back({0, 0, 0});
   for (int i = 0; i <= blades; ++i) {
     const double radius = random.between(0.3, 1);
@@ -175,38 +164,21 @@ Mesh random_fan(RandomStream& random) {
   return mesh;
 }
 
-Mesh random_part(RandomStream& random, std::string& description) {
-  switch (random.below(12)) {
-    case 0:
-    case 1:
-    case 2:
-      description += " sheet";
-      return random_sheet(random);
-    case 3: {
-      const int holes = random.whole(1, 3);
-      description += " sheet-with-holes";
-      return with_holes(random, holes);
-    }
-    case 4:
-    case 5:
-      description += " tube";
-      return random_tube(random);
-    case 6:
-      description += " ball";
-      return random_ball(random);
-    case 7:
-    case 8:
-    case 9:
-    case 10:
-      return rough_sheet(random, description);
-    default:
-      description += " fan";
-      return random_fan(random);
-  }
+MeshPart random_part(RandomStream& random, std::string& description) {
+  const auto named = [&](const char* name, MeshPart (*make)(RandomStream&)) {
+    description += name;
+    return make(random);
+  };
+  const int kind = random.below(12);
+  if (kind < 3) return named(" sheet", random_sheet);
+  if (kind == 3) return named(" sheet-with-holes", sheet_with_holes);
+  if (kind < 6) return named(" tube", random_tube);
+  if (kind == 6) return named(" ball", random_ball);
+  return kind < 11 ? rough_sheet(random, description) : named(" fan", random_fan);
 }
 
 /// Returns the mesh rotated, scaled and moved. May also renumber vertices and faces, and start faces at any corner.
-FlattenInput anywhere(RandomStream& random, const Mesh& mesh, std::string& description) {
+FlattenInput anywhere(RandomStream& random, const MeshPart& mesh, std::string& description) {
   const double size = random.chance(0.3) ? random.across_scales(1e-4, 1e5) : 1;
   const double away = random.chance(0.15) ? random.across_scales(1, 1e6) : 0;
   if (size != 1) description += " scaled";
@@ -220,19 +192,16 @@ FlattenInput anywhere(RandomStream& random, const Mesh& mesh, std::string& descr
   std::iota(place.begin(), place.end(), 0);
   if (renumbers) random.shuffle(place);
   FlattenInput input;
-  input.vertices.resize(static_cast<Eigen::Index>(place.size()), 3);
+  input.vertices.resize(place.size(), 3);
   for (std::size_t v = 0; v < place.size(); ++v) {
     input.vertices.row(place[v]) = size * (turn * mesh.vertices[v] + away * Eigen::Vector3d(1, -2, 0.5)).transpose();
   }
   std::vector<std::array<int, 3>> faces = mesh.faces;
   if (renumbers) random.shuffle(faces);
-  input.faces.resize(static_cast<Eigen::Index>(faces.size()), 3);
+  input.faces.resize(faces.size(), 3);
   for (std::size_t f = 0; f < faces.size(); ++f) {
     const int first = renumbers ? random.below(3) : 0;
-    for (int k = 0; k < 3; ++k) {
-      const int corner = faces[f][static_cast<std::size_t>((k + first) % 3)];
-      input.faces(static_cast<Eigen::Index>(f), k) = place[static_cast<std::size_t>(corner)];
-    }
+    for (int k = 0; k < 3; ++k) input.faces(f, k) = place[faces[f][(k + first) % 3]];
   }
   return input;
 }
@@ -240,10 +209,10 @@ FlattenInput anywhere(RandomStream& random, const Mesh& mesh, std::string& descr
 }  // namespace
 
 FlattenInput random_mesh(RandomStream& random, std::string& description) {
-  Mesh whole;
+  MeshPart whole;
   const int parts = random.chance(0.7) ? 1 : random.whole(2, 3);
   for (int i = 0; i < parts; ++i) {
-    const Mesh part = random_part(random, description);
+    const MeshPart part = random_part(random, description);
     const int offset = static_cast<int>(whole.vertices.size());
     // Parts may be in the same place, because coincident vertices are never welded.
     const double aside = random.chance(0.3) ? 0 : 30.0 * i;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "random_network.h"
-
 #include <algorithm>
 #include <iterator>
 #include <limits>
 #include <map>
 #include <queue>
 #include <set>
+
+#include "random_input.h"
 
 namespace wirewarp::test {
 namespace {
@@ -16,13 +16,13 @@ struct EdgeGraph {
   std::vector<std::vector<int>> neighbors;
   std::map<Edge, int> num_faces;
 
-  explicit EdgeGraph(const FlattenInput& input) : neighbors(static_cast<std::size_t>(input.vertices.rows())) {
+  explicit EdgeGraph(const FlattenInput& input) : neighbors(input.vertices.rows()) {
     for (int f = 0; f < input.faces.rows(); ++f) {
       for (int k = 0; k < 3; ++k) ++num_faces[edge_of(input.faces(f, k), input.faces(f, (k + 1) % 3))];
     }
     for (const auto& [edge, count] : num_faces) {
-      neighbors[static_cast<std::size_t>(edge[0])].push_back(edge[1]);
-      neighbors[static_cast<std::size_t>(edge[1])].push_back(edge[0]);
+      neighbors[edge[0]].push_back(edge[1]);
+      neighbors[edge[1]].push_back(edge[0]);
     }
   }
 
@@ -41,7 +41,7 @@ std::vector<int> random_walk(RandomStream& random, const EdgeGraph& graph, int f
   std::vector<int> chain{from};
   for (int i = 0; i < steps; ++i) {
     std::vector<int> open;
-    for (const int next : graph.neighbors[static_cast<std::size_t>(chain.back())]) {
+    for (const int next : graph.neighbors[chain.back()]) {
       if (!used.count(edge_of(chain.back(), next))) open.push_back(next);
     }
     if (open.empty()) break;
@@ -61,7 +61,7 @@ std::vector<int> short_path(const EdgeGraph& graph, int from, int to, std::set<E
   while (!front.empty() && !previous.count(to)) {
     const int v = front.front();
     front.pop();
-    for (const int next : graph.neighbors[static_cast<std::size_t>(v)]) {
+    for (const int next : graph.neighbors[v]) {
       if (previous.count(next) || used.count(edge_of(v, next))) continue;
       previous[next] = v;
       front.push(next);
@@ -138,7 +138,7 @@ void add_random_seams(RandomStream& random, FlattenInput& input, std::string& de
       random_chain(random, graph, vertices, seams);
     }
   }
-  input.seams.resize(static_cast<Eigen::Index>(seams.size()), 2);
+  input.seams.resize(seams.size(), 2);
   Eigen::Index row = 0;
   for (const Edge& seam : seams) {
     const bool turned = random.chance(0.5);

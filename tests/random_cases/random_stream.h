@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <random>
@@ -42,14 +41,14 @@ class RandomStream {
 
   template <typename T>
   const T& pick(const std::vector<T>& values) {
-    return values[static_cast<std::size_t>(below(static_cast<int>(values.size())))];
+    return values[below(static_cast<int>(values.size()))];
   }
 
   template <typename T>
   void shuffle(std::vector<T>& values) {
     for (int i = static_cast<int>(values.size()) - 1; i > 0; --i) {
       using std::swap;
-      swap(values[static_cast<std::size_t>(i)], values[static_cast<std::size_t>(below(i + 1))]);
+      swap(values[i], values[below(i + 1)]);
     }
   }
 

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "rough_sheet.h"
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -10,6 +8,7 @@
 
 #include "base/disjoint_sets.h"
 #include "base/planar.h"
+#include "random_input.h"
 
 namespace wirewarp::test {
 namespace {
@@ -24,9 +23,7 @@ long double cross(const Point& a, const Point& b) { return a.x() * b.y() - a.y()
 
 /// Returns whether p is inside the circle through the corners of a counter-clockwise triangle.
 bool is_in_circle(const std::vector<Point>& points, const Face& triangle, const Point& p) {
-  const Point a = points[static_cast<std::size_t>(triangle[0])] - p;
-  const Point b = points[static_cast<std::size_t>(triangle[1])] - p;
-  const Point c = points[static_cast<std::size_t>(triangle[2])] - p;
+  const Point a = points[triangle[0]] - p, b = points[triangle[1]] - p, c = points[triangle[2]] - p;
   return a.squaredNorm() * cross(b, c) + b.squaredNorm() * cross(c, a) + c.squaredNorm() * cross(a, b) > 0;
 }
 
@@ -47,7 +44,7 @@ Faces delaunay(const std::vector<Eigen::Vector2d>& points) {
 
   Faces triangles{{count, count + 1, count + 2}};
   for (int v = 0; v < count; ++v) {
-    const auto keeps = [&](const Face& t) { return !is_in_circle(all, t, all[static_cast<std::size_t>(v)]); };
+    const auto keeps = [&](const Face& t) { return !is_in_circle(all, t, all[v]); };
     const auto cavity = std::stable_partition(triangles.begin(), triangles.end(), keeps);
     std::set<std::pair<int, int>> rim;  // border of the cavity, directed, with the cavity on the left
     for (auto t = cavity; t != triangles.end(); ++t) {
@@ -112,7 +109,7 @@ std::vector<Eigen::Vector2d> random_points(RandomStream& random, int count) {
 }
 
 bool is_thin(const MeshPart& part, const Face& face) {
-  const auto corner = [&](std::size_t k) { return part.vertices[static_cast<std::size_t>(face[k])]; };
+  const auto corner = [&](std::size_t k) { return part.vertices[face[k]]; };
   const Eigen::Vector3d ab = corner(1) - corner(0), bc = corner(2) - corner(1), ca = corner(0) - corner(2);
   const double longest = std::max({ab.norm(), bc.norm(), ca.norm()});
   return ab.cross(ca).norm() < kThinnest * longest * longest;
@@ -131,8 +128,8 @@ Faces largest_region(const Faces& faces) {
   }
   int count = 0;
   const std::vector<int> group = groups.number(count);
-  std::vector<int> size(static_cast<std::size_t>(count));
-  for (const int g : group) ++size[static_cast<std::size_t>(g)];
+  std::vector<int> size(count);
+  for (const int g : group) ++size[g];
   const auto largest = std::max_element(size.begin(), size.end()) - size.begin();
   Faces kept;
   for (std::size_t f = 0; f < faces.size(); ++f) {
@@ -146,18 +143,18 @@ Faces largest_region(const Faces& faces) {
 Faces without_pinches(Faces faces) {
   for (bool has_changed = true; has_changed;) {
     faces = largest_region(faces);
-    std::map<int, int> sides_at;  // number of outline edges at each vertex
+    std::map<int, int> outline_edges_at;
     std::map<std::pair<int, int>, int> count;
     for (const Face& face : faces) {
       for (std::size_t k = 0; k < 3; ++k) ++count[std::minmax(face[k], face[(k + 1) % 3])];
     }
     for (const auto& [edge, times] : count) {
       if (times > 1) continue;
-      ++sides_at[edge.first];
-      ++sides_at[edge.second];
+      ++outline_edges_at[edge.first];
+      ++outline_edges_at[edge.second];
     }
     const auto is_pinched = [&](const Face& face) {
-      return std::any_of(face.begin(), face.end(), [&](int v) { return sides_at.count(v) && sides_at[v] > 2; });
+      return std::any_of(face.begin(), face.end(), [&](int v) { return outline_edges_at[v] > 2; });
     };
     const auto kept = std::stable_partition(faces.begin(), faces.end(), [&](const Face& f) { return !is_pinched(f); });
     has_changed = kept != faces.end() && kept != faces.begin();
@@ -174,7 +171,7 @@ MeshPart only_used_vertices(const MeshPart& part) {
     Face renumbered{};
     for (std::size_t k = 0; k < 3; ++k) {
       const auto [known, is_new] = place.insert({face[k], static_cast<int>(used.vertices.size())});
-      if (is_new) used.vertices.push_back(part.vertices[static_cast<std::size_t>(face[k])]);
+      if (is_new) used.vertices.push_back(part.vertices[face[k]]);
       renumbered[k] = known->second;
     }
     used.faces.push_back(renumbered);
@@ -188,7 +185,7 @@ MeshPart rough_sheet(RandomStream& random, std::string& description) {
   const Domain domain(random);
   const std::vector<Eigen::Vector2d> points =
       random_points(random, static_cast<int>(random.across_scales(5, random.chance(0.1) ? 400 : 60)));
-  const double squeeze = random.chance(0.4) ? random.across_scales(kThinnest, 1) : 1;  // turns all faces into needles
+  const double squeeze = random.chance(0.4) ? random.across_scales(kThinnest, 1) : 1;  // makes needles of all faces
   const double rough = random.chance(0.2) ? 0 : random.across_scales(1e-3, 3);         // height steps between vertices
   const double swell = random.chance(0.5) ? random.between(-2, 2) : 0;
   MeshPart part;
@@ -197,8 +194,7 @@ MeshPart rough_sheet(RandomStream& random, std::string& description) {
     part.vertices.emplace_back(p.x(), squeeze * p.y(), height);
   }
   for (const Face& face : delaunay(points)) {
-    const auto corner = [&](std::size_t k) { return points[static_cast<std::size_t>(face[k])]; };
-    const Eigen::Vector2d middle = (corner(0) + corner(1) + corner(2)) / 3;
+    const Eigen::Vector2d middle = (points[face[0]] + points[face[1]] + points[face[2]]) / 3;
     if (domain.contains(middle) && !is_thin(part, face)) part.faces.push_back(face);
   }
   description += " rough-sheet";

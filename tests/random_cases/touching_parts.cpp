@@ -8,17 +8,17 @@
 namespace wirewarp::test {
 namespace {
 
-/// Returns vertex `start` and all vertices that can be reached from it along edges.
+/// Returns the vertices of the part of the mesh that contains vertex `start`.
 std::set<int> part_around(const FlattenInput& input, int start) {
-  std::vector<std::vector<int>> neighbors(static_cast<std::size_t>(input.vertices.rows()));
+  std::vector<std::vector<int>> neighbors(input.vertices.rows());
   for (const auto& face : input.faces.rowwise()) {
-    for (int k = 0; k < 3; ++k) neighbors[static_cast<std::size_t>(face[k])].push_back(face[(k + 1) % 3]);
+    for (int k = 0; k < 3; ++k) neighbors[face[k]].push_back(face[(k + 1) % 3]);
   }
-  // Edges in one direction around each face are enough to reach all corners of the face from any corner.
+  // One direction of each edge is enough, because a walk around a face reaches all its corners.
   std::set<int> part{start};
   std::queue<int> front;
   for (front.push(start); !front.empty(); front.pop()) {
-    for (const int next : neighbors[static_cast<std::size_t>(front.front())]) {
+    for (const int next : neighbors[front.front()]) {
       if (part.insert(next).second) front.push(next);
     }
   }
@@ -40,10 +40,8 @@ int neighbor_of(const FlattenInput& input, int vertex) {
 
 bool has_wire(const FlattenInput& input, int a, int b) {
   return std::any_of(input.wires.begin(), input.wires.end(), [&](const Wire& wire) {
-    for (std::size_t i = 0; i + 1 < wire.vertices.size(); ++i) {
-      if (std::minmax(wire.vertices[i], wire.vertices[i + 1]) == std::minmax(a, b)) return true;
-    }
-    return false;
+    const std::vector<Edge> edges = edges_of(wire);
+    return std::find(edges.begin(), edges.end(), edge_of(a, b)) != edges.end();
   });
 }
 

@@ -3,8 +3,7 @@
 
 namespace wirewarp {
 
-/// Returns the number of allocations by this thread so far. It counts operator new and also malloc and similar
-/// functions, which Eigen calls.
+/// Returns the number of allocations by this thread so far, with operator new or, as in Eigen, with malloc.
 int num_allocations();
 
 }  // namespace wirewarp

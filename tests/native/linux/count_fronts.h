@@ -4,8 +4,8 @@
 namespace wirewarp {
 
 /// Numbers of fronts that the Cholesky kernels have visited so far, in all threads of the test program. A visit handles
-/// up to four right-hand sides. The numbers are the same in every run on one machine. On another machine, rounding
-/// errors may end an iteration a step earlier or later.
+/// up to four right-hand sides. The numbers depend on the machine, because rounding errors may end an iteration a step
+/// earlier or later.
 struct FrontCounts {
   long factored;
   long substituted_forward;

@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Limits the work in the inner loops, in counts of allocations and substitutions instead of seconds. Other test
-// files limit the factorizations and evaluations of each algorithm.
+// Limits the work in the inner loops and after a cancellation, in counts of allocations and substitutions instead of
+// seconds. Other files limit the factorizations and evaluations of each algorithm.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <string>
 #include <utility>
-#include <vector>
 
 #include "cholesky_problems.h"
 #include "count_allocations.h"
 #include "count_fronts.h"
 #include "energy/free_boundary_arap.h"
+#include "error_of.h"
+#include "flatten.h"
 #include "newton/minimize.h"
 #include "newton/newton_system.h"
+#include "newton/starts.h"
 #include "numerics/cholesky/multifrontal_cholesky.h"
 #include "test_meshes.h"
 #include "warp/outer/warp.h"
@@ -19,7 +23,6 @@
 namespace wirewarp::test_budgets {
 namespace {
 
-/// Returns a bent sheet of n by n quads with a rigid wire and an elastic wire.
 FlattenInput sheet(int n) {
   FlattenInput input = test::saddle(n, 0.3);
   test::add_wire(input, test::grid_row(n, n / 2));
@@ -35,21 +38,15 @@ int allocations_of(const Work& work) {
 }
 
 struct SheetToFlatten {
-  explicit SheetToFlatten(int n) : charts(test::charts_of(sheet(n))), uv(free_boundary_arap(chart(), 30).uv) {}
-  const Chart& chart() const { return charts.charts.at(0); }
+  explicit SheetToFlatten(int n) : chart(test::chart_of(sheet(n))), uv(free_boundary_arap(chart, 30).uv) {}
 
-  Charts charts;
+  Chart chart;
   Positions2 uv;
 };
 
-TEST(Budgets, AllocationsOfEigenAreCounted) {
-  EXPECT_EQ(allocations_of([] { Eigen::VectorXd::Zero(1000).eval(); }), 1);
-  EXPECT_EQ(allocations_of([] { std::vector<int>(1000); }), 1);
-}
-
 TEST(Budgets, TheShapeErrorAllocatesNothing) {
   const SheetToFlatten flat(8);
-  const ShapeError shape_error(flat.chart());
+  const ShapeError shape_error(flat.chart);
   Positions2 gradient;
   shape_error.energy_and_gradient(flat.uv, gradient);
   EXPECT_EQ(allocations_of([&] { shape_error.energy(flat.uv); }), 0);
@@ -67,11 +64,10 @@ TEST(Budgets, AFactorizationAllocatesNothing) {
   EXPECT_TRUE(positive_definite);
 }
 
-/// Returns the numbers of allocations for a placement and for its adjoint.
 std::pair<int, int> placement_allocations(int n) {
   const SheetToFlatten flat(n);
-  const WireNetwork network = build_wire_network(flat.chart());
-  const InteriorPlacement placement(flat.chart(), network);
+  const WireNetwork network = build_wire_network(flat.chart);
+  const InteriorPlacement placement(flat.chart, network);
   Positions2 uv = flat.uv;
   const int place = allocations_of([&] { placement.place(uv); });
   return {place, allocations_of([&] { placement.pull_back(uv); })};
@@ -81,13 +77,12 @@ TEST(Budgets, InteriorPlacementAllocatesEquallyOftenOnEveryMesh) {
   EXPECT_EQ(placement_allocations(8), placement_allocations(24));
 }
 
-/// Returns the numbers of allocations for the second factorization of a system, and for its solution.
 std::pair<int, int> newton_allocations(int n) {
   const SheetToFlatten flat(n);
-  const HeldNetwork network = build_held_network(flat.chart());
-  const LengthConstraints constraints(flat.chart(), network);
-  FairShapeError objective(flat.chart(), network, 0.1);
-  NewtonSystem system(flat.chart(), objective, constraints, flat.uv);
+  const HeldNetwork network = build_held_network(flat.chart);
+  const LengthConstraints constraints(flat.chart, network);
+  FairShapeError objective(flat.chart, network, 0.1);
+  NewtonSystem system(flat.chart, objective, constraints, flat.uv);
   const Eigen::VectorXd multipliers = Eigen::VectorXd::Zero(constraints.size());
   const auto factorize = [&] { system.factorize(flat.uv, multipliers, {Curvature::convex, false}); };
   factorize();
@@ -102,8 +97,7 @@ TEST(Budgets, NewtonSystemsAllocateEquallyOftenOnEveryMesh) {
 
 struct RefinementCost {
   int factorizations;
-  /// Number of full substitutions. Each goes forward and back through all fronts, with up to four right-hand sides.
-  double substitutions;
+  double substitutions;  // forward and back through all fronts, with up to four right-hand sides
 };
 
 RefinementCost cost_of_refinement(const FlattenInput& input) {
@@ -127,6 +121,62 @@ TEST(Budgets, ARefinementSubstitutesAFewTimesPerFactorization) {
     EXPECT_LE(cost.substitutions, 15 * cost.factorizations);
   }
   EXPECT_LT(fine.substitutions, 0.75 * coarse.substitutions) << "most substitutions visit only the branches with wires";
+}
+
+struct WorkBetweenQuestions {
+  void answer() {
+    const FrontCounts now = count_fronts();
+    factored = std::max(factored, now.factored - last.factored);
+    substituted = std::max(substituted, now.substituted_forward - last.substituted_forward);
+    last = now;
+  }
+  FrontCounts last = count_fronts();
+  long factored = 0, substituted = 0;
+};
+
+long fronts_of(const FlattenInput& input) {
+  const Chart chart = test::chart_of(input);
+  const Positions2 start = free_boundary_arap(chart, kFreeSteps).uv;
+  const long before = count_fronts().factored;
+  Budget one(1);
+  minimize({chart, 0.1}, {}, {start}, {one});
+  return count_fronts().factored - before;
+}
+
+TEST(Cancelling, EndsARunAtOnceInEveryStage) {
+  for (const double tolerance : {0.0, 1e-4}) {
+    const FlattenInput input = test::saddle_of_wires(3, tolerance);
+    const long fronts = fronts_of(input);
+    // The search for tolerances makes all wires elastic, which takes two substitutions for each wire.
+    const auto num_wires = static_cast<long>(input.wires.size());
+    for (const Method method : {Method::refined, Method::wirewarp_plus_plus}) {
+      Options options = test::by(method);
+      WorkBetweenQuestions whole;
+      int questions = 0;
+      const FlattenResult refused = flatten(input, options, [&](const std::string& stage, double) {
+        whole.answer();
+        questions += stage != "measure";
+        return true;
+      });
+      test::expect_error(refused.pieces.at(0).error, ErrorCode::infeasible_lengths);
+      EXPECT_LE(whole.factored, 3 * fronts) << "for the embedding in a circle, and for the free shape";
+      EXPECT_LE(whole.substituted, (35 + 2 * num_wires) * fronts)
+          << "for steps to exact lengths, and two for each wire";
+      for (int last = 0; last < questions; last += 1 + questions / 20) {
+        int asked = 0;
+        WorkBetweenQuestions after;
+        const FlattenResult result = flatten(input, options, [&](const std::string&, double) {
+          after = {};
+          return asked++ < last;
+        });
+        after.answer();
+        EXPECT_EQ(asked, last + 1);
+        test::expect_error(result.pieces.at(0).error, ErrorCode::cancelled);
+        EXPECT_EQ(after.factored, 0) << last;
+        EXPECT_EQ(after.substituted, 0) << last;
+      }
+    }
+  }
 }
 
 }  // namespace

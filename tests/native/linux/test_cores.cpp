@@ -42,7 +42,6 @@ int create_or_refuse(pthread_t* thread, const pthread_attr_t* attributes, void* 
 namespace wirewarp::test_cores {
 namespace {
 
-/// While an object of this class exists, the system starts no more threads.
 class RefuseThreads {
  public:
   RefuseThreads() {
