@@ -289,11 +289,12 @@ program.
 flat shape, or one for which darts alone do not reach the bound, is cut by `propose_seams`. It proposes cut sets, each
 shorter than the one before, for target strains of {", ".join(f"{100 * target:.0f}%" for target in TARGETS)}. The
 column *as proposed* has the shortest set below the bound. Darts are added to a surface that is flat without cuts, and
-to the {FEWEST} shortest sets, until the energy is below the bound. Each dart is chosen from {CHOICE} of
+to the {FEWEST} shortest sets, until the energy is below the bound. Each dart is chosen from {CHOICE} proposals of
 `propose_darts`: the dart with the largest decrease of energy for its length. `simplify_seams` removes seams from the
 shortest set below the bound, then from the results with darts, and then from the other sets below the bound. Its limit
-of strain increases from {100 * LEAST_LIMIT:.0f}% as long as the energy stays below the bound, in steps of
-{100 * LARGE_STEP:.0f} to {100 * SMALL_STEP:.0f} points. After {SHARE * LIMIT:.0f} s, no more seams are removed. The
+of strain begins at {100 * LEAST_LIMIT:.0f}% and rises in steps of {100 * LARGE_STEP:.0f} points. If the energy exceeds
+the bound, the last step is undone and the steps are halved, as long as they have at least
+{100 * SMALL_STEP:.0f} points. After {SHARE * LIMIT:.0f} s, no more seams are removed. The
 shortest result counts. WireWarp keeps the length of every cut and outline, so that the sides of a cut can be sewn
 together. OptCuts does not; it only limits the distortion over the area. The section on the price of
 exactness measures the effect of this on the length of cuts.

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Declares settings of the scene, and stored data: names of wires on the mesh, names of pieces and seams on the object,
-and the model of flat pieces.
+"""Declares the add-on's preferences, settings of the scene, and stored data.
+
+Names of wires are stored on the mesh; names of pieces and seams, and the model of flat pieces, on the object.
 """
 
 from collections.abc import Callable

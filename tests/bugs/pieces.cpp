@@ -112,11 +112,12 @@ TEST(Bugs, AShortWireOfNoVertexIsOutOfRange) {
   EXPECT_EQ(test::error_of([&] { flatten(input); }).code, ErrorCode::vertex_out_of_range);
 }
 
-// Pieces that were good without a stretch of the fabric failed with it, or overlapped themselves. If the sides of a
-// seam shrink by very different shares, one step could not reach their mean length. Nothing prevented overlaps.
+// Pieces that could be flattened without the fabric's stretch failed with it, or overlapped themselves. The solver
+// moved to the stretched lengths in a single step. This step failed if the sides of a seam shrink very differently, and
+// nothing prevented overlaps.
 //
-// A piece that is flipped even without the stretch lost its layout and its suggestion. A first fix kept its layout, but
-// with lengths without the stretch, so its seams had two lengths.
+// A piece that is flipped even without the stretch lost its layout and the seams suggested for it. A first fix kept its
+// layout with the unstretched lengths, so the two sides of its seams differed in length.
 
 Options stretched(double weft, double warp) {
   Options options;

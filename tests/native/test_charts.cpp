@@ -21,8 +21,8 @@ using test::charts_of;
 using test::section;
 
 /// Returns a text about the charts and seams, such as "24 faces around 16, elastic part 0 of 2; 6 edges between 0 1".
-/// This chart has 24 faces, an outline of 16 edges, and part 0 of a wire, which has 2 edges. The seam between charts 0
-/// and 1 has 6 edges.
+/// This chart has 24 faces, an outline of 16 edges, and an elastic wire, whose part 0 has 2 edges. The seam between
+/// charts 0 and 1 has 6 edges.
 std::string described(const Charts& charts) {
   std::ostringstream text;
   for (const Chart& chart : charts.charts) {

@@ -284,8 +284,8 @@ class UvDrawing:
 
 
 def uv_drawings(context: bpy.types.Context) -> Iterator[UvDrawing]:
-    """Yield the drawings for the UV editor: of models in Edit Mode, or in Object Mode of models that are selected or
-    have selected pieces."""
+    """Yield the drawings for the UV editor. In Edit Mode, these are of the models in Edit Mode. In Object Mode, they
+    are of the models that are selected or have selected pieces."""
     space = context.space_data
     if space.mode != "UV" or not space.overlay.show_overlays or not context.scene.wirewarp.show_lines:
         return

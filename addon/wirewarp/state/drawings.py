@@ -68,7 +68,7 @@ def kept_drawing(
 
 
 def reused(old: Any, new: Any) -> Any:  # noqa: ANN401
-    """Return the new data. Parts that are equal in the old data are the old objects."""
+    """Return the new data, but with the old object for each part that has not changed."""
     if is_same(old, new):
         return old
     if isinstance(old, dict) and isinstance(new, dict):

@@ -89,7 +89,8 @@ def begin_search(context: bpy.types.Context, source: bpy.types.Object, kind: str
     )
     if piece is not None and not is_true:
         raise changed_error(source.name)
-    known = report if is_true else last_report(source)  # for example, a closed model has no flat pieces
+    # Without flat pieces, as for a closed model, the last report is used.
+    known = report if is_true else last_report(source)
     is_known = known is not None and (is_true or not has_changed(source, known.model_state))
     pieces = known.pieces if is_known else []
     choices = choices_of(settings, meters_per_blender_unit(context.scene))

@@ -57,7 +57,7 @@ bool take_steps_with_factor(NewtonState& state, double slope) {
     const double fall = std::abs(step.slope / slope);
     if (!(fall < NewtonConstants::falls_fast)) break;
     slope = step.slope;
-    // The decrease of f after this step is at most `left`.
+    // The estimated decrease of f after this step is `left`.
     const double left = is_first ? std::abs(slope) : fall * std::abs(slope);
     const bool is_last = left < state.worthwhile_decrease();
     move_along(step, state);

@@ -68,7 +68,7 @@ def set_beyond_fabric(threads: Threads) -> str:
 def needs_stretch(names: str, is_exact: bool, stretch: str) -> str:
     """Return the sentence about pieces that need stretch fabric.
 
-    names: list of the names of the pieces, "" for all. is_exact: whether no wire has a tolerance. stretch: text of the
+    names: list of the names of the pieces, "" for all. is_exact: whether no wire used a tolerance. stretch: text of the
     needed stretch.
     """
     which = f"Lengths of {names}" if names else "Lengths"

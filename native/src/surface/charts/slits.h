@@ -31,7 +31,8 @@ HalfedgeHandle sewn_half_edge(const Chart& chart, const SewnChart& sewn, Halfedg
 
 /// Sews slits. The edges of each slit become rigid wires, after other wire parts and before elastic parts of the
 /// boundary. The outer loop stays the outer loop. Returns nullopt if the sewn surface is not a chart. Also returns
-/// nullopt if a slit of one edge is not sewn, because both its rims would become one edge.
+/// nullopt if both rims of a slit of one edge stay open, but would become one edge, because their ends coincide in the
+/// sewn surface.
 std::optional<SewnChart> sew(const Chart& chart, const std::vector<Slit>& slits);
 
 }  // namespace wirewarp
