@@ -33,7 +33,7 @@ Eigen::Matrix2d rows(double a, double b, double c, double d) { return (Eigen::Ma
 const Cloth kDenim = cloth_of(0.21, 1, 0.06);
 constexpr double kRounding = 1e-14;
 
-/// Energies are per worn area, which is det J times the flat area.
+/// Energies are per worn area. The worn area is the determinant of flat_to_worn times the flat area.
 TEST(ClothLaw, ThreadsCostTheirStretchAndTheirRotation) {
   Cloth squeezed = kDenim;
   squeezed.squeeze = 3;

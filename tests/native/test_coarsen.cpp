@@ -62,6 +62,13 @@ TEST(Coarsen, RemovesMostVertices) {
   EXPECT_GT(c.coarse.chart.mesh.n_faces(), 50u);
 }
 
+TEST(Coarsen, StopsWhenAsked) {
+  const Coarse c(crossed(40, 0.3));
+  int rounds = 0;
+  EXPECT_THROW(coarsen(c.chart, c.network, 0.2, StopToken([&](const char*) { return rounds++ < 1; })), Stopped);
+  EXPECT_EQ(rounds, 2);
+}
+
 TEST(Coarsen, RunsPartitionTheFineEdgesAndTheirLengths) {
   const Coarse c(crossed(40, 0.3));
   std::vector<int> count(c.network.edges.size(), 0);

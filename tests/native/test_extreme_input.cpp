@@ -100,6 +100,10 @@ TEST(ExtremeInput, AThousandChartsOfOneTriangleInTheSamePlace) {
 TEST(ExtremeInput, AWireOnEveryEdgeOfAFlatPatch) {
   FlattenInput input = test::flat_rectangle(12, 12, 1, 1);
   test::add_wires_on_edges(input);
+  for (const auto& side :
+       {test::grid_row(12, 0), test::grid_row(12, 12), test::grid_column(12, 12, 0), test::grid_column(12, 12, 12)}) {
+    for (int i = 0; i < 12; ++i) test::add_wire(input, test::section(side, i, i + 1));
+  }
   expect_flat(input);
 }
 

@@ -239,6 +239,21 @@ TEST(Judge, ReportsOutlinesThatAreNotUpright) {
   expect_broken("no straight section of the outline is upright", flattened(rectangle, options), turned(0, 0.1));
 }
 
+TEST(Judge, ReportsTheLongestChainEvenIfTwoShorterChainsAreEqual) {
+  // A trapezoid cut into three pieces. The middle piece has two sides of length 0.53 along the seams, and ends of 0.67
+  // and 1.
+  FlattenInput input =
+      test::make_grid(6, 2, [](double s, double t) { return Eigen::Vector3d((s - 0.5) * (2 + t), t / 2, 0); });
+  for (const int column : {2, 4}) test::add_seam(input, test::grid_column(6, 2, column));
+  const JudgeCase trapezoid = flattened(input);
+  const std::vector<Piece>& pieces = trapezoid.result.pieces;
+  const auto middle =
+      std::find_if(pieces.begin(), pieces.end(), [](const Piece& piece) { return piece.boundaries.size() == 4; });
+  ASSERT_NE(middle, pieces.end());
+  const int number = static_cast<int>(middle - pieces.begin());
+  expect_broken("the longest chain of the outline is not upright", trapezoid, turned(number, 1e-5));
+}
+
 TEST(Judge, ReportsPiecesThatDoNotRise) {
   Options options;
   options.orientation = Orientation::up;

@@ -52,6 +52,19 @@ UnrolledTrace trace_unrolled(const FlattenInput& input, int nx, int column, int 
   return result;
 }
 
+TEST(StraightestGeodesic, IsAStraightLineOnThePlane) {
+  const int n = 20;
+  const FlattenInput input = test::flat_rectangle(n, n, 1, 1);
+  const auto identity = [&](int i, int j) { return Planar(double(i) / n, double(j) / n); };
+  for (double heading = 0.1; heading < 2 * kPi; heading += 0.37) {
+    const UnrolledTrace trace = trace_unrolled(input, n, 10, 10, heading, identity);
+    EXPECT_GT(trace.num_points, 10u) << heading;
+    EXPECT_LT(trace.largest_miss, 1e-13) << heading;
+    // The path leads from the center to the rim of the unit square.
+    EXPECT_NEAR(trace.length, 0.5 / std::max(std::abs(std::cos(heading)), std::abs(std::sin(heading))), 1e-12);
+  }
+}
+
 TEST(StraightestGeodesic, RunsThroughVerticesAndAlongEdges) {
   const int n = 8;
   const FlattenInput input = test::flat_rectangle(n, n, 1, 1);

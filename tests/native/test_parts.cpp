@@ -214,6 +214,7 @@ TEST(PartSets, DivideRoundModelsWithoutNecks) {
     for (const DartProposal& set : sets) {
       EXPECT_LE(set.num_pieces, 30);
       EXPECT_LE(set.strain, 0.2);
+      EXPECT_FALSE(set.paths.empty());
       test::expect_figures(input, set);
     }
   }
@@ -226,7 +227,10 @@ TEST(PartSets, KeepTheBestOfTheFirstSetsIfNoneKeepsTheLimit) {
   const std::vector<DartProposal> sets = sets_of_parts(input, cut_options);
   ASSERT_FALSE(sets.empty());
   EXPECT_GT(sets.back().strain, *cut_options.strain);
-  for (const DartProposal& set : sets) test::expect_figures(input, set);
+  for (const DartProposal& set : sets) {
+    EXPECT_FALSE(set.paths.empty());
+    test::expect_figures(input, set);
+  }
 }
 
 TEST(PartSets, LeaveTheSeamsOfAnOctahedronOnItsEdges) {
@@ -259,6 +263,7 @@ TEST(PartSets, AreFollowedByOthersIfTheyNeedTooMuchStrain) {
   ASSERT_FALSE(parts.empty());
   bool has_other = false;
   for (const DartProposal& set : smooth_sets(input, up_to(0.03))) {
+    EXPECT_FALSE(set.paths.empty());
     test::expect_figures(input, set);
     has_other = has_other || std::none_of(parts.begin(), parts.end(),
                                           [&](const DartProposal& part) { return part.length == set.length; });

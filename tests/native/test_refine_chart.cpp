@@ -38,6 +38,15 @@ TEST(RefineChart, CountsStartsThatFail) {
   }
 }
 
+TEST(RefineChart, AnInjectiveShapeIsFoundWithAndWithoutFixingFolds) {
+  const Chart chart = test::chart_of(test::quarter_sphere(8));
+  InternalOptions options;
+  for (const bool makes_injective : {true, false}) {
+    options.makes_injective = makes_injective;
+    EXPECT_EQ(injectivity_of(chart, refine_chart(chart, options).shape.uv), Injectivity::global) << makes_injective;
+  }
+}
+
 /// If an intermediate shape becomes the result, the report of its piece says that the search ended before it reached
 /// the least distortion.
 TEST(RefineChart, AnIntermediateShapeIsConvergedOnlyWithoutStrain) {

@@ -259,6 +259,15 @@ TEST(Stretch, AFlippedPieceWithoutAShapeNamesTheLimitIfItWasReached) {
   }
 }
 
+TEST(Stretch, ShrinksAPlateWithHoles) {
+  const FlattenInput input = test::flat_plate_with_two_holes(4);
+  Options options = stretched(kWeft, kWarp);
+  options.orientation = Orientation::up;
+  options.up = {0, 1, 0};
+  const Piece piece = flat(input, options).pieces.at(0);
+  EXPECT_NEAR(piece.metrics.area_2d, piece.metrics.area_3d / ((1 + kWeft) * (1 + kWarp)), 1e-9);
+}
+
 TEST(Stretch, OutOfRangeIsRefused) {
   for (const double stretch : {-1.0, -0.6, 5.0, std::numeric_limits<double>::quiet_NaN()}) {
     for (const Options& options : {stretched(stretch, 0), stretched(0, stretch)}) {

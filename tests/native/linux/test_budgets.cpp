@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "cholesky_problems.h"
 #include "count_allocations.h"
@@ -43,6 +44,11 @@ struct SheetToFlatten {
   Chart chart;
   Positions2 uv;
 };
+
+TEST(Budgets, AllocationsOfEigenAreCounted) {
+  EXPECT_EQ(allocations_of([] { Eigen::VectorXd::Zero(1000).eval(); }), 1);
+  EXPECT_EQ(allocations_of([] { std::vector<int>(1000); }), 1);
+}
 
 TEST(Budgets, TheShapeErrorAllocatesNothing) {
   const SheetToFlatten flat(8);
