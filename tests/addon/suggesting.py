@@ -25,11 +25,10 @@ def choose_smooth(addon, source, kind):
 
 def cancel_at(addon, run, share):
     """Cancel a search after it has reported this share. Return its result and all reported shares."""
-    shares = []
-    try:
+    shares = [next(run)]
+    while shares[-1] < share:
         shares.append(next(run))
-        while shares[-1] < share:
-            shares.append(next(run))
+    try:
         shares.append(run.throw(addon.solve.steps.CanceledError()))
         while True:
             shares.append(next(run))

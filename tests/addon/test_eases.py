@@ -144,13 +144,15 @@ def test_an_ease_of_one_side_at_a_mirror_is_unknown_until_it_is_marked_again(add
     """The side of an ease is a face. The modifier copies this face to the other side of the mirror plane."""
     half = grid("Half", lambda x, y: (x + 1, y, 0), seam=SEAM)
     half.modifiers.new("Mirror", "MIRROR")
-    ease(half, SEAM, sides="ALL", ease_percent=5.0)
-    assert bpy.ops.object.wirewarp_flatten(use_modifiers=True) == {"FINISHED"}
-    ease(half, SEAM, sides="ALL", ease_percent=0.0)
     ease(half, SEAM, sides="ONE", ease_percent=5.0)
     flatten_fails("8 edges .*copied.*Apply the modifiers and mark the ease again, or mark", use_modifiers=True)
     (issue,) = addon.state.reports.last_report(half).issues
     assert (issue.code, len(issue.edges)) == ("side_unknown", 8)
+    ease(half, SEAM, sides="NONE")
+    ease(half, SEAM, sides="ALL", ease_percent=5.0)
+    assert bpy.ops.object.wirewarp_flatten(use_modifiers=True) == {"FINISHED"}
+    ease(half, SEAM, sides="ALL", ease_percent=0.0)
+    ease(half, SEAM, sides="ONE", ease_percent=5.0)
     bpy.ops.object.modifier_apply(modifier="Mirror")
     flatten_fails('The side of the ease is unknown on 8 edges of "Half", because faces')
     (issue,) = addon.state.reports.last_report(half).issues

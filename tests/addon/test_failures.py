@@ -45,7 +45,16 @@ def test_other_pieces_are_written_if_one_is_bad(tmp_path):
     assert (entry["ok"], entry["flat_object"]) == (False, "Both Flat")
 
 
-def test_other_objects_are_flattened_if_one_fails_and_only_the_report_file_names_it(tmp_path):
+def test_without_a_good_piece_only_the_report_is_written(tmp_path):
+    source = cube()
+    flatten_fails("Error: Cube: ", report_path=str(tmp_path / "report.json"))
+    assert "wirewarp_report" not in source and [*bpy.data.objects] == [source] and not source.data.uv_layers
+    report = json.loads((tmp_path / "report.json").read_text())
+    assert not report["ok"]
+    assert report["objects"][0]["issues"][0]["code"] == "closed_chart"
+
+
+def test_other_objects_are_flattened_if_one_fails_and_nothing_is_written_for_it(tmp_path):
     good, bad = grid("Good", bump), cube("Bad")
     select_only(good, bad)
     flatten_fails("Error: Bad: ", report_path=str(tmp_path / "report.json"))

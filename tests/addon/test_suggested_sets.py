@@ -328,8 +328,8 @@ def test_steps_of_a_target_fit_a_row(addon, settings):
 def test_a_target_is_for_all_pieces_below_flatten_and_for_one_in_the_list(addon, settings):
     for together, place, piece in ((True, "FLATTEN", -1), (True, "PIECES", 3), (False, "FLATTEN", 3)):
         settings.suggest_together = together
-        layout = MagicMock()
+        layout, buttons = MagicMock(), [MagicMock(), MagicMock()]
         layout.row.return_value = layout.column.return_value = layout
+        layout.operator.side_effect = buttons
         addon.suggest.panel.draw_suggest(layout, settings, place, 3, has_seams=False)
-        button = layout.operator.return_value
-        assert layout.operator.call_count == 2 and (button.place, button.piece) == (place, piece)
+        assert [(button.place, button.piece) for button in buttons] == 2 * [(place, piece)]

@@ -81,11 +81,14 @@ def flatten_patch(bend: float) -> wirewarp.FlattenResult:
 
 
 @pytest.mark.skipif("WINEPREFIX" in os.environ, reason="Wine starts no executor of several processes")
-def test_a_process_pool_returns_results():
+def test_a_process_pool_returns_results_and_errors():
     with ProcessPoolExecutor(2, mp_context=get_context("spawn")) as pool:
         results = pool.map(flatten_patch, (0.5, 1.0))
         for bend, result in zip((0.5, 1.0), results, strict=True):
             assert np.array_equal(result.corner_uv, flatten_patch(bend).corner_uv)
+        with pytest.raises(wirewarp.FlattenError) as caught:
+            pool.submit(wirewarp.flatten, [[0, 0, 0]], [[0, 1, 2]]).result()
+        assert caught.value.code == "vertex_out_of_range"
 
 
 @pytest.mark.parametrize("cls", COMPILED)

@@ -100,6 +100,11 @@ def long_ones(all_sentences: Iterator[str]) -> list[str]:
     return [sentence for sentence in all_sentences if len(sentence.split()) > MOST_WORDS]
 
 
+def test_sentences_are_counted_as_a_reader_counts_them():
+    assert long_ones(sentences("Word " + "word " * 25)) != []
+    assert long_ones(sentences("Word " + "word " * 23 + "word. Word " + "word " * 24)) == []
+
+
 def test_pages_have_short_sentences():
     pages = [page for pattern in PAGES for page in ROOT.glob(pattern) if page.name not in GENERATED]
     assert len(pages) > 15
@@ -136,6 +141,12 @@ def test_no_file_has_old_words() -> None:
     files = sorted({file for pattern in READ for file in ROOT.glob(pattern) if file.name not in QUOTED})
     found = {file: sorted({match[0].lower() for match in PATTERN.finditer(read_by_people(file))}) for file in files}
     assert {file.relative_to(ROOT).as_posix(): words for file, words in found.items() if words} == {}, OLD_WORDS
+
+
+def test_names_of_the_api_are_not_old_words(tmp_path: Path) -> None:
+    source = tmp_path / "source.cpp"
+    source.write_text('// A twin, unlike DartProposal::twin.\nfield("twin");\n')
+    assert [match[0] for match in PATTERN.finditer(read_by_people(source))] == ["twin"]
 
 
 def test_links_of_documents_lead_somewhere():
