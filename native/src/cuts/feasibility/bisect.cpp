@@ -107,10 +107,10 @@ struct FaceGeometry {
   Positions3 middle, area;  // per face: centroid; normal with the face's area as length
 };
 
-/// Returns 1 for each face whose position along an axis is clearly above 0, otherwise 0. Reverses the axis if the first
-/// position that is clearly not 0 is negative. So the result does not depend on the direction of the axis. The
-/// tolerance covers the small rotation of axes that principal_axes() allows.
+/// Returns 1 for each face on the side of the first face that is clearly off the middle; otherwise 0. along: position
+/// of each face along an axis whose direction is arbitrary.
 Sides sides_along(Eigen::VectorXd along) {
+  // This tolerance covers the small rotation of axes that principal_axes() allows.
   const double middle = 1e-5 * along.cwiseAbs().maxCoeff();
   const auto first = std::find_if(along.begin(), along.end(), [&](double place) { return std::abs(place) > middle; });
   if (first != along.end() && *first < 0) along = -along;
@@ -119,6 +119,7 @@ Sides sides_along(Eigen::VectorXd along) {
   return side;
 }
 
+/// Returns the sides of planes across the principal axes, then front and back as seen along these axes.
 std::vector<Sides> sides_of_axes(const HalfEdgeMesh& mesh) {
   const FaceGeometry faces(mesh);
   const Eigen::VectorXd areas = faces.area.rowwise().norm();
@@ -176,9 +177,8 @@ std::vector<CutMask> bisections(const HalfEdgeMesh& mesh, const CutMask& forbidd
     const bool is_known = std::find(cuts.begin(), cuts.end(), cut) != cuts.end();
     if (!is_known && length_of_cut(mesh, cut) > 0) cuts.push_back(std::move(cut));
   };
-  // On a box with few faces, shortening may reduce a border to nothing. So the border before shortening is a candidate,
-  // too. On fine meshes, such borders are jagged. Without the limit kCoarse, 43 garments, shoes, cushions and toys are
-  // cut into 154 pieces in total instead of 93.
+  // On a coarse mesh, shortening may reduce a border to nothing, so the original border is added, too. On fine meshes,
+  // original borders are jagged: without this limit, 43 models have 154 pieces in total, not 93.
   constexpr std::size_t kCoarse = 1000;
   for (Sides& side : all_sides) {
     keep_together(mesh, forbidden, side);

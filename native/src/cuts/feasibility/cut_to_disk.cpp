@@ -17,17 +17,12 @@ namespace {
 /// shortest.
 constexpr int kBasePoints = 8;
 
-/// Two cuts count as equally long if their lengths differ by less than this share. Two detours (see edges_left_over)
-/// count as equally long if they differ by less than this share of the longest path. So rotating the mesh does not
+/// Relative tolerance for lengths of cuts, and for detours over the longest path. With it, rotating the mesh does not
 /// change the choice.
 constexpr double kTie = 1e-9;
 
-/// The tree of paths consists of all shortest paths. The tree of faces connects all faces across other edges. Returns
-/// the inner edges that belong to neither tree: two for each handle, and one for each boundary loop except one.
-///
-/// The detour of an edge leads from the sources to one end, along the edge, and from its other end back to the sources.
-/// The tree of faces crosses edges with long detours first, so edges with short detours are left over. Forbidden and
-/// unreachable edges count as infinitely long detours. If they are left over, they are not returned.
+/// Returns the inner edges that neither `paths` nor a tree of faces uses: two per handle, and one per boundary loop
+/// except one. Leaves out forbidden and unreachable edges.
 std::vector<EdgeHandle> edges_left_over(const HalfEdgeMesh& mesh, const CutMask& forbidden,
                                         const ShortestPaths& paths) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -40,12 +35,14 @@ std::vector<EdgeHandle> edges_left_over(const HalfEdgeMesh& mesh, const CutMask&
   for (const EdgeHandle e : mesh.edges()) {
     if (mesh.is_boundary(e) || is_in_tree[e.idx()]) continue;
     const HalfedgeHandle h = mesh.halfedge_handle(e, 0);
+    // The detour leads from the sources to one end, along the edge, and from the other end back to the sources.
     const double detour = paths.distance[mesh.from_vertex_handle(h).idx()] + edge_length(mesh, h) +
                           paths.distance[mesh.to_vertex_handle(h).idx()];
     edges.push_back(e);
     detours.push_back(forbidden[e.idx()] != 0 ? kInfinity : detour);
   }
   DisjointSets faces(mesh.n_faces());
+  // The tree of faces crosses edges with long detours first, so edges with short detours are left over.
   std::vector<EdgeHandle> left_over;
   for (const std::size_t i : highest_first(detours, kTie * paths.distance[farthest_vertex(paths).idx()])) {
     const HalfedgeHandle h = mesh.halfedge_handle(edges[i], 0);

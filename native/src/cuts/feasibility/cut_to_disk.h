@@ -5,10 +5,8 @@
 
 namespace wirewarp {
 
-/// Returns a short cut that turns the surface into a disk: it opens all handles, and connects all boundary loops. The
-/// cut is empty if the surface is a disk, or closed without handles. No cut runs along a forbidden edge, so some
-/// handles and loops remain if forbidden edges block them. The cut is found with a tree of shortest paths and a tree of
-/// faces (Erickson, Har-Peled 2004).
+/// Returns a short cut that opens all handles and connects all boundary loops (Erickson, Har-Peled 2004). The cut is
+/// empty for disks and spheres. No cut follows a forbidden edge, so handles and loops may remain.
 CutMask cut_to_disk(const HalfEdgeMesh& mesh, const CutMask& forbidden);
 
 }  // namespace wirewarp

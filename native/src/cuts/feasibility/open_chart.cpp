@@ -24,19 +24,19 @@
 namespace wirewarp {
 namespace {
 
-/// Number of times that parts may be cut again. Of 64 meshes of garments, shoes, cushions, toys and figures, 41 were
-/// flat after one cut, and 8 after their parts were cut once more. No mesh needed a third cut.
+/// Number of times that parts may be cut again. Of 64 models, 41 were flat after one cut, and 8 after their parts were
+/// cut once more. No model needed a third cut.
 constexpr int kMostDepth = 3;
 
 /// Number of cuts of one chart that lies_flat() judges. With 2, garments are cut into more pieces. With 5, the cuts are
 /// no better.
 constexpr int kMostJudged = 3;
 
-/// The price of a cut is its length over √area, plus this factor times its distortion over area. With the factor 10, a
-/// cushion is cut around its edge (length 2.8, distortion 0.02), not along one line (length 1.2, distortion 0.3). A
-/// skirt is cut along one line (length 0.7, distortion 0.014), not into two pieces (length 1.3, distortion 0.01). With
-/// the factors 3, 10, 30 and 100, all 43 garments, shoes, cushions and toys become flat. The total lengths of their
-/// cuts are then 86, 97, 100 and 103, and the total distortions 3.5, 0.9, 0.6 and 0.5.
+/// The price of a cut is its length over √area, plus this factor times its distortion over area. Totals for 43 models:
+/// - 3: length 86, distortion 3.5
+/// - 10: length 97, distortion 0.9
+/// - 30: length 100, distortion 0.6
+/// - 100: length 103, distortion 0.5
 constexpr double kPriceOfDistortion = 10;
 
 /// Two prices, or two shares of the area, count as equal if they differ by less than this value. Free maps have errors

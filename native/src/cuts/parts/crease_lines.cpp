@@ -14,8 +14,8 @@
 namespace wirewarp {
 namespace {
 
-/// Widths of the band around a loop: from the loop towards the limb's tip, and from the loop towards the body. The unit
-/// is the loop's radius. If the limb's axis meets the body at 45 degrees, the whole crease is within two radii.
+/// The band around a loop extends this many radii towards the limb's tip and towards the body. If the limb's axis meets
+/// the body at 45 degrees, the whole crease is within two radii.
 constexpr double kTowardsTip = 1, kTowardsBody = 2;
 
 /// The conductance of an edge is halved if its concave curvature times the loop's radius equals kConcave. For much

@@ -17,9 +17,10 @@
 
 namespace wirewarp {
 
-/// Returns u at each vertex. Outside of the band around a loop, u is 0 on the limb's side and 1 on the body's side.
-/// distance: distance of each vertex from the tip of the limb. level: distance of the loop from the tip. length: length
-/// of the loop. All are in scene units. Throws FactorizationFailed.
+/// Returns u at each vertex. Lengths are in scene units. Throws FactorizationFailed.
+/// - distance: distance of each vertex from the limb's tip
+/// - level: distance of the loop from the tip
+/// - length: length of the loop
 Eigen::VectorXd potential_across(const HalfEdgeMesh& mesh, const Eigen::VectorXd& distance, double level,
                                  double length);
 

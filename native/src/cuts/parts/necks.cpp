@@ -16,12 +16,13 @@
 namespace wirewarp {
 namespace {
 
-/// Number of sample points for the average distance of a vertex from the surface. With 40 samples, the result differs
-/// by about 1% from the average over all vertices. A tip differs more from its surroundings, so 40 samples are enough.
+/// Number of sample points for the average distance of a vertex from the surface. With 40, the average has an error of
+/// about 1%. A tip differs more from its surroundings.
 constexpr std::size_t kSamples = 40;
 
-/// kAroundTip: radius around a tip in which no other vertex has a larger average distance. kBetweenTips: least distance
-/// between two tips. Both are shares of √area. The ears of a bear of 30 cm are four times kBetweenTips apart.
+/// Shares of √area. The ears of a bear of 30 cm are four times kBetweenTips apart.
+/// - kAroundTip: radius in which no vertex has a larger average distance than the tip
+/// - kBetweenTips: least distance between two tips
 constexpr double kAroundTip = 0.12, kBetweenTips = 0.06;
 
 /// Largest number of tips. A figure with ten fingers has fewer.
@@ -35,18 +36,19 @@ constexpr int kLevels = 120, kAround = 6;
 /// its head 0.4.
 constexpr double kSmallest = 0.006, kLargest = 0.55;
 
-/// At a neck, L / √A is at most kShort. A bear's ears have 2.27, and the arms of a star 2. If the part at the tip has
-/// more than the share kLarge of the area, L / √A is at most kShortIfLarge. A bear's head has 1.16, and a rabbit's head
-/// 1.46. A loop around the middle of a star has 2.3, so it is not a neck.
+/// Largest L / √A of a neck. kShortIfLarge applies to parts above the share kLarge of the area.
+/// - Small parts: bear's ears 2.27, star's arms 2
+/// - Large parts: bear's head 1.16, rabbit's head 1.46, but 2.3 at a star's middle, which is not a neck
 constexpr double kShort = 2.4, kShortIfLarge = 1.5, kLarge = 0.25;
 
-/// Beyond a neck, L grows by a factor kWidens before the area grows by a factor kSoon. This alone does not make a neck:
-/// on a cone, L grows by a factor 1.34 while the area grows by a factor 1.8.
+/// Beyond a neck, L grows by the factor kWidens before the area grows by the factor kSoon. This is necessary, but not
+/// sufficient: on a cone, L grows by 1.34 while the area grows by 1.8.
 constexpr double kWidens = 1.12, kSoon = 1.8;
 
-/// Two parts are the same if their common area is more than the share kSame of their union. They are nested if the
-/// common area is more than the share kNested of the smaller part. They are disjoint if the common area is less than
-/// the share kDisjoint of the smaller part.
+/// Relation of two parts by their common area:
+/// - the same: above the share kSame of their union
+/// - nested: above the share kNested of the smaller part
+/// - disjoint: below the share kDisjoint of the smaller part
 constexpr double kSame = 0.6, kNested = 0.97, kDisjoint = 0.03;
 
 /// Two parts have the same neck if more than this share of the surface is in exactly one of them. The neck then

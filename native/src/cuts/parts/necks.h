@@ -26,9 +26,9 @@ struct Neck {
   double level = 0;          // value of the function at the loop
 };
 
-/// Returns the necks of a closed and connected mesh. The neck of the largest part comes first. No two necks cross:
-/// their parts are disjoint, or one contains the other. image: mirror image of each vertex, or empty. With an image,
-/// the necks are symmetric. Throws Stopped.
+/// Returns the necks of a closed and connected mesh, the neck of the largest part first. Necks do not cross. Throws
+/// Stopped.
+/// - image: mirror image of each vertex, for symmetric necks; or empty
 std::vector<Neck> find_necks(const HalfEdgeMesh& mesh, const std::vector<VertexHandle>& image, const StopToken& stop);
 
 }  // namespace wirewarp

@@ -12,8 +12,8 @@
 namespace wirewarp {
 namespace {
 
-/// Weight of a part's centroid in the choice of the plane nearest to the middles of the part's outlines. Each middle
-/// has the weight 1. The centroid decides if all middles are on one line, because such middles define no plane.
+/// Weight of a part's centroid beside the middles of its outlines, which have the weight 1. The weight is small,
+/// because the centroid should decide only if all middles are on one line.
 constexpr double kCentroid = 0.1;
 
 /// Planes count as the same if the cosine of the angle between their normals is above this value.

@@ -24,14 +24,12 @@ Plane mirror_plane(const HalfEdgeMesh& mesh, const std::vector<VertexHandle>& im
 
 Eigen::Vector3d centroid_of(const HalfEdgeMesh& mesh);
 
-/// Returns planes through the middle of a part. The first planes depend on the number of the part's outlines:
-/// - For one outline, they contain the outline's middle and the part's centroid.
-/// - For two outlines, they contain the middles of both outlines.
-/// - For more outlines, as on a body between its limbs, there is one plane, nearest to all middles.
+/// Returns planes that may divide a part, in this order:
+/// - through the middles of its outlines, or near them
+/// - through its centroid, perpendicular to its principal axes
+/// - parallel to these planes, through the strained place, if there is one
 ///
-/// Planes perpendicular to the principal axes follow. strained: the place with too much strain. If it is set, planes
-/// through this place follow, parallel to all planes before. mirror: the plane that mirrors the part onto itself. If it
-/// is set, it mirrors each returned plane onto itself, too.
+/// If `mirror` mirrors the part onto itself, it mirrors each returned plane, too.
 std::vector<Plane> planes_through(const Chart& part, const std::optional<Eigen::Vector3d>& strained,
                                   const std::optional<Plane>& mirror);
 
