@@ -30,8 +30,8 @@ constexpr double kClearlyLarger = 1 + 1e-9;
 /// Progress once the sets are found, before they are smoothed.
 constexpr double kSearched = 0.7;
 
-/// Progress once the piece is divided into parts. Most searches then end. If a search continues along edges, the
-/// division took a quarter of the whole time. The value is between both cases.
+/// Progress once the piece is divided into parts. This is the whole time of most searches, but a quarter of the time of
+/// searches that continue along edges.
 constexpr double kDivided = 0.5;
 
 /// Two decreases of strain by a cut: of the largest strain of all pieces, and of the strain of the piece that it cuts.
@@ -76,8 +76,8 @@ bool is_second_of_pair(const std::vector<DartProposal>& proposals, std::size_t i
 
 double strain_left(const DartProposal& dart) { return dart.strain_with_twin.value_or(dart.strain); }
 
-/// A dart along edges must leave less strain than each smooth dart by at least this share, because its elbows are hard
-/// to sew. A smaller gain is not noticeable in fabric: for a piece that needs 10% of stretch, it is 0.5% of stretch.
+/// A dart along edges must leave less strain than each smooth dart by this share, because its elbows are hard to sew. A
+/// smaller gain is not noticeable: 0.5% of stretch if a piece needs 10%.
 constexpr double kWorthElbows = 0.05;
 
 std::vector<DartProposal> with_best_along_edges(std::vector<DartProposal> smooth,
@@ -175,9 +175,8 @@ std::vector<DartProposal> sets_along_edges(const FlatPieces& pieces, std::size_t
   return sets;
 }
 
-/// Returns the cut sets that divide the piece into its parts. Adds cut sets along edges if no set of parts is easy to
-/// sew. For soft shapes such as a goat's head, sets along edges often have half as many pieces. They take two or three
-/// times as long to find.
+/// Returns the cut sets that divide the piece into its parts. If none is easy to sew, adds sets along edges. Their
+/// search takes 2 to 3 times as long, but may save half of the pieces.
 std::vector<DartProposal> cut_sets(const FlatPieces& pieces, std::size_t piece, const CutOptions& cut_options,
                                    const ExactEvaluation& exact, CutProgress& progress) {
   if (!cut_options.is_smooth || !can_be_divided(*pieces[piece], exact))

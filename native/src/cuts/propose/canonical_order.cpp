@@ -14,8 +14,8 @@
 namespace wirewarp {
 namespace {
 
-/// Lengths (over √area) and angles (in radians) that differ by less than this value count as equal. It is a thousand
-/// times the rounding error of rotated input, and far below the differences between edges of a large outline.
+/// Largest difference between equal lengths (over √area) and between equal angles (in radians). It is a thousand times
+/// the rounding error of rotated input, and far below the differences between edges of a large outline.
 constexpr double kSame = 1e-9;
 
 /// The first half-edge of a numbering, and whether the numbering goes clockwise around vertices.
@@ -52,9 +52,8 @@ std::array<std::vector<OutlineStep>, 2> walk_outline(const Chart& chart) {
   return walks;
 }
 
-/// Returns the start of the lexicographically least rotation, in linear time (J. P. Duval, Factorizing words over an
-/// ordered alphabet, 1983). Compares the rotations from two starts up to their first difference. Then drops the start
-/// of the greater rotation, and all starts in its compared section.
+/// Returns the start of the lexicographically least rotation, in linear time (Duval, Factorizing words over an ordered
+/// alphabet, 1983).
 std::size_t least_rotation(const std::vector<OutlineStep>& ring, WorkMeter& work) {
   const std::size_t count = ring.size();
   std::size_t a = 0, b = 1, same = 0;
@@ -65,6 +64,7 @@ std::size_t least_rotation(const std::vector<OutlineStep>& ring, WorkMeter& work
       ++same;
       continue;
     }
+    // No rotation that starts in the compared section of the greater rotation is the least.
     (of_b < of_a ? a : b) += same + 1;
     if (a == b) ++b;
     same = 0;
@@ -141,9 +141,8 @@ std::vector<VertexHandle> breadth_first(const HalfEdgeMesh& mesh, Start start) {
   return walk.order();
 }
 
-/// Returns the start of the numbering at one of the longest edges. Usually there are few longest edges, and their walks
-/// differ after a few steps. A surface of revolution has one longest edge per segment, and each of these edges needs a
-/// walk over the whole surface.
+/// Returns the start of the numbering at one of the longest edges. A surface of revolution is slow: it has one longest
+/// edge per segment, and each needs a walk over the whole surface.
 Start start_on_closed(const HalfEdgeMesh& mesh, const StopToken& stop) {
   double longest = 0;
   for (const EdgeHandle e : mesh.edges()) longest = std::max(longest, edge_length(mesh, mesh.halfedge_handle(e, 0)));

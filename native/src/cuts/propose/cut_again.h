@@ -11,10 +11,10 @@ namespace wirewarp {
 
 CutMesh uncut(const FlattenInput& input);
 
-/// Returns the cut mesh `before`, cut along more paths. Paths that collapse are left out. The edges of the result
-/// include the edges of earlier cuts. The sources of faces and corners are in the first mesh, before any cut. The
-/// sources of vertices and the divided edges are in the mesh `before`. Do not use CutSources::edge_paths, because it
-/// does not list all edges.
+/// Returns the mesh `before`, cut along more paths that do not collapse. Its edges include earlier cuts. Its sources:
+/// - faces and corners: in the first, uncut mesh
+/// - vertices and divided edges: in `before`
+/// - edge_paths: incomplete, do not use
 CutMesh cut_again(const CutMesh& before, const std::vector<SurfacePath>& paths);
 
 /// Returns one flag per path: 0 if cut_mesh() refuses the path because all its points move to one point. Other paths

@@ -14,12 +14,12 @@
 namespace wirewarp {
 namespace {
 
-/// A landing must have a cheaper path than all points within this share of the outline on each side. Both sides
-/// together are about as long as the distance between two of the points spread along the outline.
+/// Share of the outline on each side of a landing within which no point has a cheaper path. Both sides together are
+/// about the distance between two points spread along the outline.
 constexpr double kWindow = 1.0 / 24;
 
-/// The outline has a corner at a vertex if it turns there by more than this angle, in radians. A ring of twelve edges
-/// turns by this much at each vertex, so a finer ring has no corners.
+/// The outline has a corner where it turns by more than this angle, in radians. A ring of twelve edges turns by this
+/// angle, so finer rings have no corners.
 constexpr double kCorner = kPi / 6;
 
 /// A value counts as larger only if it exceeds the other value by this factor, so that rounding errors in rotated input

@@ -25,9 +25,8 @@ struct CandidatePoints {
   int on_outline;  // half of them at corners, if there are enough corners
 };
 
-/// Returns candidates for cuts. Darts end at points spread over the inside, and seams at points spread along the
-/// outline. Both start at points spread along the outline, or at landings. A landing is a point of the outline with a
-/// cheaper path to the end of the cut than all points of the outline nearby.
+/// Returns cuts to points spread over the inside (darts) or along the outline (seams). They start at points spread
+/// along the outline, or at landings: points with cheaper paths than all points nearby.
 std::vector<CutEnds> list_candidates(const Chart& chart, const SmoothPathFinder& paths, CutKind kind,
                                      CandidatePoints count);
 

@@ -8,9 +8,9 @@
 
 namespace wirewarp {
 
-/// Cuts some faces of an input along seams and along the outline of these faces, as cut_into_charts() does for the
-/// whole input. The sources of the charts are the input's vertices, faces and wires. The numbers of wire parts differ
-/// from the numbers that cut_into_charts() uses. faces: sorted. Throws Stopped.
+/// Cuts some faces of an input along seams and along the outline of these faces. The result is as from
+/// cut_into_charts(), but wire parts have other numbers. Throws Stopped.
+/// - faces: sorted
 Charts cut_faces(const FlattenInput& input, const std::vector<int>& faces, const std::vector<VertexPair>& seams,
                  const StopToken& stop);
 

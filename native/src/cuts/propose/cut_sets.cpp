@@ -29,8 +29,9 @@ namespace {
 /// cuts for each of its twenty parts.
 constexpr std::size_t kMostCuts = 40;
 
-/// kPlaces: a round has this many seams and this many darts as candidates. kMostTrials: largest number of exact
-/// evaluations in a round. On a koala, the first candidate was good enough in each of forty rounds.
+/// Limits of a round:
+/// - kPlaces: number of seams, and number of darts, that are candidates
+/// - kMostTrials: number of exact evaluations; one was enough in each of forty rounds on a koala
 constexpr int kPlaces = 2;
 constexpr std::size_t kMostTrials = 5;
 
@@ -45,25 +46,21 @@ constexpr double kFlat = 1e-4;
 /// models of a cow and a penguin.
 constexpr double kOpened = 0.1, kCut = 0.5;
 
-/// kStrainStep: ratio of the strains for which sets are merged. With the default target, these strains are 5%, 10% and
-/// 20%. kMergedSets: largest number of merged sets. This limit matters for low targets.
+/// - kStrainStep: ratio of the strains for which sets are merged; by default, the strains are 5%, 10% and 20%
+/// - kMergedSets: largest number of merged sets, which matters for low targets
 constexpr double kStrainStep = 2;
 constexpr std::size_t kMergedSets = 3;
 
-/// Pieces with smooth outlines are merged up to this share of the allowed strain, because smoothing their new corners
-/// adds strain. With 0.95, most corners of a whale remained. In the end, pieces are merged up to the whole allowed
-/// strain. Without this last merge, a penguin has two more pieces.
+/// Pieces are merged up to this share of the allowed strain, because smoothing their new corners adds strain. With
+/// 0.95, most corners of a whale remained.
 constexpr double kMergeShare = 0.85;
 
-/// Cuts that remove at least this share of the energy are tried first, even if shorter cuts remove more per length. The
-/// reason is that many small darts are slow to sew and to find. With 0 to 0.5, the sets of a ball, a head and a penguin
-/// differ little in strain. With 0.5 instead of 0, the search takes two thirds of the time, but the sets are 10%
-/// longer.
+/// Cuts that remove at least this share of the energy are tried first, because small darts are slow to sew. Compared
+/// with 0, 0.5 takes two thirds of the time, but sets are 10% longer.
 constexpr double kLargeGain = 0.25;
 
-/// Least solidity of a joined piece. With 0, arms, ears and half a body became one piece of a toy rabbit. With 0.6
-/// instead of 0.45, a toy bear has 11 pieces instead of 8, and a koala 22 instead of 12; the sets of eleven other toys
-/// are the same.
+/// Least solidity of a joined piece. With 0, arms, ears and half a body of a rabbit become one piece. With 0.6, a bear
+/// has 11 pieces instead of 8, and a koala 22 instead of 12.
 constexpr double kLeastSolidity = 0.45;
 
 FlattenError none_found(const Chart& chart, const CutOptions& cut_options) {
@@ -169,9 +166,7 @@ void CutSetSearch::add_lines(const CutSet& set, std::size_t part, std::vector<Ca
   }
 }
 
-/// Adds bisections of one part as candidates, because they help if no single line helps. part: index in set.pieces. If
-/// the part folds in the coarse evaluation, its energy without a cut is infinite. Then each bisection without folds has
-/// the gain 1. A bisection with folds has the least accepted gain, because only an exact evaluation can measure it.
+/// Adds bisections of one part as candidates, because they help if no single line helps. part: index in set.pieces.
 void CutSetSearch::add_bisections(const CutSet& set, std::size_t part, std::vector<Candidate>& found) const {
   const Chart& chart = set.pieces[part]->chart;
   const CoarseEvaluation trials(chart, exact_.options(), exact_.stop());
@@ -180,6 +175,8 @@ void CutSetSearch::add_bisections(const CutSet& set, std::size_t part, std::vect
   run_on_all_cores(bisections.size(), exact_.stop(), [&](std::size_t i) {
     const CutMask own = map_.on_part(chart, bisections[i]);
     const double cut = trials.energy_when_cut(own, exact_.stop()), uncut = trials.energy_uncut();
+    // An energy is infinite if the coarse shape folds. If both are infinite, only an exact evaluation can measure the
+    // gain.
     const double gain = std::isinf(uncut) && std::isinf(cut) ? kWorthSewing : 1 - cut / uncut;
     tried[i] = {bisections[i], gain, gain / length_of_cut(chart.mesh, own)};
   });
@@ -239,18 +236,14 @@ std::optional<CutSetSearch::CutSet> CutSetSearch::cut_once_more(const CutSet& se
   return narrow;
 }
 
-/// Returns the sets to propose, the longest first. sets: the shortest first. Drops three kinds of sets:
-/// - sets that are longer than a set that meets the target,
-/// - sets that are hardly better than a shorter set,
-/// - sets with more pieces than a less strained set.
-///
-/// If too many sets are left, keeps sets with about equal ratios of consecutive strains.
+/// Returns the sets to propose, the longest first. sets: the shortest first.
 std::vector<DartProposal> CutSetSearch::best_of(const std::vector<CutSet>& sets) const {
   std::vector<DartProposal> best;
   for (const CutSet& set : sets) {
-    if (!best.empty() && best.back().strain <= target_) break;
+    if (!best.empty() && best.back().strain <= target_) break;  // longer sets are unnecessary
     const double strain = set.proposal.strain;
     const bool meets_target = !best.empty() && strain <= target_ && best.back().strain > target_;
+    // Drops sets that are hardly better than a shorter set.
     if (!best.empty() && !meets_target && strain > (1 - kWorthSewing) * best.back().strain) continue;
     const auto has_needless_pieces = [&](const DartProposal& shorter) {
       return shorter.num_pieces > set.proposal.num_pieces;
@@ -261,6 +254,7 @@ std::vector<DartProposal> CutSetSearch::best_of(const std::vector<CutSet>& sets)
   std::reverse(best.begin(), best.end());
   const auto count = static_cast<std::size_t>(cut_options_.count);
   if (best.size() <= count) return best;
+  // Chooses sets with about equal ratios of consecutive strains.
   std::vector<DartProposal> chosen{best.front()};
   const double least = std::max(best.front().strain, kFlat), ratio = best.back().strain / least;
   for (std::size_t i = 1; i < best.size() && chosen.size() < count; ++i) {
@@ -301,9 +295,8 @@ void CutSetSearch::add_merged(std::vector<CutSet>& sets) {
   }
 }
 
-/// Adds sets with smooth lines and fewer sections than the last set. Drops earlier sets with more pieces than the first
-/// added set. Returns false if the lines cannot be smooth, or if the last smooth set needs too much strain. Then the
-/// original last set is at the end again. Throws Stopped. Sets added by then remain.
+/// Adds sets with smooth lines and fewer sections than the last set. Returns false, and leaves the original set last,
+/// if lines cannot be smooth or need too much strain. Throws Stopped; added sets remain.
 bool CutSetSearch::add_smooth(std::vector<CutSet>& sets) {
   const CutSet fine = sets.back();
   double least = std::max(target_, kFlat);
@@ -317,7 +310,7 @@ bool CutSetSearch::add_smooth(std::vector<CutSet>& sets) {
   };
   std::vector<Level> levels;
   for (const double allowed : allowed_strains(least, target_)) levels.push_back({allowed, kMergeShare});
-  levels.push_back({levels.back().allowed});
+  levels.push_back({levels.back().allowed});  // without this last merge, a penguin has two more pieces
   const auto count = static_cast<double>(levels.size());
   for (std::size_t i = 0; i < levels.size(); ++i) {
     const bool stopped = !merger.merge(levels[i].share, levels[i].allowed, [&](double share) {

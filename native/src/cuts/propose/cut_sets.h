@@ -17,34 +17,31 @@ namespace wirewarp {
 /// The largest strain that woven fabric allows. By default, pieces with at most this strain are not cut again.
 constexpr double kTargetStrain = 0.05;
 
-/// The largest strain that plush allows. Sets along edges are merged up to about this strain, or up to twice the target
-/// if this is larger. The limit saves time: sets for more strain are the slowest to find, and suit only stretchy knits.
+/// The largest strain that plush allows. Sets along edges are merged up to about this strain or twice the target. Sets
+/// for more strain are slow to find, and suit only stretchy knits.
 constexpr double kSoftStrain = 0.2;
 
-/// Returns the allowed strains of up to three merged sets. The first strain is `least`, and each further strain is
-/// twice the strain before. If three sets are enough, the last strain is as near as possible to kSoftStrain, or to
-/// twice the target if this is larger. target: accepted strain.
+/// Returns up to three strains for merged sets: `least`, and then twice the strain before. If possible, the last strain
+/// is near kSoftStrain, or near twice the target if this is larger.
 std::vector<double> allowed_strains(double least, double target);
 
 /// Drops each set if a shorter set has at most as many pieces and at most as much strain. Returns the other sets, the
 /// longest first.
 std::vector<DartProposal> without_worse(std::vector<DartProposal> sets);
 
-/// Returns the strain that the fabric of a set must allow: the strain of the set, rounded up to 1, 2, 4, 8, … times the
-/// target. With the default target, the limits are 5% for woven fabric, 10%, 20% for plush, and so on.
+/// Returns the strain that the fabric of a set must allow: the set's strain, rounded up to 1, 2, 4, … times the target.
+/// By default, this is 5% (woven fabric), 10%, 20% (plush) and so on.
 double limit_of_set(const DartProposal& set, const CutOptions& cut_options);
 
-/// Searches for sets of cuts of one piece that has no flat shape or needs too much strain. First, the search finds a
-/// cut that makes the whole piece flat. Then it cuts the part with the most strain, and repeats this. Candidates are
-/// lines and bisections. Candidates that remove much of the energy come first, sorted by the energy that they remove
-/// for their length. At the end, the search merges pieces.
+/// Searches for cut sets of a piece that has no flat shape or too much strain. First makes the piece flat, then
+/// repeatedly cuts the most strained part, and finally merges pieces.
 class CutSetSearch {
  public:
   /// piece: index of the piece to cut. Keeps all references.
   CutSetSearch(const FlatPieces& pieces, std::size_t piece, const CutOptions& cut_options, const ExactEvaluation& exact,
                CutProgress& progress);
 
-  /// Returns the sets, the longest first. DartProposal::piece is not set. If canceled, returns the sets found by then.
+  /// Returns the sets, the longest first; DartProposal::piece is not set. If canceled, returns the sets found so far.
   /// Throws no_proposal, and Stopped if no set was found.
   std::vector<DartProposal> search();
 

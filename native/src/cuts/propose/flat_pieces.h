@@ -50,9 +50,8 @@ PieceFigures figures_of(const FlatPieces& pieces);
 
 PieceFigures figures_of(const FlatPieces& pieces, const Chart& chart);
 
-/// Returns whether a cut of a chart makes another piece lose its flat shape, or strains it more than any piece before
-/// the cut. This is possible because elastic seams and stretched fabric couple the lengths of neighbors. before, after:
-/// all pieces of the input.
+/// Returns whether cutting a chart makes another piece lose its flat shape, or strains it more than any piece before.
+/// Elastic seams and stretched fabric couple pieces. before, after: all pieces of the input.
 bool spoils_others(const FlatPieces& before, const FlatPieces& after, const Chart& chart);
 
 /// Pieces on a mesh that divides the faces of a surface.
@@ -61,16 +60,17 @@ struct PiecesOnMesh {
   const std::vector<int>& faces;  // face of the surface that contains each face of the mesh
 };
 
-/// Compares pieces on two meshes of one surface. Each piece of `there` belongs to the piece of `here` with which it
-/// shares most area. Returns the pieces of `here` that failed. A piece fails if not exactly one piece of `there`
-/// belongs to it. It also fails if this piece has no flat shape, or more strain than `most_strain`.
+/// Returns the pieces of `here` that fail on the mesh of `there`. Each piece of `there` is the counterpart of the piece
+/// of `here` with which it shares most area. Pieces fail if:
+/// - they do not have exactly one counterpart
+/// - their counterpart has no flat shape, or more strain than `most_strain`
 FlatPieces failed_on_mesh(const PiecesOnMesh& here, const PiecesOnMesh& there, double most_strain);
 
 /// Returns the largest strain of the pieces with a flat shape; 0 if there are none.
 double most_strain(const FlatPieces& pieces);
 
-/// Returns whether the faces of `part` are in `chart`. Tests only the first face, so either all faces of `part` or none
-/// must be in `chart`. The source faces of both charts must be faces of the same input, in increasing order.
+/// Returns whether a chart contains a part. Tests one face only, so the chart must contain all faces of the part or
+/// none. Both must have sorted source faces of one input.
 bool is_part_of(const Chart& part, const Chart& chart);
 
 /// Returns whether the outline of a chart runs through a piece.
@@ -102,10 +102,8 @@ class ExactEvaluation {
   /// Returns the pieces of the input with its own seams. Throws Stopped.
   FlatPieces uncut() const;
 
-  /// Returns the pieces with more seams along `edges`, and without the seams `opened`. Flattens only the pieces that
-  /// `edges` run through, the pieces beside `opened`, and the pieces that elastic seams couple with them. If the fabric
-  /// is stretched, also flattens the neighbors of these pieces, because neighbors share the lengths of seams. May be
-  /// called in any thread. Throws Stopped.
+  /// Returns the pieces with more seams along `edges` and without the seams `opened`; flattens only pieces that may
+  /// change. May be called in any thread. Throws Stopped.
   FlatPieces with_cut(const FlatPieces& before, const std::vector<VertexPair>& edges,
                       const std::vector<VertexPair>& opened = {}) const;
 

@@ -16,16 +16,16 @@
 namespace wirewarp {
 namespace {
 
-/// Number of grid points along the largest requested radius. The error in the radius at which two points become
-/// disconnected is at most 0.7 of the distance between grid points. This is 7% of the largest radius: see kWidthError.
+/// Number of grid points along the largest requested radius. The error of a radius is at most 0.7 grid steps, which is
+/// 7% of the largest radius: see kWidthError.
 constexpr double kPointsPerRadius = 10;
 
 /// A shape that is more than this many grid points long gets a coarser grid, so that huge shapes do not fill the
 /// memory.
 constexpr double kMostPoints = 1500;
 
-/// Disks of one radius cover one or several parts of the shape. Parts below kScrap of the shape's area are ignored. One
-/// part must remain, with at least kMostArea of the shape's area. wirewarp.pattern uses the same shares.
+/// Shares of the shape's area, as in wirewarp.pattern. Of the parts that disks cover, parts below kScrap are ignored.
+/// One part of at least kMostArea must remain.
 constexpr double kScrap = 0.1, kMostArea = 0.5;
 
 /// kSteps: number of radii that are tried, up to the largest radius. kHalvings: number of bisections between two radii.
@@ -80,8 +80,8 @@ class DistanceGrid {
     int y, begin, end;
   };
 
-  /// Sets area_, and returns the points in a frame of the shape. The origin of the frame is the centroid, and its first
-  /// axis leads to the farthest vertex. So the grid turns with the shape.
+  /// Sets area_, and returns the points relative to the centroid, with the first axis towards the farthest vertex. So
+  /// the grid turns with the shape.
   Eigen::Matrix<double, Eigen::Dynamic, 2> in_own_frame(const HalfEdgeMesh& mesh, const Positions2& uv) {
     Point center = Point::Zero();
     for (const FaceHandle f : mesh.faces()) {

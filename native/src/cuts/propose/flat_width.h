@@ -11,12 +11,10 @@ namespace wirewarp {
 /// Largest error of flat_width() as a share of `most`.
 constexpr double kWidthError = 0.07;
 
-/// Returns the width of a flat shape at its narrowest place, but at most `most`. This is the diameter of the largest
-/// disk that can move through the shape. Disks of this diameter, and of each smaller diameter, cover one connected part
-/// with at least half of the shape's area. Other parts that they cover each have less than a tenth of the area.
-///
-/// The result differs from wirewarp.pattern.piece_width() by at most 7% of `most`. It does not depend on how the shape
-/// is turned or mirrored, unless several vertices are farthest from the centroid. uv: one row per vertex.
+/// Returns the width of a flat shape at its narrowest place, but at most `most`.
+/// - This is the diameter of the largest disk that can move through the shape.
+/// - Scraps below a tenth of the area are ignored.
+/// - The result differs from wirewarp.pattern.piece_width() by at most kWidthError.
 double flat_width(const HalfEdgeMesh& mesh, const Positions2& uv, double most);
 
 /// Returns whether a piece has a flat shape narrower than `narrowest`, in scene units. 0 allows any width.
@@ -24,8 +22,8 @@ bool is_narrow(const FlatPiece& piece, double narrowest);
 
 int count_narrow(const FlatPieces& pieces, double narrowest);
 
-/// Returns the area of a flat piece over the area of its convex hull. This ratio is 1 for a convex piece, and low for a
-/// piece with long arms, a large hole or a strong bend.
+/// Returns the area of a flat piece over the area of its convex hull. The ratio is low for long arms, a large hole or a
+/// strong bend.
 double solidity(const FlatPiece& piece);
 
 }  // namespace wirewarp

@@ -7,7 +7,7 @@
 namespace wirewarp {
 
 /// Returns whether lines of a cut mesh cross an edge of no_seam or no_crossing, or follow an edge of no_seam. Lines may
-/// pass through vertices of these edges, and may follow edges of no_crossing.
+/// pass through vertices of such edges.
 bool has_forbidden_lines(const CutMesh& cut, const CutOptions& cut_options);
 
 }  // namespace wirewarp

@@ -15,8 +15,8 @@ namespace {
 /// eye on the flat piece.
 constexpr double kSmooth = kPi / 6;
 
-/// Returns the angle in radians by which a line turns at its vertex v, between its vertices `from` and `to`; 0 on an
-/// outline. All angles at v are scaled to a total of 2 pi. faces: the faces at v.
+/// Returns by how many radians a line turns at v between its vertices `from` and `to`; 0 on an outline. Angles at v are
+/// scaled to a total of 2 pi. faces: all faces at v.
 double turn_at(const CutMesh& mesh, int v, const std::vector<int>& faces, int from, int to) {
   double left = 0, total = 0;  // angles around v: between `from` and `to`, and all together
   bool has_passed = false;

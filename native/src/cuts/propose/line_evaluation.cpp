@@ -14,8 +14,8 @@
 namespace wirewarp {
 namespace {
 
-/// The strain around a tip is measured within this radius, a share of √area of the piece. On a front of 30 by 40 cm,
-/// the radius is about 10 mm. The strain within this radius shows whether the tip puckers.
+/// Radius within which the strain shows whether a tip puckers, as a share of √area of the piece. On a front of 30 by 40
+/// cm, it is about 10 mm.
 constexpr double kAroundTip = 0.03;
 
 std::optional<double> mean_strain_around(const FlatPiece& piece, int tip, double radius) {

@@ -27,8 +27,9 @@ struct LineFigures {
 /// A surface that cut_mesh() has divided along the lines of a cut, with its pieces before and after the cut.
 class CutSurface {
  public:
-  /// piece: index of the piece that is cut. exact: evaluation on the original mesh. Keeps all references. Throws
-  /// Stopped.
+  /// Keeps all references. Throws Stopped.
+  /// - piece: index of the piece that is cut
+  /// - exact: evaluation on the original mesh
   CutSurface(const FlatPieces& pieces, std::size_t piece, const ExactEvaluation& exact, const CutMesh& cut);
 
   const ExactEvaluation& exact() const { return exact_; }
@@ -59,9 +60,10 @@ class CutSurface {
 DartProposal with_lines(DartProposal set, std::vector<SurfacePath> paths, const CutSurface& surface,
                         const PieceFigures& figures);
 
-/// Returns the figures of a piece with cuts along lines, each from an outline to a tip inside. Returns nullopt if the
-/// lines meet, if a part has no flat shape, or if the cuts make other pieces worse. Lines must not divide an edge on a
-/// wire or outline. May be called in any thread. Throws Stopped.
+/// Returns the figures of a piece with cuts along lines, each from an outline to a tip inside. Throws Stopped.
+/// - Returns nullopt if lines meet, a part has no flat shape, or other pieces get worse.
+/// - Lines must not divide an edge of a wire or outline.
+/// - Any thread may call this function.
 std::optional<LineFigures> figures_with_lines(const FlatPieces& pieces, std::size_t piece,
                                               const std::vector<SurfacePath>& lines, const ExactEvaluation& exact);
 
