@@ -30,15 +30,13 @@ namespace {
 /// depend on the input's orientation.
 constexpr double kSameLength = 1e-9;
 
-/// Largest number of factorizations for a joined piece. Joined pieces that overlap themselves rarely converge, and use
-/// all factorizations. With 20 and with 40, twelve toys, a penguin, a cow, a goat's head and a koala have the same
-/// sets.
+/// Largest number of factorizations for a joined piece; most pieces that overlap themselves use all. With 40, sixteen
+/// models have the same sets.
 constexpr int kMergeFactorizations = 20;
 
-/// A free map has no fixed lengths, and about the least strain. A joined piece is not flattened if its free map has
-/// more than kMostFreeStrain times the allowed strain, or folds more than the share kMostFolded of the area. In 90
-/// accepted joined pieces of a cow and a penguin, free maps had at most 1.09 times the allowed strain. They folded at
-/// most 2.1% of the area. These limits save three quarters of the time for all joined pieces.
+/// Pieces whose free maps exceed a limit are not flattened, which saves three quarters of the time.
+/// - kMostFreeStrain: strain over the allowed strain, at most 1.09 in 90 accepted pieces
+/// - kMostFolded: folded share of the area, at most 2.1% in these pieces
 constexpr double kMostFreeStrain = 1.1;
 constexpr double kMostFolded = 0.025;
 
@@ -55,7 +53,7 @@ constexpr double kNoFlatShape = std::numeric_limits<double>::infinity();
 bool is_allowed(double strain, double limit) { return strain < kNoFlatShape && strain <= limit; }
 
 /// Estimates the least strain of a chart as the strain of its free map, divided by kMostFreeStrain; infinite if too
-/// much of the free map is folded.
+/// much is folded. A free map is a flat shape without fixed lengths.
 double least_strain(const Chart& chart, const StopToken& stop) {
   if (chart.error || is_outline_too_short(chart)) return kNoFlatShape;
   const auto free = attempt([&] { return std::optional(free_boundary_arap(chart, kFreeSteps, {}, stop)); });
@@ -101,8 +99,8 @@ InternalOptions without_long_runs(InternalOptions options) {
   return options;
 }
 
-/// A section has a corner if the cosine of its turn is below this value. Sections along the edges of a box have corners
-/// at the box's corners. Jagged sections on regular triangles turn by 60 degrees, which is not a corner.
+/// A section has a corner where the cosine of its turn is below this value. It has corners at the corners of a box, but
+/// not at turns by 60 degrees along regular triangles.
 constexpr double kCornerCosine = 0.45;
 
 /// Returns the index where the second half of a section starts.
@@ -207,8 +205,7 @@ bool SectionMerger::is_unwanted(const Chart& chart) const {
 }
 
 /// Removes the first allowed candidate: a section, or a part of a section if is_half is true. Returns false if no
-/// candidate is allowed. Tries candidates in order on all cores, but keeps no trial after the first allowed candidate.
-/// So the number of cores does not change the result.
+/// candidate is allowed.
 bool SectionMerger::open_one(bool is_half) {
   exact_.stop().check();
   const std::vector<CutMask> candidates = list_candidates(is_half);
@@ -224,6 +221,7 @@ bool SectionMerger::open_one(bool is_half) {
     std::size_t first = first_allowed;
     while (i < first && !first_allowed.compare_exchange_weak(first, i)) continue;
   });
+  // Whether later candidates were tried depends on the number of cores, so their trials are dropped.
   for (std::size_t i = 0; i < std::min(first_allowed + 1, candidates.size()); ++i) {
     if (const Replacement* same = known(candidates[i]); same == nullptr || same->after.empty())
       known_[candidates[i]].push_back(*tried[i]);
@@ -352,9 +350,8 @@ SectionMerger::Trial SectionMerger::without(const CutMask& mask, const FlatPiece
   return trial;
 }
 
-/// Returns the earlier trial of the section if its new pieces are stored. Otherwise, flattens the new pieces if their
-/// free maps need at most the allowed strain. Flattens allowed pieces again with more factorizations if their shapes
-/// are not final.
+/// Returns an earlier trial if its new pieces are stored. Otherwise, flattens the new pieces, unless their free maps
+/// already need too much strain.
 SectionMerger::Replacement SectionMerger::try_without(const CutMask& mask) const {
   const Replacement* same = known(mask);
   if (same != nullptr && !same->after.empty()) return *same;

@@ -18,9 +18,8 @@ struct CutState {
   FlatPieces pieces;
 };
 
-/// Largest number of attempts to merge the pieces of a set. The final mesh lacks the lines that merging removes, so it
-/// is coarser. Therefore, some merged pieces may need more strain in the end, mostly on a mesh of a few hundred
-/// triangles. The next attempt avoids these pieces. A cow needs five attempts.
+/// Largest number of attempts to merge the pieces of a set; a cow needs five. Each attempt avoids pieces that needed
+/// too much strain on the final mesh, which is coarser without the removed lines.
 inline constexpr int kMostMerges = 6;
 
 struct MergeRules {
@@ -28,28 +27,24 @@ struct MergeRules {
   double least_solidity = 0;  // least solidity of a new piece, unless an old piece has as little
 };
 
-/// Removes sections of seams from a cut, the longest first, until no more sections can be removed. If no whole section
-/// can be removed, the merger tries half sections, and the parts before and after the sharpest corner. A section and
-/// its mirror image are removed together, after an exact evaluation of the pieces beside them. The new pieces must have
-/// a flat shape, and at most the allowed strain or the strain of one of the old pieces. Errors of other pieces are
-/// ignored if these pieces had no flat shape before.
+/// Removes sections of seams from a cut, with their mirror images, the longest first. New pieces must have a flat
+/// shape, and at most the allowed strain or an old piece's strain.
 class SectionMerger {
  public:
   /// Keeps references to chart, mirrored and exact. state: a cut of the chart, and the pieces with it.
   SectionMerger(CutState state, const Chart& chart, const MirroredCuts& mirrored, const ExactEvaluation& exact,
                 const MergeRules& rules = {});
 
-  /// Removes sections from the current state. most_strain: the allowed strain. report: called with the share of
-  /// candidates that were tried. Throws Stopped. Then the state is the last accepted state.
+  /// Removes sections from the current state. report: called with the share of tried candidates. Throws Stopped, and
+  /// keeps the last accepted state.
   void run(double most_strain, const std::function<void(double)>& report);
 
   /// Returns to the first state. From then on, sections beside pieces that are narrower than `first` come first.
   /// Unwanted pieces stay unwanted.
   void restart(double first);
 
-  /// Returns to the last state without the unwanted pieces. Later runs do not make these pieces again, or pieces that
-  /// contain all of an unwanted piece without a cut inside it. Ignores unwanted pieces that a piece of the first state
-  /// contains in this way. Returns whether the state has changed.
+  /// Restores the last state without the unwanted pieces, and returns whether the state has changed. Later states
+  /// contain no unwanted piece without a cut inside it. Ignores pieces that the first state contains.
   bool undo(const FlatPieces& unwanted);
 
   const CutState& state() const { return state_; }

@@ -11,22 +11,20 @@
 
 namespace wirewarp {
 
-/// Smooths the lines of a finely cut set, then merges its pieces. The opposite order would be worse: zigzags along
-/// edges work like many small darts, so merged pieces often need too much strain after their outlines are smoothed.
+/// Smooths the lines of a finely cut set, then merges its pieces. In the opposite order, pieces often get too much
+/// strain, because their zigzags worked like small darts.
 class SmoothMerger {
  public:
   /// least_solidity: as in MergeRules. Keeps all references.
   SmoothMerger(const PieceToCut& piece, double least_solidity, const CutOptions& cut_options,
                const ExactEvaluation& exact);
 
-  /// Smooths the lines of a set along edges. most_strain: strain for which pieces will be merged. The smooth set may
-  /// have twice this strain, or the strain of the given set if this is larger. Returns false if no line can be smooth.
-  /// Throws Stopped.
+  /// Smooths the lines of a set along edges. Returns false if no line can be smooth. Throws Stopped.
+  /// - most_strain: strain for which pieces are merged later
   bool start(const DartProposal& set, const CutMask& cut, double most_strain);
 
-  /// Merges pieces as SectionMerger does, up to the given share of `most_strain`. Returns false if the caller canceled.
-  /// In this case, the set has the merges so far, or is unchanged if these merges need too much strain. report: called
-  /// with the share of candidates that were tried.
+  /// Merges pieces as SectionMerger does, up to `share` of `most_strain`. Returns false if canceled; the set then has
+  /// the merges so far, unless they need too much strain. report: see SectionMerger::run().
   bool merge(double share, double most_strain, const std::function<void(double)>& report);
 
   /// Returns the set after smoothing the corners that merging has left. keeps_room: whether smoothing must not make

@@ -61,10 +61,8 @@ class MirrorSearch {
     tolerance_ = kSamePlace * std::sqrt(surface_area(mesh_));
   }
 
-  /// Returns the mirror image by the plane that contains the greatest length of edges. Unless the surface is flat, a
-  /// mirror plane cannot contain all corners of a face. So each mirror plane mirrors a corner of the first face to
-  /// another vertex. Each pair of such a corner and a vertex at the same distance from the center defines a plane to
-  /// try.
+  /// Returns the image by the mirror plane that contains the greatest length of edges. Each tried plane mirrors a
+  /// corner of the first face to another vertex, because no useful plane contains all corners.
   std::vector<VertexHandle> best_image(const StopToken& stop) const {
     std::vector<VertexHandle> best;
     double longest = -1;

@@ -34,43 +34,41 @@ namespace {
 /// bear seven rounds for a strain of 20%.
 constexpr int kMostRounds = 8;
 
-/// A model with more than kMostParts parts is not divided further. A rabbit has 32 parts, which are joined to 12
-/// pieces. Sets with more than kMostPieces pieces are not proposed, because a plush maker would not sew them. A bear of
-/// 24 cm needs up to 29 pieces.
+/// - kMostParts: models with more parts are not divided further; a rabbit has 32, joined to 12 pieces
+/// - kMostPieces: sets with more pieces are not proposed; a bear of 24 cm needs up to 29
 constexpr std::size_t kMostParts = 64, kMostPieces = 30;
 
 /// Larger strains count as this strain, so that one bad part does not outweigh all others.
 constexpr double kWorst = 2;
 
-/// These prices are added to the mean strain of a divided part, and decide between planes with about the same strain.
-/// kLengthPrice: per length of the seam over √area. kPartPrice: per new part. kNarrowPrice: per narrow new part.
+/// Prices added to the mean strain of a divided part, to decide between planes with about the same strain:
+/// - kLengthPrice: per length of the seam over √area
+/// - kPartPrice: per new part
+/// - kNarrowPrice: per narrow new part
 constexpr double kLengthPrice = 0.02, kPartPrice = 0.01, kNarrowPrice = 0.1;
 
 /// Least solidity of joined parts. With 0.75, half of a fish and its tail become one piece with arms; with 0.85, they
 /// do not.
 constexpr double kPartSolidity = 0.85;
 
-/// No search along edges follows if a set has at most this many pieces, all wide enough and within the accepted strain.
-/// A search along edges finds fewer pieces, but with long arms, which are harder to sew. A star has ten compact pieces,
-/// a rabbit twelve.
+/// A set with at most this many pieces is easy to sew, so no search along edges follows. That search finds fewer
+/// pieces, but with long arms. A star has ten pieces, a rabbit twelve.
 constexpr int kFewPieces = 12;
 
-/// Parts are joined twice, in different orders, and the better set is proposed. The first time, parts narrower than the
-/// least width come first. The second time, parts narrower than kSmall times this width come first. A banana's caps are
-/// joined to its sides only if the caps come first.
+/// In a second try, parts narrower than kSmall times the least width are joined first. A banana's caps are joined to
+/// its sides only if they come first.
 constexpr double kSmall = 2;
 
 /// Parts are not divided for less strain than this, because the number of parts grows with the inverse of the strain.
 constexpr double kLeastStrain = 0.02;
 
-/// The seams of a box belong on its edges. So a model without necks is not divided into parts if its sharp edges are
-/// longer than kSharp √area in total. An edge is sharp if the cosine of the angle between the normals of its faces is
-/// below kSharpCosine. A cube of 30 cm with round edges has no sharp edges.
+/// A model without necks but with long sharp edges is not divided into parts. Its seams belong on these edges:
+/// - kSharpCosine: largest cosine between the normals at a sharp edge
+/// - kSharp: least total length of the sharp edges, over √area
 constexpr double kSharpCosine = 0.7, kSharp = 0.5;
 
-/// Share of the allowed strain that parts may have while they are divided and joined. The final mesh has other
-/// triangles beside the lines, which changes most strains by up to 2%. If a piece has too much strain on the final
-/// mesh, its parts are joined differently.
+/// Share of the allowed strain that parts may have until their lines are final. The final triangles beside the lines
+/// change most strains by up to 2%.
 constexpr double kMargin = 0.97;
 
 /// Parts are mirror images of each other if their centroids differ by less than this share of √area of the model.
@@ -299,9 +297,8 @@ double PartSearch::price_of(const FlatPiece& part, const Plane& plane, double li
   return price + strained / area;
 }
 
-/// Joins the parts of a cut mesh, and adds the best set. Adds nothing if all sets have too many pieces, forbidden
-/// lines, too much length or more strain than the limit. If no set was added before, a set with more strain than the
-/// limit is added, too.
+/// Joins the parts of a cut mesh, and adds the best set if it is within all limits. The first added set may have more
+/// strain than `limit`.
 void PartSearch::add_joined(const CutMesh& mesh, double limit, PartSets& found) const {
   const CutModel model(mesh, {}, exact_);
   const Chart chart = in_canonical_order(model.pieces().front()->chart, exact_.stop());
@@ -321,8 +318,8 @@ void PartSearch::add_joined(const CutMesh& mesh, double limit, PartSets& found) 
   if (stopped) throw Stopped();
 }
 
-/// Joins the parts of a cut mesh in up to two orders, and finds the best set. Strains below the limit count as equal.
-/// Throws Stopped. Then `best` is the best set found so far.
+/// Joins the parts in up to two orders, and finds the best set. Strains below the limit count as equal. If canceled,
+/// throws Stopped with the best set so far in `best`.
 void PartSearch::join(const CutMesh& mesh, const Chart& chart, const std::vector<VertexHandle>& image, double limit,
                       SectionMerger& merger, std::optional<CutSet>& best) const {
   const auto rank = [&](const CutSet& each) {

@@ -17,11 +17,9 @@ struct PartSets {
   bool are_sewable = false;        // whether a set is within the accepted strain, and has few pieces, all wide enough
 };
 
-/// Returns cut sets along the necks of a piece and along planes through its parts. A sewist divides a toy in the same
-/// way into ears, limbs, a head and a body, each with a front and a back. can_be_divided() must be true for the piece.
-/// The result is empty in three cases: the accepted strain is very low; the piece has long sharp edges but no necks; or
-/// it cannot be divided into few flat parts without forbidden lines. If canceled after the first set, returns the sets
-/// found by then. Throws Stopped.
+/// Returns cut sets along the necks of a piece and along planes through its parts. can_be_divided() must be true.
+/// - Empty if the piece cannot be divided into few flat parts, or should be cut along its sharp edges
+/// - If canceled: the sets found so far; throws Stopped if there are none
 PartSets part_sets(const FlatPieces& pieces, std::size_t piece, const CutOptions& cut_options,
                    const ExactEvaluation& exact, CutProgress& progress);
 

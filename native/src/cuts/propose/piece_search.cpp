@@ -17,8 +17,9 @@
 namespace wirewarp {
 namespace {
 
-/// The coarse copy may rank almost equal cuts wrongly. Therefore, cuts at kMorePlaces more places than requested are
-/// evaluated exactly. The next best cuts follow, up to the share kShareEvaluated of all cuts tried on the copy.
+/// The coarse copy may rank almost equal cuts wrongly, so more cuts are evaluated exactly than requested:
+/// - kMorePlaces: at this many more places
+/// - kShareEvaluated: up to this share of all cuts tried on the copy
 constexpr int kMorePlaces = 3;
 constexpr double kShareEvaluated = 0.05;
 
@@ -28,8 +29,8 @@ constexpr double kLeastGain = 0.02;
 /// By default, pieces with at most this strain are not cut, because this strain does not show in any fabric.
 constexpr double kMayStay = 0.005;
 
-/// A path on the fine mesh may be longer than on the coarse copy by this factor. For example, it may follow two sides
-/// of a rectangle whose diagonal is forbidden. Longer paths are detours around wires, and are dropped.
+/// On the fine mesh, a path may be longer than on the coarse copy by this factor. For example, it may avoid a forbidden
+/// diagonal. Longer paths are detours around wires, and are dropped.
 constexpr double kDetour = 1.5;
 
 struct Grid {
@@ -37,10 +38,8 @@ struct Grid {
   double faces;  // requested for the coarse copy
 };
 
-/// In thorough searches, points inside are about a fifth of the piece's width apart. Points on the outline of a square
-/// piece are about 0.3 of its width apart. With half the faces, the coarse copy ranks the best cuts differently than
-/// the piece. On a hat, the best dart had only rank eleven. In a quick search for a set, each cut is one of many, and
-/// the next cut corrects it. So half of the points and faces lead to equally good sets in a quarter of the time.
+/// In a quick search, half of the points and faces lead to equally good sets in a quarter of the time. In a thorough
+/// search, they are too few: a hat's best dart had rank eleven.
 Grid grid_of(Effort effort) { return effort == Effort::thorough ? Grid{{24, 14}, 800} : Grid{{12, 8}, 400}; }
 
 std::string name_of(CutKind kind) { return kind == CutKind::dart ? "dart" : "seam"; }
@@ -101,8 +100,8 @@ bool have_same_edges(const HalfEdgeMesh& mesh, const HalfEdgeChain& a, const Hal
   return of_a == of_b;
 }
 
-/// Returns the smooth chain along a cut. If there is none, returns the chain to the cut's end from another vertex of
-/// the outline: the vertex nearest to the cut's start that has such a chain.
+/// Returns the smooth chain along a cut. If there is none, starts at the nearest vertex of the outline from which a
+/// chain leads to the cut's end.
 HalfEdgeChain nearest_chain(const HalfEdgeMesh& mesh, const SmoothPathFinder& paths, CutEnds cut) {
   HalfEdgeChain chain = chain_of(paths, cut);
   if (!chain.empty()) return chain;

@@ -64,8 +64,8 @@ class PieceSearch {
   /// edges as the chain, cuts a wire, or follows a forbidden edge.
   HalfEdgeChain image_of(const HalfEdgeChain& chain) const;
 
-  /// Returns the mirror image of a path; empty if an edge or face that the path crosses has no mirror image. The path
-  /// must be along or beside a chain for which image_of() is not empty.
+  /// Returns the mirror image of a path; empty if there is none. The path must be along or beside a chain for which
+  /// image_of() is not empty.
   MeshPath image_of(const MeshPath& path) const { return mirrored(chart_, image_, path); }
 
   bool is_beside(const HalfEdgeChain& a, const HalfEdgeChain& b) const {

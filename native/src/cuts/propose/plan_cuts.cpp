@@ -55,9 +55,8 @@ class PlanOfCuts {
 
   bool may_be_cut(const FlatPiece& piece) const { return !requested_ || is_part_of(piece.chart, requested_->chart); }
 
-  /// Returns the pieces to try. For seams, pieces that lack seams come first, the largest of them first. Then come
-  /// pieces with a flat shape, the most strained first, because only a cut of the most strained piece lowers the
-  /// largest strain.
+  /// Returns the pieces to try. If seams are planned, pieces that lack seams come first, the largest first. The most
+  /// strained pieces follow, because only their cuts lower the largest strain.
   std::vector<int> pieces_in_order() const {
     std::vector<std::tuple<bool, double, int>> places;  // lacks no seams; negative area or strain; index
     for (int i = 0; i < static_cast<int>(pieces_.size()); ++i) {

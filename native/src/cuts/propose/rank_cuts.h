@@ -20,9 +20,8 @@ struct CutLimits {
   double longest;  // largest length of a cut, scene units
 };
 
-/// Returns the best cuts of a chart, the best first. Moves the ends of the best candidates to better places. Also
-/// returns tried cuts that are almost as good, because only the fine mesh can decide between almost equal cuts. Each
-/// returned cut lowers E. stop: polled in any thread. Throws Stopped.
+/// Returns cuts that lower E, the best first; ends may be moved. Includes almost equal cuts, between which only the
+/// fine mesh can decide. Polls `stop` in any thread, and throws Stopped.
 std::vector<RankedCut> rank_cuts(const Chart& chart, const SmoothPathFinder& paths,
                                  const std::vector<CutEnds>& candidates, const InternalOptions& options,
                                  const CutLimits& limits, const StopToken& stop);

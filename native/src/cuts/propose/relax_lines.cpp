@@ -27,8 +27,8 @@ constexpr double kStep = 1.0 / 3;
 /// a longer walk has met an obstacle.
 constexpr double kReach = 4;
 
-/// If a line crosses an edge nearer to a vertex than this share of the edge's length, the line leads through the
-/// vertex. The share is twice the snap of cut_mesh(), so that cutting does not bend the line again.
+/// Lines lead through vertices that are nearer than this share of the crossed edge's length. The share is twice the
+/// snap of cut_mesh(), so that cutting does not bend the line again.
 constexpr double kSnap = 0.1;
 
 /// A line is not relaxed if it becomes shorter than this share of the longest edge at its ends, because cut_mesh()
@@ -214,9 +214,7 @@ void LineNetwork::add_line(const SurfaceLine& line, bool is_ring) {
   edges_.push_back(std::move(edges));
 }
 
-/// Adds the moved points of some sections of a line, from `begin` to before `end`. If a line follows edges, each edge
-/// gets the same number of points. Other lines get points at equal distances. A single edge of a barrier gets no
-/// points.
+/// Adds the moved points of the sections from `begin` to before `end`; none for a single edge of a barrier.
 void LineNetwork::add_points(const SurfaceLine& line, std::size_t begin, std::size_t end,
                              std::vector<std::size_t>& points) {
   const EdgeHandle edge = line.sections[begin].edge;

@@ -17,16 +17,15 @@ struct RelaxedLine {
   bool is_closed = false;
 };
 
-/// Lines that meet at their ends and do not cross barriers. Points on a barrier are fixed. An end of a line is fixed if
-/// no other line meets it. Junctions move.
+/// Lines that meet at their ends and do not cross barriers. Points on barriers are fixed, and ends that no other line
+/// meets. Junctions move.
 class LineNetwork {
  public:
   /// barriers: one flag per edge. The mesh and the barriers must outlive the network.
   LineNetwork(const HalfEdgeMesh& mesh, const std::vector<SurfaceLine>& lines, const std::vector<char>& barriers);
 
-  /// Moves the points of each line by its number of steps. A junction moves by the fewest steps of its lines. Returns
-  /// nullopt for each line without steps, and for each line that comes too close to a barrier or becomes too short.
-  /// Throws Stopped.
+  /// Moves the points of each line by its number of steps, and junctions by the fewest steps of their lines. Returns
+  /// nullopt for lines without steps, too close to a barrier, or too short. Throws Stopped.
   std::vector<std::optional<RelaxedLine>> relax(const std::vector<int>& steps, const StopToken& stop) const;
 
   /// Returns the mean length of the edges that lines follow, in scene units. If lines cross triangles, returns the

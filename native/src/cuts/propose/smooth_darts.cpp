@@ -18,17 +18,16 @@
 namespace wirewarp {
 namespace {
 
-/// Largest turn of a dart at a point, in radians. A geodesic turns only where it touches a wire or the outline. The
-/// limit is half of 30 degrees, because a turn of 30 degrees is conspicuous on the flat piece.
+/// Largest turn of a dart at a point, in radians. A geodesic turns only at a wire or at the outline. A turn by twice
+/// this angle is conspicuous on the flat piece.
 constexpr double kElbow = kPi / 12;
 
-/// kBend: a bent line that is longer than the straight line by less than this share has no visible bend. With 2%, the
-/// distance between the middles of both lines is a tenth of their length. kGainOfBends: a bent line must leave less
-/// strain than the straight line by at least this share, because it is harder to sew.
+/// - kBend: a bend is visible if it makes a line longer by this share, and moves its middle by a tenth of its length
+/// - kGainOfBends: a bent line must leave less strain by at least this share, because it is harder to sew
 constexpr double kBend = 0.02, kGainOfBends = 0.05;
 
-/// First and last distance by which the ends of a line are moved, over √area of the piece. The first distance is half
-/// of the distance between candidate points on the coarse copy. The last distance is the smallest visible change.
+/// First and last distance by which the ends of a line are moved, over √area. They are half the distance between
+/// candidate points, and the smallest visible change.
 constexpr double kFirstMove = 0.1, kLastMove = 0.05;
 
 /// Number of lines whose ends are moved: the best line, and two more that may become better. With two lines, the best
@@ -122,8 +121,8 @@ class SmoothDartSearch {
   std::map<WayKey, std::optional<SmoothDart>> evaluated_;
 };
 
-/// Returns the smooth line between the ends of a chain. Returns nullopt if the line has an elbow, touches a wire or the
-/// outline, or is too long. Also returns nullopt if the line should be bent, but hardly differs from the straight line.
+/// Returns the smooth line of a way; nullopt if it has an elbow, is too long, or touches a wire, a forbidden edge or
+/// the outline. Also returns nullopt for a bent line that is almost straight.
 std::optional<SmoothLine> SmoothDartSearch::line_along(const Way& way) const {
   const HalfEdgeMesh& mesh = chart_.mesh;
   const std::vector<VertexHandle> vertices = vertices_along(mesh, way.chain);

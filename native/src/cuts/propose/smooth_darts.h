@@ -7,10 +7,8 @@
 
 namespace wirewarp {
 
-/// Returns the darts of a piece that help, the best first. The darts are geodesics across triangles, from the outline
-/// to a tip. Straightens `chains`, and moves the ends of the best lines as long as exact evaluations improve. Compares
-/// darts by the strain of the piece, and drops darts with a puckering tip. The number of darts is not limited to
-/// cut_options.count. DartProposal::piece is not set.
+/// Returns the helpful darts of a piece as geodesics, the best first; DartProposal::piece is not set. Starts from
+/// `chains`, and moves their ends. The number of darts is not limited to cut_options.count.
 std::vector<DartProposal> smooth_darts(const PieceSearch& search, const std::vector<HalfEdgeChain>& chains,
                                        const FlatPieces& pieces, std::size_t piece, const CutOptions& cut_options,
                                        const ExactEvaluation& exact);

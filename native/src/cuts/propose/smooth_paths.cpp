@@ -13,13 +13,12 @@
 namespace wirewarp {
 namespace {
 
-/// A path that ends on the outline at an angle of δ radians from the outline's bisector costs kPriceOfLanding δ² √area
-/// more. So a path along the bisector is preferred to a path at 45° even if it is longer by 3% of √area.
+/// A landing at δ radians from the outline's bisector adds kPriceOfLanding δ² √area to the cost of a path. At 45°, this
+/// is 3% of √area.
 constexpr double kPriceOfLanding = 0.05;
 
-/// Largest turn of a path at a vertex, in radians. A path with a larger turn has a corner, and cannot be sewn as a
-/// dart. The value is between the turn along edges of regular triangles, 60°, and the turn at a corner of a square,
-/// 90°.
+/// Largest turn of a path at a vertex, in radians, because darts with corners cannot be sewn. The value is between the
+/// turn on regular triangles, 60°, and at a corner of a square, 90°.
 constexpr double kSharpTurn = 80 * kPi / 180;
 
 }  // namespace

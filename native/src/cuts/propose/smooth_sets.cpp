@@ -27,9 +27,8 @@
 namespace wirewarp {
 namespace {
 
-/// The longest distance over which lines are smoothed is the larger of kEdges edge lengths and kOfSize √area. Each of
-/// the kLevels levels has half the distance of the level above. Zigzags of single edges need one or two edge lengths.
-/// Longer distances are for larger bends.
+/// At the highest level, lines are smoothed over kEdges edge lengths or kOfSize √area, whichever is longer. Each level
+/// below halves this. Zigzags need one or two edge lengths, larger bends more.
 constexpr double kEdges = 4, kOfSize = 0.04;
 constexpr int kLevels = 4;
 
@@ -41,9 +40,8 @@ constexpr double kFarTooMuch = 1.1;
 /// is not worthwhile.
 constexpr double kMostBends = 0.5;
 
-/// A smooth set may have up to this many times the strain of the set along edges. Zigzags need less strain for two
-/// reasons: they are longer than smooth lines, which helps to flatten a dome, and they pass through more vertices. A
-/// coarse mesh has all its curvature at its vertices.
+/// A smooth set may have this many times the strain of the set along edges. Zigzags are longer and pass through more
+/// vertices, which have all curvature of a coarse mesh. Therefore, zigzags need less strain.
 constexpr double kMostGrowth = 2;
 
 /// Smaller strains are rounding errors.
@@ -152,9 +150,8 @@ int SmoothSet::num_bends(const CutMesh& cut) const {
   return std::accumulate(bends.begin(), bends.end(), 0);
 }
 
-/// Permanently lowers the levels of the chosen lines and of their mirror images. If all these lines already have level
-/// 0, lowers the levels of the lines that meet them, because lines move their neighbors. If these lines have level 0,
-/// too, continues with their neighbors.
+/// Permanently lowers the levels of the chosen lines and of their mirror images. If all have level 0, lowers the lines
+/// that meet them instead, and so on, because lines move their neighbors.
 void SmoothSet::lower(std::vector<char> chosen) {
   while (is_any(levels_)) {
     for (std::size_t i = 0; i < chosen.size(); ++i) {

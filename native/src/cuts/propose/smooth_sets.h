@@ -28,14 +28,13 @@ struct SmoothLimits {
 };
 
 /// Returns a cut set whose lines are as smooth as the limits allow; nullopt if no smoother lines are allowed. set: the
-/// set before smoothing. The smooth set has the same number of pieces. Throws Stopped.
+/// set before smoothing, with the same number of pieces. Throws Stopped.
 std::optional<DartProposal> smooth_lines(const DartProposal& set, const SurfaceLines& lines, const SmoothLimits& limits,
                                          const PieceToCut& piece, const CutOptions& cut_options,
                                          const ExactEvaluation& exact);
 
-/// Returns a cut set whose seams and darts are lines across triangles, as smooth as the strain and the width of its
-/// parts allow. If no smoother lines are allowed, returns `set`, which is a set of this piece along edges. The smooth
-/// set has at most the strain `most_strain`, and at most twice the strain of `set`. Throws Stopped.
+/// Returns a set with smoother lines instead of edges, or `set` if none are allowed. The smooth set has at most the
+/// strain `most_strain`, and at most twice the strain of `set`. Throws Stopped.
 DartProposal smooth_set(const DartProposal& set, double most_strain, const FlatPieces& pieces, std::size_t piece,
                         const CutOptions& cut_options, const ExactEvaluation& exact);
 

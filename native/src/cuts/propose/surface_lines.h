@@ -36,9 +36,10 @@ struct SurfaceLines {
 /// Returns the sections of a cut as lines along edges. image: mirror image of each vertex, or empty.
 SurfaceLines lines_along(const Chart& chart, const std::vector<VertexHandle>& image, const CutMask& cut);
 
-/// Returns the sections of a cut of `cut_chart` as lines on `chart`. chart: a chart of the input. mesh: the result of
-/// cut_mesh() for the input. cut_chart: the chart of the same surface on this mesh. image: mirror image of each vertex
-/// of cut_chart, or empty.
+/// Returns the sections of a cut of `cut_chart` as lines on `chart`, a chart of the input.
+/// - mesh: the result of cut_mesh() for the input
+/// - cut_chart: the same surface on `mesh`
+/// - image: mirror image of each vertex of `cut_chart`, or empty
 SurfaceLines lines_across(const FlattenInput& input, const Chart& chart, const CutMesh& mesh, const Chart& cut_chart,
                           const std::vector<VertexHandle>& image, const CutMask& cut);
 

@@ -9,8 +9,8 @@
 namespace wirewarp {
 namespace {
 
-/// A point and its mirror image count as the same place if their distance is below this share of a typical edge length.
-/// The share is twice the snap of cut_mesh(), which may merge points that are nearer.
+/// Points nearer than this share of a typical edge length count as one place. The share is twice the snap of
+/// cut_mesh(), which may merge nearer points.
 constexpr double kSamePoint = 0.1;
 
 }  // namespace

@@ -16,9 +16,8 @@ class PathMirror {
   /// image: mirror image of each vertex, or empty. Keeps a reference to input.
   PathMirror(const FlattenInput& input, const Chart& chart, const std::vector<VertexHandle>& image);
 
-  /// Replaces one path of each mirrored pair with the image of the other path. Moves a path that is its own image onto
-  /// the mirror plane, or makes it symmetric. images: index of the mirror image of each path; the path's own index if
-  /// it is its own image or has none.
+  /// Makes one path of each mirrored pair the image of the other path. Makes paths symmetric that are their own image.
+  /// images: index of each path's image; its own index if there is none.
   void make_symmetric(const std::vector<std::size_t>& images, std::vector<SurfacePath>& paths) const;
 
  private:
