@@ -38,16 +38,13 @@ ErrorCode.__doc__ = """The kind of an error. `meaning` and `remedy` are one sent
 class FlattenError(ValueError):
     """An error of the input (raised), or a fault of one piece (stored as `Piece.error`).
 
-    `str(error)` describes the fault, its place and a remedy. `vertices`, `edges` (vertex pairs) and `faces` are the
-    faulty elements, as indices of the input. `has_layout` is true if the failed piece has flat coordinates to inspect.
-
-    `proposed_seams` are edges (vertex pairs) that fix the piece if they become seams: flatten again with
-    `[*seams, *error.proposed_seams]`. `proposed_tolerances` are pairs of the index of a wire and a tolerance within
-    which the wire can keep its length. Both are empty if there is no proposal.
-
-    `arguments` are the other values in `str(error)`, such as lengths, limits and names. Each value is a bool, int,
-    float, str or a list of one of these types. `code.arguments` documents the name of each value. With the code, the
-    elements and the arguments, you can write your own sentence, for example in another language.
+    - `str(error)`: the fault, its place and a remedy
+    - `vertices`, `edges` (vertex pairs), `faces`: the faulty elements, as indices of the input
+    - `has_layout`: whether the failed piece has flat coordinates to inspect
+    - `proposed_seams`: edges that fix the piece if you flatten again with `[*seams, *error.proposed_seams]`
+    - `proposed_tolerances`: pairs of a wire's index and a tolerance within which the wire can keep its length
+    - `arguments`: the other values in `str(error)`, as bool, int, float, str or lists of one of these types
+    - `code.arguments`: what each of these values means, for example to write the sentence in another language
     """
 
     __module__ = __package__

@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs every model in its own process. A model that crashes, hangs or uses too much memory affects no other model.
+"""Runs every model in its own process. A crash, a hang or too much memory affects no other model.
 
-This module does not use the pools of the standard library or of pebble. The workers of a pool share a pipe and a lock,
-so a worker that is killed at the wrong moment breaks the pool. psutil measures and ends the children of a process.
+Pools (multiprocessing, pebble) are not used: a worker killed at a wrong moment breaks its pool.
 """
 
 import itertools
@@ -21,13 +20,12 @@ from typing import Generic, TypeVar
 
 import psutil
 
-# A fork server that has loaded the libraries starts a process in milliseconds. Windows has no fork, so each process
-# loads the libraries. The main process is never forked, because threads of libraries do not survive a fork.
+# The main process is never forked, because threads of libraries do not survive a fork.
 if sys.platform == "win32":
-    CONTEXT = multiprocessing.get_context("spawn")
+    CONTEXT = multiprocessing.get_context("spawn")  # Windows has no fork, so each process loads the libraries
     MOST = 60  # largest number of processes, because Windows can wait for at most 63 at once
 else:
-    CONTEXT = multiprocessing.get_context("forkserver")
+    CONTEXT = multiprocessing.get_context("forkserver")  # loads libraries once, so processes start in milliseconds
     MOST = sys.maxsize
 OFTEN = 0.5  # seconds between checks of time and memory; a check takes milliseconds
 LEAVE = 5.0  # seconds that a process may need to end after its result or after a kill
@@ -53,10 +51,13 @@ class Stopped:
 def each_apart(
     work: Callable[[Item], Result], items: Iterable[Item], jobs: int, limits: Limits, modules: list[str]
 ) -> Generator[tuple[int, Result | Stopped], None, None]:
-    """Yield the index and the result of each item as soon as its work ends. jobs: number of processes at a time.
+    """Yield the index and the result of each item as soon as its work ends.
 
-    `work` must be a function of a module that other processes can import. modules: names of modules to load once for
-    all processes. All processes end if the caller closes the generator or is killed.
+    If the caller closes the generator or is killed, all processes end.
+
+    - work: function of a module that other processes can import
+    - jobs: number of processes at a time
+    - modules: names of modules to load once for all processes
     """
     CONTEXT.set_forkserver_preload(modules)
     if sys.platform != "win32":
@@ -89,8 +90,10 @@ def each_apart(
 
 @contextmanager
 def _ctrl_c_waits() -> Iterator[None]:
-    """Delay Ctrl+C until the end of the block. Otherwise, a process that is just starting or ending could be left
-    behind. The fork server starts inside the first block, so it inherits the mask that blocks Ctrl+C."""
+    """Delay Ctrl+C until the end of the block. Otherwise, a process that starts or ends could be left behind.
+
+    The fork server inherits the blocked signal, because it starts inside the first block.
+    """
     pressed: list[int] = []
     before = signal.signal(signal.SIGINT, lambda number, _: pressed.append(number))
     masked = None if sys.platform == "win32" else signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGINT])

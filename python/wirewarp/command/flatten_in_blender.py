@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs in Blender on the open file: flattens the marked objects, and exports them with the settings in the file.
+"""Runs in Blender on the open file: flattens the marked objects, and exports them with the file's settings.
 
-blend.py starts this script with a job in JSON as the last argument, and reads the answer.
+blend.py starts this script with a job (JSON) as the last argument, and reads the answer.
 """
 
 import json

@@ -97,9 +97,9 @@ def _is_vertex(value: object) -> bool:
 
 
 def _sides_at_edges(faces: np.ndarray) -> np.ndarray:
-    """Return the corners (k,2,2) at the ends of each edge between two faces, as indices into the raveled faces.
+    """Return the corners (k,2,2) at the ends of each edge between two faces, as indices into faces.ravel().
 
-    Axis 1 is the face, axis 2 the end of the edge. Both faces list the ends in the same order.
+    Axis 1: the face. Axis 2: the end of the edge, in the same order for both faces.
     """
     starts = np.arange(faces.size)
     ends = starts - starts % 3 + (starts + 1) % 3

@@ -106,9 +106,10 @@ def _fewer(mesh: dict[str, Any], proposal: SeamProposal, meters: float) -> Line:
 
 
 def _proposal(cut: DartProposal, meters: float, has_mirror_image: bool) -> dict[str, Any]:
-    """Return a proposal, with lines in the form that --seams reads. meters: length of the model's unit.
+    """Return a proposal, with lines in the form that --seams reads.
 
-    has_mirror_image: whether to add the keys for the mirror image of the cut, which is another proposal.
+    - meters: length of the model's unit
+    - has_mirror_image: whether to add the keys for the mirror image, which is another proposal
     """
     described: dict[str, Any] = {
         "piece": cut.piece + 1,

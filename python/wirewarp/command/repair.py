@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Repairs a triangle mesh, and describes each repair in a sentence. Vertices keep their numbers.
 
-Seams and wires that contain a merged vertex or a divided edge are converted to the repaired mesh. Check and Repair in
-the add-on also removes interior faces, which are kept here, and loose edges, which do not exist in files of triangles.
+Unlike Check and Repair in the add-on, this module keeps interior faces.
 """
 
 from collections import defaultdict
@@ -130,10 +129,9 @@ def _close_pairs(vertices: np.ndarray, close: float) -> np.ndarray:
 
 
 def _without_flat_faces(model: Model, close: float) -> tuple[Model, int, dict[frozenset[int], int]]:
-    """Remove flat faces. A flat face has a vertex on its longest edge. Other faces at this edge are cut at the vertex.
+    """Return the mesh without flat faces, their number, and each divided edge with the vertex that divides it.
 
-    Faces are treated one after the other, because cutting a flat face makes flat parts. Returns the mesh, the number of
-    flat faces, and the divided edges, each with the vertex that divides it.
+    The vertex opposite the longest edge of a flat face divides the other faces at this edge.
     """
     faces = [tuple(face) for face in model.faces.tolist()]
     uv = [None] * len(faces) if model.corner_uv is None else list(model.corner_uv)
@@ -203,9 +201,7 @@ def _cut_at(
 def _opposed_faces(model: Model) -> np.ndarray:
     """Return the faces (k,) to flip, so that neighbors have the same direction.
 
-    The faces of a connected part have two directions. The function returns the faces of the direction with the smaller
-    total area. For a part with only one side, such as a Möbius strip, it returns no faces, because no flips make them
-    consistent.
+    Each connected part flips the direction with the smaller area. A part with one side (Möbius strip) flips no faces.
     """
     neighbors: dict[int, list[tuple[int, bool]]] = defaultdict(list)
     at_edge: dict[tuple[int, int], list[tuple[int, bool]]] = defaultdict(list)

@@ -50,10 +50,10 @@ def listed_files(report: Path) -> list[str]:
 
 
 def take_places(staged: Path, request: Request) -> None:
-    """Move the new files to their places, and the earlier files into the staged folder, which is removed later.
+    """Move new files to their places, and earlier files into the staged folder.
 
-    The earlier report is moved first and the new report last. So whenever a report exists, all files belong to it.
-    Raises InputError if a new file would replace a file that the earlier report does not list.
+    Whenever a report exists, all files belong to it. Raises InputError before replacing a file that the earlier report
+    does not list.
     """
     earlier = listed_files(request.report_path)
     made = sorted((path.name for path in staged.iterdir()), key=lambda name: name == request.report_path.name)

@@ -20,8 +20,7 @@ def kept(line: WireReport | BoundaryReport) -> bool:
 def asked_of_wire(wire: WireReport, ease: float) -> float:
     """Return the target length of the wire with its ease, without the change h that its tolerance allows.
 
-    If the wire kept its length, the result is calculated from the flat length. Only the flat length contains the
-    built-in stretch of the fabric, which the library does not report.
+    A kept wire's flat length is used, because only this length contains the fabric's built-in stretch.
     """
     return wire.length_2d * (1 + ease) / (1 + wire.variation) if kept(wire) else wire.length_3d * (1 + ease)
 
@@ -29,7 +28,7 @@ def asked_of_wire(wire: WireReport, ease: float) -> float:
 def asked_of_outline(piece: Piece, vertices: np.ndarray, sides: dict[tuple[int, int], float]) -> list[float]:
     """Return the target length of each section of the outline, including the change h of wires along the outline.
 
-    vertices (n,3): vertices of the model. sides: eases by directed edge, for edges with an ease on one side.
+    vertices (n,3): vertices of the model. sides: eases of one side, by directed edge.
     """
     if all(map(kept, piece.boundaries)):
         return [chain.length_2d for chain in piece.boundaries]

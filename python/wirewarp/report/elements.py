@@ -28,8 +28,7 @@ class Elements:
 def elements_of(report: Report, what: str, index: int) -> Elements | None:
     """Return the elements of one entry of a report; None if the report has no such entry.
 
-    what: kind of the entry: SEAM, WIRE, OUTLINE (an open edge), PIECE, STRETCH or EASE (the place in a piece with the
-    largest stretch or compression), ISSUE or HINT. index: index of the entry among entries of this kind.
+    what: "SEAM", "WIRE", "OUTLINE", "PIECE", "STRETCH", "EASE", "ISSUE" or "HINT"; index: among entries of this kind.
     """
     try:
         match what:

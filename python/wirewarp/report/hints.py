@@ -57,9 +57,10 @@ class Region:
 def strain_hints(
     pieces: Sequence[Piece], strains: Sequence[PieceStrain | None], figures: Sequence[float], places: Places
 ) -> list[Hint]:
-    """Return hints about the most strained places. The worst piece is first, and in each piece the worst place.
+    """Return hints about the most strained places, the worst piece first, and in it the worst place first.
 
-    strains: strain of each piece, or None if it failed. figures: stretch of each piece, as a fraction.
+    - strains: strain of each piece; None if it failed
+    - figures: stretch of each piece, as a fraction
     """
     worst_first = sorted(range(len(pieces)), key=lambda index: -figures[index])
     hints: list[Hint] = []
@@ -172,7 +173,7 @@ def wire_hints(wires: Sequence[Wire]) -> list[Hint]:
 
 
 def torn_hints(vertices: np.ndarray, outline: np.ndarray) -> list[Hint]:
-    """Return one hint about all overlapping edges that are not joined, or no hint. They may be apart on purpose.
+    """Return one hint about all overlapping edges that are not joined, perhaps on purpose; none without such edges.
 
     vertices (n,3): vertices of the model. outline (k,2): edges of the model with one face.
     """

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Writes and reads a report as JSON. The keys are the names of fields in model.py.
 
-Every length is written twice: in units of the model under its name, and in meters under its name with "_m". Areas have
-the ending "_m2". Derived values (DERIVED) are written for scripts, but not read. A missing number is null. JSON has no
-infinity, so the tolerance of a free wire is "inf".
+- lengths and areas: in units of the model, and in meters under the name with "_m" or "_m2"
+- derived values (DERIVED): written for scripts, but not read
+- missing numbers: null
+- infinite tolerance of a free wire: "inf", because JSON has no infinity
 """
 
 import math

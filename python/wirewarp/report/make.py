@@ -50,10 +50,12 @@ def make_report(
 ) -> Report:
     """Return the report of a result of flatten(), for the same vertices, faces, wires, eases and cloth.
 
-    fabric: name of the cloth's preset. limits: maximum stretch across and along the grain, each None if unknown; the
-    default is cloth.limits. meters: meters in a unit of the model. name: name of the model. polygons (m,): for each
-    triangle, the index of its face, if the model has larger faces than triangles. issues: one issue for each failed
-    piece, to replace the sentences of the library.
+    - fabric: name of the cloth's preset
+    - limits: maximum stretch across and along the grain, each None if unknown; by default cloth.limits
+    - meters: meters in a unit of the model
+    - name: name of the model
+    - polygons (m,): index of the face of each triangle, if the model has larger faces than triangles
+    - issues: one issue for each failed piece, to replace the sentences of the library
     """
     points = np.asarray(vertices, dtype=np.float64)
     sides = {(a, b): ease.ratio for ease in eases for a, b in np.asarray(ease.half_edges).tolist()}

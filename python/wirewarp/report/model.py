@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Defines the report as dataclasses.
+"""Defines the report as dataclasses. Names of fields are the keys of the JSON form.
 
-Lengths and areas are in units of the model. Indices of elements refer to the model.
-
-Names of fields are the keys of the JSON form (json_form.py). A missing number is None, for example the flat length of a
-piece without a layout.
+- lengths and areas: in units of the model
+- indices of elements: elements of the model
+- missing numbers: None, for example without a layout
 """
 
 import math

@@ -1,13 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Calculates how far the fabric must stretch, as one figure for the verdict, the list of pieces and suggestions.
 
-The stretch of a triangle is max(σ1, 1/σ2) - 1, with the principal stretches σ1 and σ2 of the map from flat to model.
-Compression therefore counts as much as the stretch that would undo it. The figure of a piece is the stretch that 99% of
-its area stays below. Suggestions are ranked by the same figure, DartProposal.strain. Intended changes by eases do not
-count.
-
-With a fabric, the stretch along its threads counts instead (Threads). The verdict compares each direction with the
-fabric, and lists show the direction that the verdict names. Other single figures are the larger of both directions.
+- σ1, σ2: larger and smaller principal stretch of the map from flat to model
+- stretch of a triangle: max(σ1, 1/σ2) - 1, so compression counts as the stretch that would undo it
+- figure of a piece: the stretch that 99% of its area stays below, without the changes that eases intend
+- figure with a fabric: the same for the stretch along its threads (Threads), in the worse direction
 """
 
 import math
@@ -41,14 +38,14 @@ class PieceStrain:
 
 
 def piece_strain(metrics: Metrics) -> PieceStrain:
-    """Return the principal strains of each triangle, from the strain of its threads in the metrics.
+    """Return the principal strains of each triangle, from the strain of its threads.
 
-    The library measures threads in the middle of thick material. Threads with the stretched lengths p and q and the
-    shear angle γ have the metric (p², g; g, q²) with g = p q sin γ. Its eigenvalues are the squares of the principal
-    stretches of the map from flat to model.
+    The library measures threads in the middle of thick material.
     """
     p, q = 1 + metrics.face_weft_strain, 1 + metrics.face_warp_strain
     with np.errstate(invalid="ignore"):
+        # With the shear angle γ, the metric of the threads is (p², g; g, q²), where g = p q sin γ. Its eigenvalues are
+        # the squares of the principal stretches.
         middle = (p * p + q * q) / 2
         spread = np.hypot((p * p - q * q) / 2, p * q * np.sin(metrics.face_shear_angle))
         longest, shortest = np.sqrt(middle + spread), np.sqrt(np.maximum(middle - spread, 0))
@@ -106,8 +103,9 @@ def widespread(values: np.ndarray, areas: np.ndarray) -> float:
 def threads_of(metrics: Metrics, areas: np.ndarray, wanted: Wanted, cloth: Cloth, name: str, limits: Limits) -> Threads:
     """Return the strain of the fabric's threads in a piece with a layout.
 
-    areas (q,): areas of the triangles on the model. name: name of the fabric's preset, or "custom". limits: maximum
-    stretch of the fabric.
+    - areas (q,): areas of the triangles on the model
+    - name: name of the preset, or "custom"
+    - limits: maximum stretch of the fabric
     """
     across, along = (
         max((1 + widespread(strain, areas)) / wanted.stretch - 1, 0.0) for strain in thread_strains(metrics).values()

@@ -110,9 +110,9 @@ def as_seen(found: Verdict, makers: Iterable[str]) -> Verdict:
 
 
 def with_narrow(found: Verdict, narrow: Mapping[str, Sequence[str]]) -> Verdict:
-    """Return the verdict with a line about pieces without room for their allowances. Reports do not contain allowances.
+    """Return the verdict with a line about pieces without room for their allowances.
 
-    Lines that say that pieces are ready to cut are left out. narrow: names of the narrow pieces, by object.
+    Lines about ready pieces are left out. narrow: names of the narrow pieces, by object.
     """
     with_objects = len(narrow) > 1
     names = [_with_object(owner, name) if with_objects else name for owner, own in narrow.items() for name in own]

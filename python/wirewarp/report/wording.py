@@ -68,8 +68,9 @@ def set_beyond_fabric(threads: Threads) -> str:
 def needs_stretch(names: str, is_exact: bool, stretch: str) -> str:
     """Return the sentence about pieces that need stretch fabric.
 
-    names: list of the names of the pieces, "" for all. is_exact: whether no wire used a tolerance. stretch: text of the
-    needed stretch.
+    - names: list of the names of the pieces, "" for all
+    - is_exact: whether lengths are exact, not only within tolerances
+    - stretch: text of the needed stretch
     """
     which = f"Lengths of {names}" if names else "Lengths"
     kept = "exact" if is_exact else "exact or within their tolerance"
