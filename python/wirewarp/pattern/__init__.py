@@ -1,8 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Turns flat pieces into sewing patterns with allowances and notches, and writes files to print, plot and cut.
+"""Turns flat pieces into sewing patterns, and writes files to print, plot and cut.
 
-All lengths are in millimeters, and y points upwards. The package needs pyclipper. PDF files also need pydyf and
-uharfbuzz. Markers (layouts of the pieces on the fabric) are shorter if spyrrow is installed.
+Lengths are in millimeters, and y points upwards. The package uses these libraries:
+
+- pyclipper: always
+- pydyf, uharfbuzz: for PDF files
+- spyrrow: optional, for shorter markers (layouts of the pieces on the fabric)
 """
 
 from . import geometry as geometry

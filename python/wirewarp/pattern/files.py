@@ -16,8 +16,10 @@ def today() -> datetime.date:
 
 @contextmanager
 def replaced_file(path: Path) -> Iterator[Path]:
-    """Yield the path of a temporary file in the same folder. It replaces the file at `path` if no error is raised, so a
-    full disk does not damage an existing file. Raises OSError if the folder is missing or `path` is not a file."""
+    """Yield the path of a temporary file in the same folder. It replaces the file at `path` if no error is raised.
+
+    Raises OSError if the folder is missing or `path` is not a file.
+    """
     path = path.resolve()  # if the path is a link, the file that it points to is replaced
     if not path.parent.is_dir():
         raise FileNotFoundError(f'there is no folder "{path.parent}"')

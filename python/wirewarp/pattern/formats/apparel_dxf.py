@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Writes DXF for apparel CAD: ASTM D6673 as AccuMark reads it, and AAMA-292 as CLO and Optitex read it.
 
-Each piece is a block with numbered layers. Polylines are closed both by a flag and by a repeated point, as in files
-that these programs write.
+Polylines have the closed flag and also repeat a point, as these programs write them.
 """
 
 import math

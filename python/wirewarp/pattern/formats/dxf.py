@@ -27,8 +27,8 @@ def write_dxf(
 ) -> Steps[tuple[int, list[str]]]:
     """Write the file in steps. Return 1 for one page, and sentences about names that were changed.
 
-    dialect: "astm" for AccuMark and most apparel CAD, "aama" for CLO and Optitex, "plain" for lasers and drawing
-    programs. control_square: whether to add a block with a square of 100 mm to apparel DXF.
+    - dialect: a value of DIALECTS
+    - control_square: whether to add a square of 100 mm to apparel DXF
     """
     changed: list[str] = []
     if dialect == "plain":

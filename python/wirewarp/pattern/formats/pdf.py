@@ -27,10 +27,10 @@ def write_pdf(
 ) -> Steps[tuple[int, list[str]]]:
     """Write the file in steps. Return the number of pages, and sentences about texts that could not be drawn.
 
-    paper: "a4", "letter", "a4-letter" (fits both), "a3", "tabloid", "a0", "36in", "24in", "projector", or the width of
-    a roll in millimeters. None means A4 for a pattern, and a roll of the necessary width for a marker. proof: whether
-    to add pages with all pieces, finished measures, all seams, and a sewing order. keep_places: whether pieces keep
-    their places on sheets and rolls; otherwise they are arranged anew.
+    - paper: a key of PAPERS, or the width of a roll in millimeters
+    - paper=None: A4 for a pattern, and a roll of the necessary width for a marker
+    - proof: whether to add pages with all pieces, finished measures, all seams, and a sewing order
+    - keep_places: whether pieces keep their places on sheets and rolls; otherwise they are arranged anew
     """
     planned = yield from _with_texts_on_sheets(plan(pattern, paper, keep_places))
     document = Document(pattern.title or "Pattern", [*LAYERS, *planned.layers], planned.hidden)

@@ -23,10 +23,10 @@ QUARTER_TURNS = [np.linalg.matrix_power(np.array([[0.0, 1.0], [-1.0, 0.0]]), cou
 
 
 def check(found: Iterator[np.ndarray], outlines: Sequence[np.ndarray]) -> Steps[float]:
-    """Return the largest distance in millimeters between a point in the file and its place in the outlines (k,2).
+    """Return the largest error of a point in the file, in millimeters.
 
-    Places and quarter turns of whole outlines are ignored, because packing on sheets changes them. Raises RuntimeError
-    if the file has other outlines, or a distance above WORST.
+    Places and quarter turns of outlines are not compared, because packing changes them. Raises RuntimeError above
+    WORST, and for missing or additional outlines.
     """
     waiting = [_normalized(outline) for outline in outlines]
     worst, count = 0.0, 0

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writes a pattern as an SVG file in actual size: one unit is one millimeter.
+"""Writes a pattern as an SVG file in actual size.
 
-Each piece is a group, with a layer of Inkscape for each kind of line. Each kind also has its own color, by which
-cutters and plotters distinguish lines.
+Each piece is a group, with a layer of Inkscape for each kind of line. Cutters and plotters distinguish these kinds by
+color.
 """
 
 import re
@@ -82,10 +82,9 @@ def page_size(pattern: PatternData) -> np.ndarray:
 
 
 def _page(pieces: np.ndarray, side: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return the size of the page, and the lower left corners of the pieces and of the test square, with y upwards.
+    """Return the size of the page, and the lower left corners of the pieces and of the test square.
 
-    pieces (2,): size of all pieces together; side: side of the square. All lengths are in millimeters. The square is to
-    the right of the pieces or below them, whichever needs less paper.
+    pieces (2,): size of all pieces in millimeters; side: side of the square. y points upwards.
     """
     width, height = pieces
     beside = np.array([width + MARGIN + side, max(height, side)])

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Orders the letters of a line with several directions, by Unicode's bidirectional algorithm (UAX 9).
 
-Python knows the classes of all letters but not the algorithm, and HarfBuzz needs runs of one direction. Explicit
-formatting characters are treated like marks, because names of pieces and seams do not contain them.
+HarfBuzz needs runs of one direction. Explicit formatting characters are not interpreted, because names do not contain
+them.
 """
 
 import unicodedata

@@ -25,11 +25,11 @@ def grain_beside(
     limits: Sequence[np.ndarray],
     allowance: float,
 ) -> Line:
-    """Return the grain line, moved to the place beside the text with the most room.
+    """Return the grain line, moved beside the text if both would cross and the piece has room.
 
-    The line keeps its place if it does not cross the text, or if there is too little room inside the stitching lines.
-    outlines: cutting lines; lines_inside and limits: as for grain_line(). allowance: widest allowance of the piece, in
-    millimeters.
+    - outlines: cutting lines
+    - lines_inside, limits: as for grain_line()
+    - allowance: widest allowance of the piece, in millimeters
     """
     if not touches(text, (grain.points[:1], grain.points[1:]), BESIDE):
         return grain

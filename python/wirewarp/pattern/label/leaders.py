@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Places texts beside a piece that has no room for them. A leader line connects each text with the place it names.
+"""Places texts beside a piece without room for them, each with a leader line to the place it names.
 
-The texts are so near to the piece that the pattern needs no more pages.
+Texts are so near to the piece that the pattern needs no more pages.
 """
 
 from collections.abc import Iterable, Iterator, Sequence
@@ -39,8 +39,12 @@ class Beside:
     def __init__(
         self, outlines: Sequence[np.ndarray], sheets: Sequence[Box] = (), others: Sequence[np.ndarray] = ()
     ) -> None:
-        """Begin without texts. outlines (k,2): cutting lines of the piece. others (k,2): closed lines around neighbors.
-        sheets: if there are any, each text must be on one sheet."""
+        """Begin without texts.
+
+        - outlines (k,2): cutting lines of the piece
+        - sheets: if there are any, each text must be on one sheet
+        - others (k,2): closed lines around neighbors
+        """
         self._sheets, self._others = sheets, others
         self._outlines = list(outlines)
         points = np.concatenate(self._outlines)
@@ -49,18 +53,17 @@ class Beside:
         self._texts: list[Text] = []
 
     def lead(self, texts: Iterable[Text], outward: np.ndarray) -> tuple[Text, Line] | None:
-        """Return the first text that has a place outside the piece, and its leader line.
+        """Return the first text with a place outside the piece, and its leader line. Return None without a near place.
 
-        texts: alternatives of one line each, centered at the place that they name. outward (2,): unit vector of the
-        preferred direction. Returns None if no near place is free, because a long leader line could be taken for a line
-        of the piece.
+        - texts: alternatives of one line, centered at the place to name
+        - outward (2,): preferred direction, a unit vector
         """
         for placed, points in self._choices(texts, outward):
             if self._is_free(placed, points) and self._is_near(placed, points):
                 self._texts.append(placed)
                 self._taken = joined([self._taken, strokes(placed), (points[:-1], points[1:])])
                 return placed, Line(LEADERS[placed.role], points)
-        return None
+        return None  # a long leader line could be taken for a line of the piece
 
     def _choices(self, texts: Iterable[Text], outward: np.ndarray) -> Iterator[tuple[Text, np.ndarray]]:
         """Yield each text at each place within reach, with its leader line (3,2), the best first."""
@@ -106,8 +109,7 @@ class Beside:
 def _leaders(text: Text, centers: np.ndarray, target: np.ndarray) -> np.ndarray:
     """Return a leader line (3,2) for each center (c,2) of the text.
 
-    The line does not cross the letters, because it leads from the target to an end of the top or bottom edge of the
-    text, and then along this edge.
+    Each line ends along the top or bottom edge of the text, so it does not cross the letters.
     """
     sides = np.where((target - centers) @ axes(text) > 0, 1, -1)
     along, up = (sides[:, [side]] * axes(text)[:, side] for side in (0, 1))

@@ -22,7 +22,7 @@ ALONG_WIRE = (0.3, 0.7, 0.4, 0.6, 0.2, 0.8, 0.5)  # the middle is last, because 
 def line_names(lines: Sequence[Line], room: Room, beside: Beside) -> tuple[list[Text], list[Line]]:
     """Return the names of stitching lines, folds and wires, and the leader lines to names beside the piece.
 
-    A name is inside the piece, or beside it if there is no room. If there is no place beside it, the name is left out.
+    Names without room inside are beside the piece, or left out if there is no place.
     """
     named = [line for line in lines if line.name and line.role in ("sew", "fold", "wire")]
     texts, leaders = [], []

@@ -20,12 +20,10 @@ SMALL = 0.3125  # share of the largest height (2.5 of 8 mm); if text would be sm
 def place_text(
     lines: tuple[str, ...], outlines: Sequence[np.ndarray], kinds: Sequence[Sequence[np.ndarray]], largest: float
 ) -> Text:
-    """Return the text at the place where its letters can be largest, up to the height `largest` in millimeters.
+    """Return the text where its letters can be largest, at most `largest` millimeters high.
 
-    The text runs upwards if the piece is too narrow for horizontal text.
-
-    The text never crosses the closed outlines (k,2). kinds: groups of lines (k,2) inside the piece. If there is too
-    little room beside all lines, the text may cross the first group, then also the second group, and so on.
+    - outlines (k,2): closed lines, never crossed
+    - kinds: groups of lines (k,2) inside, crossed in this order if room is missing
     """
     for crossed in range(len(kinds) + 1):
         text = _place(lines, outlines, [line for kind in kinds[crossed:] for line in kind], largest)

@@ -101,7 +101,7 @@ def grid_marks(pattern: PatternData, size: np.ndarray) -> Marks:
 def sheet_marks(plan: Tiles, tile: Tile, pieces: Sequence[PatternPiece]) -> Marks:
     """Return the frame of a sheet, its name, diamonds at the overlaps, and the names of its neighbors.
 
-    Names do not cross lines and other texts if there is room. pieces: the pieces on the sheet, in their places.
+    Names avoid lines and texts if there is room. pieces: pieces on the sheet, in their places.
     """
     row, column = tile.row, tile.column
     low, high = np.array([MARGIN, MARGIN]), MARGIN + plan.shown
@@ -130,7 +130,9 @@ def sheet_marks(plan: Tiles, tile: Tile, pieces: Sequence[PatternPiece]) -> Mark
 def _neighbor_names(name: str, at: np.ndarray, outward: np.ndarray, shown: np.ndarray) -> list[Text]:
     """Return the name of a neighbor at each place to try, the nearest to the diamond first.
 
-    at (2,): center of the diamond. outward (2,): unit vector toward the neighbor. shown (2,): size of the sheet.
+    - at (2,): center of the diamond
+    - outward (2,): unit vector toward the neighbor
+    - shown (2,): size of the printed area
     """
     along, angle = np.abs(outward[::-1]), 90.0 if outward[0] else 0.0
     steps = np.arange(NEIGHBOR_STEP, shown @ along / 2 - NEIGHBOR_STEP, NEIGHBOR_STEP)
@@ -155,9 +157,9 @@ def _segments(pieces: Sequence[PatternPiece], marks: Sequence[Stroke], offset: n
 
 
 def part_marks(corner: np.ndarray, size: np.ndarray, page: int, is_first: bool, is_last: bool) -> Marks:
-    """Return the edges of the part of a marker on one page, and the numbers of the pages that continue it.
+    """Return the edges of a marker's part on one page, and the numbers of the adjoining pages.
 
-    corner, size (2,): lower left corner and size of the part, in millimeters; page: number of the page.
+    corner, size (2,): lower left corner and size of the part, in millimeters; page: number of its page.
     """
     texts = [
         Text((f"{what} page {other}",), corner + (size[0] / 2, y), 4.0)

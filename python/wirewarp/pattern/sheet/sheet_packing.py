@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Packs pieces on as few sheets as possible, which are taped together.
+"""Packs pieces on few sheets, which are taped together: each piece is placed where it adds the fewest sheets.
 
-The sheets are divided into cells. Each piece is placed where it adds the fewest sheets. A piece that ends in the
-overlap of two sheets needs only one of these sheets. Pieces may be turned together with their grain lines.
+A piece that ends in the overlap of two sheets needs only one of them.
 """
 
 from collections.abc import Iterable, Sequence
@@ -42,12 +41,14 @@ def placed_on_sheets(
     columns: Iterable[int],
     fewest: int,
 ) -> Placed | None:
-    """Return the arrangement with the fewest sheets. Return None if no arrangement needs fewer than `fewest` sheets.
+    """Return the arrangement with the fewest sheets; None if all that are tried need at least `fewest`.
 
-    outlines: by piece and rotation, the outlines of the piece with the lower left corner at 0, 0. step (2,): distance
-    between two neighboring sheets across and upwards. inset: distance between the edge of the printed area and the
-    nearest piece, and half of the distance between pieces. columns: numbers of columns to try. Lengths are in
-    millimeters.
+    Lengths are in millimeters.
+
+    - outlines: by piece and rotation, the outlines of the piece with the lower left corner at 0, 0
+    - step (2,): distance between two neighboring sheets, across and upwards
+    - inset: distance between the edge of the printed area and the nearest piece; pieces are twice as far apart
+    - columns: numbers of columns to try
     """
     per_sheet = np.maximum(np.rint(step / CELL), 2).astype(int)
     cell = step / per_sheet

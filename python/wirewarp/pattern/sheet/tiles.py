@@ -77,9 +77,8 @@ class Shape(NamedTuple):
 def divided(pattern: P, paper: str, keep_places: bool) -> Tiles[P]:
     """Return the pattern on the fewest sheets, which are all upright or all turned.
 
-    An arrangement with each piece on one sheet is preferred if it needs no more sheets. The pieces of a marker keep
-    their places. keep_places: whether the pieces of other patterns keep their places, too. Raises FlattenError for too
-    many sheets.
+    keep_places: whether pieces keep their places, as they always do in a marker. Raises FlattenError for too many
+    sheets.
     """
     if pattern.marker or keep_places:
         moved = pattern.at_origin()
