@@ -98,9 +98,10 @@ def _distances(points: np.ndarray, obstacles: np.ndarray) -> np.ndarray:
 
 
 def crossings(point: np.ndarray, direction: np.ndarray, a: np.ndarray, b: np.ndarray) -> np.ndarray:
-    """Return the lengths (n,) from the point (2,) to the segments that the line through the point crosses.
+    """Return the signed lengths (n,) along a line from a point (2,) to the segments that the line crosses.
 
-    direction (2,): unit vector of the line. a, b (s,2): ends of all segments. Lengths behind the point are negative.
+    - direction (2,): unit vector of the line
+    - a, b (s,2): ends of all segments
     """
     along, to = b - a, a - point
     with np.errstate(divide="ignore", invalid="ignore"):  # for a segment parallel to the line, the slope is 0
@@ -128,7 +129,7 @@ class Rays:
 def overlap(first: Sequence[np.ndarray], second: Sequence[np.ndarray]) -> bool:
     """Return whether two shapes overlap by more than rounding errors. Shapes that only touch do not overlap.
 
-    first, second: outlines (k,2) of each shape, in any order and direction. Lengths may have any unit.
+    first, second: outlines (k,2) of each shape, in any order, direction and unit.
     """
     boxes = [_box(outlines) for outlines in (first, second)]
     depth = DEPTH * min(float(np.linalg.norm(high - low)) for low, high in boxes)

@@ -19,7 +19,7 @@ def grain_line(
 ) -> Line:
     """Return the grain line at the place with the most room inside closed outlines (k,2) and between lines (k,2).
 
-    The grain line may cross lines_inside, but not the limits (k,2), which are open lines. along (2,): unit vector.
+    The grain line may cross lines_inside, but not the open limits. along (2,): unit vector.
     """
     center, _ = innermost_point(outlines, [*lines_inside, *limits])
     rays = Rays(outlines, limits)

@@ -68,7 +68,7 @@ class Placement:
 class Marker:
     """Places of the pieces of a pattern on the fabric. Lengths are in millimeters.
 
-    x is across the fabric and y along the fabric, from the lower left corner of the fabric or of each sheet.
+    x is across the fabric and y along it, from the lower left corner of the fabric or sheet.
     """
 
     width: float  # usable width of the fabric

@@ -15,9 +15,9 @@ if TYPE_CHECKING:
 
 SCRAP = 0.1  # share of the area; parts below it, such as the tip of a tail, do not count
 MOST = 0.5  # least share of the area that disks must cover; far below 1, because disks never fill corners
-# The search increases the radius in STEPS steps, and halves the last step HALVINGS times. A step is 1/24 of the radius
-# of a disk with the area of the shape. The search finds each waist that is narrower than its surroundings by one step.
-# After ten halvings, the error is 1/24,000 of this radius, less than a thread even in a piece a meter wide.
+# As shares of the radius of a disk with equal area:
+# - A waist is found if it is narrower than its surroundings by 1/24.
+# - The error after ten halvings is 1/24,000, less than a thread in a piece a meter wide.
 STEPS, HALVINGS = 24, 10
 ARC, ROUGH_ARC = 1e-3, 0.03  # errors of round corners as shares of the radius: for widths, and for areas
 
@@ -25,13 +25,12 @@ Polygon = list[list[int]]
 
 
 def narrowest_width(outlines: Sequence[np.ndarray], most: float = np.inf) -> float:
-    """Return the diameter of the largest disk that can move through a shape. outlines (k,2): the outlines of the shape.
+    """Return the diameter of the largest disk that can move through a shape, in the unit of its outlines.
 
-    most: if a disk of this diameter can move through the shape, the result may be too small, but is at least `most`.
+    The disk must reach half of the area. Parts in which it covers less than a tenth of the area do not count.
 
-    The result is twice the largest inward offset that leaves the shape in one part. Disks with this radius must cover
-    at least half of the area of the shape. Parts in which disks cover less than a tenth of this area do not count.
-    Holes must run in the opposite direction to the outer outline. Lengths may have any unit.
+    - outlines (k,2): outlines of the shape; holes run in the opposite direction to the outer outline
+    - most: a result of at least `most` may be too small, because the search ends there
     """
     points = np.concatenate(outlines)
     low = points.min(axis=0)
@@ -60,11 +59,13 @@ def narrowest_width(outlines: Sequence[np.ndarray], most: float = np.inf) -> flo
 
 
 def has_room(piece: "Piece", allowance: float, sides: ArrayLike = (), widths: ArrayLike = ()) -> bool:
-    """Return whether a flat piece is wide enough for its allowances, side by side inside its outline.
+    """Return whether a flat piece stays in one part after its allowances are removed inside its outline.
 
-    It is wide enough if it stays in one part after a strip as wide as the allowance is removed along each side. Parts
-    below a tenth of the area do not count. sides (k,2): sides with their own widths (k,), as pairs of vertices of the
-    model in the direction of the face. allowance: width at all other sides. Widths are in units of the model.
+    Parts below a tenth of the area do not count. Widths are in units of the model.
+
+    - allowance: width at all sides without their own width
+    - sides (k,2): sides with their own widths, as pairs of vertices of the model in the direction of the face
+    - widths (k,): widths at these sides
     """
     return outline_has_room(piece.vertices, piece.source_vertex, outline_sides(piece), allowance, sides, widths)
 
@@ -116,7 +117,7 @@ def _is_whole_without(outlines: Sequence[np.ndarray], sides: np.ndarray, widths:
 def _is_whole(paths: Sequence[Polygon], radius: float, area: float) -> bool:
     """Return whether disks of this radius cover only one part, and at least the share MOST of the area.
 
-    Parts smaller than the share SCRAP do not count. paths: the outlines on Clipper's grid, with this area.
+    Parts below the share SCRAP do not count. paths: outlines on Clipper's grid, with this area.
     """
     left = _parts(_offset(paths, -radius, ARC))
     if len(left) == 1 and _area(left[0]) >= MOST * area:

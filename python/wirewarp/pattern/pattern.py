@@ -53,13 +53,12 @@ class Pattern(PatternData):
         progress: Progress | None = None,
         **options: Unpack[PatternOptions],
     ) -> "Pattern":
-        """Return the pattern of a result in which no piece failed.
+        """Return the pattern of a result without failed pieces.
 
-        options: see PatternOptions. progress: called as progress(stage, fraction) about ten times a second. If it
-        returns False, the work is canceled.
+        - options: see PatternOptions
+        - progress(stage, fraction): called about ten times a second; returns False to cancel
 
-        Raises FlattenError for bad input, for a piece with an error, and with the code "cancelled" if progress
-        cancels.
+        Raises FlattenError for bad input or a failed piece, or with the code "cancelled".
         """
         scale = checked_length("millimeters_per_unit", millimeters_per_unit, 1e-9, 1e9)
         names = checked_names(piece_names, len(result.pieces))
@@ -84,10 +83,9 @@ class Pattern(PatternData):
         progress: Progress | None = None,
         **options: Unpack[PatternOptions],
     ) -> "Pattern":
-        """Return the pattern of flat pieces, for example of pieces that were moved or edited after flatten().
+        """Return the pattern of flat pieces, for example of pieces that were edited after flatten().
 
-        seam_names: name of each seam, by its index. The pieces keep their places relative to each other, and are moved
-        together so that their lower left corner is at 0, 0.
+        The pieces keep their relative places, with the lower left corner at 0, 0. seam_names: by the index of the seam.
         """
         return in_one_go(cls.making(pieces, seam_names, **options), progress)
 
@@ -210,8 +208,7 @@ class Pattern(PatternData):
     ) -> Marker:
         """Do the work of nesting() in one call. progress("nesting", fraction) is called about ten times a second.
 
-        If it returns False, the search ends with the best marker so far. If no marker was found yet, FlattenError with
-        the code "cancelled" is raised.
+        If it returns False, the best marker so far is returned; without a marker, FlattenError ("cancelled") is raised.
         """
         return in_one_go(self.nesting(width, length, **options), progress)
 
@@ -228,16 +225,20 @@ class Pattern(PatternData):
     ) -> Steps[Marker]:
         """Find the marker that uses the least fabric, in steps. On a roll, spyrrow is used if it is installed.
 
-        The marker contains every piece in its quantity, including mirrored copies, on one layer of fabric. Pieces on
-        the fold are opened. Lengths are in millimeters.
+        The marker has every piece in its quantity on one layer of fabric. Pieces on the fold are opened. Save the
+        marker, because another search may find other places. Lengths are in millimeters.
 
-        width: usable width of the fabric. length: length of a sheet, or None for a roll, whose length is the result.
-        gap: smallest distance between pieces. grain: "one way" keeps all pieces upright, "both ways" may turn them by
-        180 degrees, "free" allows all angles. times: number of copies of the whole pattern. seconds: duration of the
-        search; 0 returns the first marker found. preview: called with each better marker.
+        - width: usable width of the fabric
+        - length: length of a sheet; None for a roll, whose length is the result
+        - gap: smallest distance between pieces
+        - grain="one way": all pieces are upright
+        - grain="both ways": pieces may turn by 180 degrees
+        - grain="free": pieces may turn by any angle
+        - times: number of copies of the whole pattern
+        - seconds: duration of the search; 0 returns the first marker found
+        - preview: called with each better marker
 
-        Two searches may find different markers, so save the marker. Raises FlattenError for bad input and for a piece
-        that is too large for the fabric.
+        Raises FlattenError for bad input and for a piece that is too large for the fabric.
         """
         whole = [at_corner(unfolded(piece) if piece.on_fold else piece) for piece in self.pieces]
         return nesting(whole, Cloth(width, length, gap, grain), times, seconds, self.units, preview)
@@ -290,13 +291,18 @@ class Pattern(PatternData):
     ) -> Written:
         """Write a file in the format of its suffix. The file is read again and checked before it replaces an old file.
 
-        Options: `paper`, `proof` and `keep_places` for .pdf, `preset` for .svg, `dialect` and `control_square` for
-        .dxf. docs/pattern.md describes them. progress: called as progress(stage, fraction) about ten times a second. If
-        it returns False, the work is canceled. After an error, an existing file is unchanged.
+        docs/pattern.md describes the options:
 
-        Raises FlattenError for bad options, for a pattern that does not fit on the paper, and with the code "cancelled"
-        if progress cancels. Raises OSError for paths that cannot be written, and RuntimeError if the written file
-        differs from the pattern.
+        - .pdf: `paper`, `proof` and `keep_places`
+        - .svg: `preset`
+        - .dxf: `dialect` and `control_square`
+        - all: progress(stage, fraction), called about ten times a second; returns False to cancel
+
+        After an error, an existing file is unchanged. Raises:
+
+        - FlattenError: bad options, a pattern that does not fit on the paper, or the code "cancelled"
+        - OSError: the path cannot be written
+        - RuntimeError: the written file differs from the pattern
         """
         return in_one_go(self.writing(path, **options), progress)
 

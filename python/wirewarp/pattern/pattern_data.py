@@ -129,9 +129,9 @@ class PatternData:
 
 
 def in_rows(sizes: np.ndarray, width: float = math.inf) -> np.ndarray:
-    """Return the lower left corners (p,2) of boxes of these sizes (p,2), in rows from 0, 0 on a sheet of this width.
+    """Return the lower left corners (p,2) of boxes of these sizes (p,2), in rows from 0, 0.
 
-    If the width is infinite, the sheet is about square. A box that is wider than the sheet has its own row.
+    width: width of the sheet; if infinite, the sheet is about square. A box wider than the sheet has its own row.
     """
     if math.isinf(width):
         width = max(math.sqrt(float(np.prod(sizes + GAP, axis=1).sum())) * 1.1, float(sizes[:, 0].max()))

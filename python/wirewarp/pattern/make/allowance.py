@@ -1,9 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Makes the cutting lines of a piece from its stitching lines, by uniting the piece with strips and corners.
+"""Makes the cutting lines of a piece: unites the piece with strips (allowances along stitching lines) and corners.
 
-A strip is the allowance along a stitching line. It may overlap other strips and the piece. Clipper unites strips
-exactly, because its coordinates are integers. Unions with floating-point numbers could leave slits between strips.
-Outlines run with the piece on their left, so the allowance is on the right.
+Outlines run with the piece on their left. Floating-point unions could leave slits, so Clipper unites integers.
 """
 
 import math
@@ -20,9 +18,7 @@ from .corners import MITRE_LIMIT, CornerType, corner_path
 def strip(points: np.ndarray, width: float) -> np.ndarray:
     """Return a counterclockwise polygon (m,2) between the line (k,2) and a parallel line to its right, `width` away.
 
-    The polygon ends square at both ends. A closed line must repeat its first point. The polygon consists of rectangles
-    along the steps of the line, which are joined by wedges at left turns and shortened at right turns. It may overlap
-    itself, but never runs clockwise around a point.
+    A closed line repeats its first point. The polygon may overlap itself, but never winds clockwise.
     """
     normals = right_normals(points)
     if np.array_equal(points[0], points[-1]):  # a closed line also has a join at its end

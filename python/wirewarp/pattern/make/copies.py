@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Draws pieces of equal shape once, even if they are mirrored, and only half of each symmetric piece.
 
-A copy maps a seam of one piece to a seam of another piece. Both seams get their notches at the same places, so that the
-notches of the copy match.
+Seams that copies map to each other get notches at the same places, so that copies match.
 """
 
 from collections import defaultdict
@@ -40,8 +39,9 @@ class Copies:
 def copies_of(laid: Sequence[Laid], pieces: Sequence[PatternPiece], pairs: bool, on_fold: bool) -> Copies:
     """Return the copies and folds to draw.
 
-    pieces: the pieces of `laid` with their lines. pairs: whether pieces of equal shape are drawn once. on_fold: whether
-    symmetric pieces are drawn as halves.
+    - pieces: the pieces of `laid` with their lines
+    - pairs: whether pieces of equal shape are drawn once
+    - on_fold: whether symmetric pieces are drawn as halves
     """
     found = Copies({}, {}, fixed_starts(side for own in laid for loop in own.loops for side in loop))
 
@@ -145,10 +145,9 @@ def copied_sides(copies: Copies, laid: Sequence[Laid], seams: Sequence[Sequence[
 
 
 def _matched(first: Laid, second: Laid, found: Congruence) -> list[tuple[Side, Side, np.ndarray]]:
-    """Return all matches of a side of the first piece with the image of a side of the second piece.
+    """Return the matches of sides of the first piece with images of sides of the second piece.
 
-    A match is the first side, the second side, and the vertices (k,) of the second side. These vertices are in the
-    order of the points of the first side.
+    A match has both sides, and the second side's vertices (k,) in the order of the first side.
     """
     matched = []
     for side in (side for loop in first.loops for side in loop):

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Finds the cutting line around a corner of the outline, between the allowances of two sections.
+"""Finds the cutting line around a corner of the outline: a path from the first cutting line to the second.
 
-The corner's point is the origin. The first section arrives in the direction +x with the piece above it. The outline
-turns left by `turn`, between 0 and pi radians, so the second section leaves in the direction (cos turn, sin turn). The
-allowance of the first section is `a` wide and is cut along y = -a. The second allowance is `b` wide. A path leads from
-the first cutting line to the second.
+- origin: the corner's point
+- turn: left turn of the outline at the corner, from 0 to pi radians
+- first section: arrives in the direction +x, with the piece above it
+- second section: leaves in the direction (cos turn, sin turn)
+- a, b: widths of the first and the second allowance; the first cutting line is y = -a
 """
 
 import math
@@ -27,8 +28,7 @@ SAGITTA = 0.02  # millimeters between the chords of a round corner and its arc
 def corner_path(kind: CornerType, turn: float, a: float, b: float) -> np.ndarray | None:
     """Return the path (k,2) from the first cutting line to the second; None if the corner needs no path.
 
-    The kinds "right angle", "fold-back" and "extend" end the first allowance. To end the second allowance, mirror the
-    corner. A mitre replaces a path that extends beyond the limit.
+    "right angle", "fold-back" and "extend" end the first allowance. To end the second, mirror the corner.
     """
     if turn < STRAIGHT or (a == 0 and b == 0):
         return None

@@ -73,7 +73,7 @@ def _kept(line: Line, origin: np.ndarray, outward: np.ndarray) -> list[tuple[np.
 def unfolded(piece: PatternPiece) -> PatternPiece:
     """Return the whole of a piece that is cut on the fold, without the fold line. Texts keep their places.
 
-    The fold counts as straight from end to end. Raises FlattenError if the piece has several folds or none.
+    Raises FlattenError if the piece has several folds or none.
     """
     folds = piece.of_role("fold")
     if len(folds) != 1:

@@ -24,10 +24,10 @@ BACK = re.compile(r"\bback\b", re.IGNORECASE)
 def marks(
     laid: Sequence[Laid], seams: Sequence[Sequence[SewnSide]], groups: Sequence[SeamGroup], spacing: float
 ) -> dict[int, list[Point]]:
-    """Return the marks of each piece, by its index: notches, clips and drill holes.
+    """Return the notches, clips and drill holes of each piece, by its index.
 
-    Notches are along seams, at ends of wires, and at ends of seams without a visible corner. groups: the groups of
-    copied_sides(). spacing: distance between notches in millimeters.
+    - groups: the groups of copied_sides()
+    - spacing: distance between notches in millimeters
     """
     found: dict[int, list[Point]] = {piece.index: [] for piece in laid}
     rays = {piece.index: piece.rays for piece in laid}

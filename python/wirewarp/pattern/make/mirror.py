@@ -52,10 +52,10 @@ class Congruence:
 
 
 def congruences(first: PatternPiece, second: PatternPiece, *, is_mirror: bool) -> Iterator[Congruence]:
-    """Yield the reflections or rotations that map the second piece to the first.
+    """Yield the reflections or rotations that map the second piece to the first, within ALIKE.
 
-    Reflections with the most upright axes and the smallest rotations come first. Both outlines must have the same
-    number of points, and these points, the wires and the cutting lines must match.
+    Reflections with the most upright axes and the smallest rotations come first. Outlines must have equal numbers of
+    points.
     """
     outlines = [_outline_loops(piece) for piece in (first, second)]
     if not outlines[0] or [len(loop) for loop in outlines[0]] != [len(loop) for loop in outlines[1]]:
@@ -66,8 +66,8 @@ def congruences(first: PatternPiece, second: PatternPiece, *, is_mirror: bool) -
     steps, turned = np.roll(outer, -1) - outer, np.roll(image, -1) - image
     if abs(np.abs(steps).sum() - np.abs(turned).sum()) > ALIKE:
         return
-    # Each entry of match is a sum of products: steps of one outline times conjugate steps of the other. The sum is
-    # largest if both outlines are in phase, and the angle of the largest sum is the turn.
+    # Each entry of match correlates the steps of both outlines at one phase. The largest entries are in phase, and
+    # their angles are the turns.
     match = np.fft.ifft(np.fft.fft(steps) * np.conj(np.fft.fft(turned)))
     best = np.flatnonzero(np.abs(match) >= (1 - IN_PHASE) * np.abs(match).max(initial=np.finfo(float).tiny))
     # The matches are sorted by closeness to the turn -1 (reflection in a vertical axis), or 1 (no rotation).

@@ -48,8 +48,10 @@ def check_spacing(spacing: float, seam_names: Sequence[str], sides: Sequence[Seq
 
 
 def places_along(length: float, taken: Sequence[float], spacing: float) -> list[float]:
-    """Return the lengths from the start of a seam to its notches. All notches together are not symmetric, so that a
-    reversed side does not match. taken: lengths to other notches, such as those at the ends of wires."""
+    """Return the lengths from the start of a seam to its notches.
+
+    Together with `taken` (lengths to other notches), they are not symmetric, so a reversed side does not match.
+    """
     if spacing == 0 or length < LEAST_SEAM:
         return []
     for start in STARTS:
@@ -82,10 +84,9 @@ def _is_lopsided(places: np.ndarray, length: float) -> bool:
 
 
 def notch(own: SewnSide, length: float, rays: Rays, width: float, pair: tuple[int, int] | None = None) -> Point | None:
-    """Return the notch at this length of a side. It begins on the cutting line and points inwards.
+    """Return the notch at this length of a side; None if the cutting line is much farther than the width.
 
-    width: widest allowance of the side, in millimeters. pair: see Point. Returns None if the cutting line is much
-    farther than the width, because allowances meet there.
+    width: widest allowance of the side, in millimeters. pair: see Point.
     """
     at_sew, outward = own.at(length)
     found = _notch_at(at_sew, outward, rays, width)
@@ -93,8 +94,10 @@ def notch(own: SewnSide, length: float, rays: Rays, width: float, pair: tuple[in
 
 
 def _notch_at(at_sew: np.ndarray, outward: np.ndarray, rays: Rays, width: float) -> Point | None:
-    """Return the notch for a point (2,) of the stitching line. It begins on the cutting line, at the end of a ray
-    from the point in the direction outward (2,). Returns None if the cutting line is much farther than the width."""
+    """Return the notch where the ray from at_sew (2,) in the direction outward (2,) meets the cutting line.
+
+    Return None if this place is much farther than the width, because allowances meet there.
+    """
     allowance = rays.length(at_sew, outward)
     if allowance > MITRE_LIMIT * width + NEXT_TO:
         return None
@@ -103,8 +106,10 @@ def _notch_at(at_sew: np.ndarray, outward: np.ndarray, rays: Rays, width: float)
 
 
 def leg_notches(dart: Dart, rays: Rays, width: float) -> list[Point]:
-    """Return the notches of a closed dart, on the extensions of its legs. The notches meet when the dart is folded.
-    A dart without a gap has one notch. width: widest allowance of the outline, in millimeters."""
+    """Return the notches of a closed dart, which meet when the dart is folded. A dart without a gap has one notch.
+
+    width: widest allowance of the outline, in millimeters.
+    """
     legs = [dart.first.points, dart.second.points[::-1]]
     if np.linalg.norm(dart.mouth[1] - dart.mouth[0]) <= LEAST_GAP:
         del legs[1]
@@ -114,10 +119,9 @@ def leg_notches(dart: Dart, rays: Rays, width: float) -> list[Point]:
 
 
 def clips(loop: Sequence[Side], rays: Rays, stitching: Rays) -> list[Point]:
-    """Return the clips at inward corners of the stitching line. Without clips, the allowance could not be turned.
+    """Return the clips at inward corners of the stitching line, without which the allowance could not be turned.
 
-    rays: rays to the cutting lines. stitching: rays to the stitching lines. A clip that would reach a stitching line is
-    left out, because the allowances on both sides of a narrow gap fill the gap.
+    rays: to the cutting lines; stitching: to the stitching lines.
     """
     found = []
     points = np.concatenate([side.points[:-1] for side in loop])
@@ -128,6 +132,7 @@ def clips(loop: Sequence[Side], rays: Rays, stitching: Rays) -> list[Point]:
         outward = before[row] + after[row]
         outward /= np.linalg.norm(outward)
         allowance = rays.length(points[row], outward)
+        # In a narrow gap, which allowances fill, a clip would reach a stitching line.
         if 2 * CLIP_SHORT < allowance < stitching.length(points[row] + outward * NEXT_TO, outward):
             found.append(Point("clip", points[row] + allowance * outward, -outward, allowance - CLIP_SHORT))
     return found

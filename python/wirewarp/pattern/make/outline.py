@@ -97,8 +97,7 @@ class Side:
 def outlines_of(index: int, piece: FlatPiece) -> list[list[Side]]:
     """Return the closed outlines of a piece, each as its sides in order. Outer outlines run counterclockwise.
 
-    index: index of the piece. Raises FlattenError for a chain that is not on the outline, and for coordinates that are
-    not finite or too large.
+    Raises FlattenError for chains off the outline, and for coordinates that are not finite or too large.
     """
     points, ends = piece.vertices, _outline_edges(piece)
     if not np.isfinite(points[piece.outline]).all():

@@ -18,9 +18,10 @@ GATHERED = 0.15  # share of the shorter side; a side with more ease is gathered,
 
 
 def longer_text(length: float, shortest: float, length_text: Callable[[float], str]) -> str:
-    """Return a text such as "12 mm longer, ease between notches" for a side of a seam, or "" for a shortest side.
+    """Return a text such as "12 mm longer, ease between notches" about a side of a seam; "" for a shortest side.
 
-    shortest: length of the shortest side. length_text: writes a length as a text. Lengths are in millimeters.
+    - length, shortest: lengths of this and the shortest side, in millimeters
+    - length_text: writes a length as a text
     """
     more = length - shortest
     if more < LEAST:
@@ -87,8 +88,7 @@ class SewnSide:
 class SewnLengths:
     """Sewn lengths along a seam: the lengths along its shortest side.
 
-    All sides are the same chain of edges of the model, so their edges correspond one by one. Within an edge, ease is
-    spread evenly.
+    Edges of all sides correspond one by one. Within an edge, ease is spread evenly.
     """
 
     along: np.ndarray  # (k,) length from the start to each vertex of the seam, millimeters
@@ -124,10 +124,10 @@ def fixed_starts(sides: Iterable[Side]) -> dict[int, int]:
 def sewn_sides(
     loops: Sequence[Sequence[Side]], count: int, starts: Mapping[int, int] | None = None
 ) -> list[list[SewnSide]]:
-    """Return the sides of each of the `count` seams. loops: outlines of all pieces.
+    """Return the sides of each of the `count` seams.
 
-    starts: by seam, the vertex at which sides that are whole outlines begin. By default, this is the end of an open
-    side of the seam, or the lowest vertex if all sides are whole outlines.
+    - loops: outlines of all pieces
+    - starts: by seam, the vertex at which whole outlines begin. Default: the end of an open side, or the lowest vertex
     """
     sides: list[list[Side]] = [[] for _ in range(count)]
     for side in (side for loop in loops for side in loop):
@@ -155,10 +155,9 @@ def row_of(side: Side, vertex: int | None) -> int:
 
 
 def is_dart(first: Side, second: Side, widest: float) -> bool:
-    """Return whether two successive sides of an outline are the legs of a dart with its tip between them.
+    """Return whether two successive sides of an outline are the legs of a dart.
 
-    widest: largest angle of a dart in radians, both between the legs at the tip and from the tip to the ends of the
-    mouth. A wider gap is the opening of a cone.
+    widest: largest angle in radians at the tip, between the legs and between the lines to the mouth's ends.
     """
     if first.seam is None or first.seam != second.seam or first.piece != second.piece:
         return False
@@ -180,14 +179,7 @@ def turn_between(first: Side, second: Side) -> float:
 
 
 def sewn_first(loops: Sequence[Sequence[Side]]) -> set[tuple[int, int]]:
-    """Return pairs (vertex, seam): at the junction at this vertex, the seam is sewn before seams that cross its end.
-
-    When a seam is sewn, lines that cross it should continue straight. At each junction, the first seam is therefore the
-    seam whose two neighbors form the straightest line, or the shortest of several such seams. More seams are chosen if
-    they share no corner with a chosen seam. If two neighbors rank equally, as at the pole of a ball, neither is chosen,
-    so that symmetric pieces stay symmetric. The choice is the same for both sides of a seam, so that both allowances
-    end in the same way.
-    """
+    """Return pairs (vertex, seam): at the junction at this vertex, the seam is sewn before seams that cross its end."""
     angles: dict[int, dict[int, list[float]]] = defaultdict(lambda: defaultdict(list))
     beside: dict[tuple[int, int], set[int]] = defaultdict(set)
     length: dict[int, float] = {}
@@ -201,6 +193,7 @@ def sewn_first(loops: Sequence[Sequence[Side]]) -> set[tuple[int, int]]:
                     beside[vertex, side.seam].add(other.seam)
     chosen = set()
     for vertex, by_seam in angles.items():
+        # First is the seam whose crossing lines continue straightest, and of several such seams the shortest.
         rank = {
             seam: (round(abs(sum(inside) - math.pi) / STRAIGHT), round(length[seam] / SAME_LENGTH))
             for seam, inside in by_seam.items()
@@ -208,6 +201,7 @@ def sewn_first(loops: Sequence[Sequence[Side]]) -> set[tuple[int, int]]:
         first_here: set[int] = set()
         for seam in sorted(rank, key=lambda seam: (rank[seam], seam)):
             others = beside[vertex, seam]
+            # Equal neighbors, as at the pole of a ball, are not chosen, so that symmetric pieces stay symmetric.
             if not others & (first_here | {seam}) and all(rank[other] != rank[seam] for other in others):
                 first_here.add(seam)
         chosen |= {(vertex, seam) for seam in first_here}

@@ -83,15 +83,13 @@ class Rules:
         self._first = sewn_first(loops) if corner == "auto" else set()
 
     def corner(self, first: Side, second: Side) -> Corner:
-        """Return the rule for the corner between two successive sides of an outline.
-
-        The allowance of a seam that is sewn first is folded back and ends on the cutting line of the crossing seam. A
-        hem is folded last, onto the allowances of the seams that end at the hem.
-        """
+        """Return the rule for the corner between two successive sides of an outline."""
         if self._corner != "auto":
             return Corner(self._corner)  # type: ignore[arg-type]
+        # A hem is folded last, onto the allowances of the seams that end at the hem.
         if (first.seam is None) != (second.seam is None):
             return Corner("fold-back", of_next=second.seam is None)
+        # The allowance of a seam that is sewn first is folded back, and ends on the crossing seam's cutting line.
         vertex = int(first.sources[-1])
         for seam, of_next in ((first.seam, False), (second.seam, True)):
             if seam is not None and (vertex, seam) in self._first:
@@ -162,8 +160,7 @@ def _width_before(by_side: Sequence[Sequence[Run]], number: int) -> float:
 def _cap(dart: Dart, before: Run, after: Run) -> np.ndarray:
     """Return the cutting line (k,2) across the mouth of a dart.
 
-    When the dart is folded, the line continues the outlines before and after the dart. It therefore consists of these
-    outlines, each reflected at its leg, up to the point where they meet.
+    It reflects the outlines beside the dart at the legs, so that the folded dart continues these outlines.
     """
     a, b = dart.mouth
     flat = np.array([a, b])

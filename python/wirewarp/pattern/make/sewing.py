@@ -1,10 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Finds an order in which the seams can be sewn: darts, flat seams, rings, and last the seams that close a body.
-
-An assembly is a set of pieces that are already sewn together. It is stored as the closed loops of its open sides.
-Sewing two sides of different assemblies makes one flat assembly. Sewing two successive sides of a loop keeps the
-assembly flat. Sewing any other two sides of a loop closes a ring, such as a sleeve or a neckline.
-"""
+"""Finds an order for sewing the seams: darts, flat seams, rings, and last the seams that close a body."""
 
 from collections.abc import Mapping, Sequence
 from itertools import pairwise
@@ -88,6 +83,8 @@ def _likeness(sides: Sequence[Side]) -> Likeness:
 
 
 class _Assemblies:
+    """Sets of pieces that are already sewn together. Each is stored as the closed loops of its open sides."""
+
     def __init__(self, laid: Sequence[Laid]) -> None:
         self._loops: dict[int, list[int]] = {}  # by number of the loop, the id() of each of its sides, in order
         self._of_side: dict[int, int] = {}  # number of the loop of each side, by the id() of the side
@@ -116,6 +113,7 @@ class _Assemblies:
         between = self._between(first, second)
         if all(between):
             return "ring"
+        # Sewing successive sides keeps the assembly flat. If the loop has no other side, this closes the body.
         return "flat" if any(between) else "closing"
 
     def sew(self, sides: Sequence[Side]) -> StepKind:

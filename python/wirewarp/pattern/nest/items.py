@@ -45,8 +45,7 @@ def room(gap: float) -> float:
 def room_at_edges(gap: float, grain: Grain) -> float:
     """Return by how many millimeters outlines with room may extend beyond the edges of the fabric.
 
-    This is the whole room if the width of outlines is exact. If pieces may turn freely, their simplified outlines may
-    be narrower by NEAR, so the result is smaller by NEAR.
+    If pieces turn freely, this is less than room(), because simplified outlines may be narrower by NEAR.
     """
     return room(gap) - (NEAR if grain == "free" else 0.0)
 

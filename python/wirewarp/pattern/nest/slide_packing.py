@@ -1,9 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Packs pieces without a library: each piece slides along the fabric until it touches the pieces already placed.
+"""Packs pieces without a library: each piece slides along the fabric until it touches other pieces.
 
-The fabric is divided lengthwise into narrow rows. The length used so far is stored for each row. For each piece, its
-start and end are stored for each row that the piece covers. Gaps behind pieces stay empty. Other orders of the pieces
-are tried while there is time.
+Only the used length of each lengthwise row of the fabric is stored, so gaps behind pieces stay empty.
 """
 
 import math
@@ -57,8 +55,10 @@ class SlidePacking:
         self._random = np.random.default_rng(0)
 
     def trials(self) -> Generator[list[Place] | None, None, None]:
-        """Yield packings without end, and None in between. Each packing has another order of the items, which is kept
-        if it needs no more fabric than the best order so far. Raises TooLargeError if an item does not fit."""
+        """Yield packings without end, each in another order of the items, and None in between.
+
+        Raises TooLargeError if an item does not fit.
+        """
         for index, item in enumerate(self._items):
             yield None
             turned = (_profile(item, angle, self._row) for angle in angles(item, self._grain, FREE_STEP))
@@ -98,8 +98,10 @@ class SlidePacking:
         return places, (len(fronts), float(fronts[-1].max()))
 
     def _best(self, index: int, front: np.ndarray) -> tuple[_Profile, int, float] | None:
-        """Return the turn, the first row and the start with which the item ends earliest and wastes least fabric.
-        Return None if the item does not fit on the sheet. front (ROWS,): used length of each row."""
+        """Return the turn, first row and start with which the item ends earliest and wastes least; None without room.
+
+        front (ROWS,): used length of each row.
+        """
         best, found = (math.inf, math.inf), None
         for profile in self._profiles[index]:
             taken = np.lib.stride_tricks.sliding_window_view(front, len(profile.low))

@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs spyrrow, and prints each better solution as a line of JSON. This file is a program and is never imported.
+"""Runs spyrrow on a file with a task, and prints each better solution as a line of JSON.
 
-spyrrow_nesting.py starts it. The argument is the file with the task, in its own folder. spyrrow needs its own process,
-because a search cannot be canceled and a panic ends the process.
+spyrrow needs its own process, because a search cannot be canceled and a panic ends the process.
 """
 
 import json
