@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Imports the packages in libraries/, which the core library needs.
 
-In the legacy add-on, this file is _core/__init__.py, and the core library is in _core/wirewarp. Extensions do not need
-this file, because Blender installs wheels for them.
+The legacy add-on has this file as _core/__init__.py. For extensions, Blender installs these packages from wheels.
 """
 
 import sys

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Imports the core library, the package wirewarp. No other module imports the library itself.
+"""Imports the core library, the package wirewarp, which no other module imports itself.
 
-The legacy add-on contains the library and its requirements (_core/wirewarp). For the extension, Blender installs both
-from wheels.
+- Legacy add-on: the library and its requirements are in _core.
+- Extension: Blender installs both from wheels.
 """
 
 import importlib

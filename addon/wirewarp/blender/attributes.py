@@ -1,9 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Reads and writes the add-on's mesh attributes, checks that their names are free, and seals data as text.
-
-No two attributes, UV maps, color attributes or vertex groups of an object can have the same name. If a name is taken,
-Blender renames the new item or does not create it.
-"""
+"""Reads and writes the add-on's mesh attributes, checks that their names are free, and seals data as text."""
 
 import hashlib
 import json
@@ -116,6 +112,7 @@ def check_room(target: bpy.types.Object, attribute: Attribute, what: str) -> Non
 
 def check_free(target: bpy.types.Object, name: str, what: str) -> None:
     """Raises ObjectError if an attribute, UV map or vertex group has this name. what: the feature that needs it."""
+    # These share one set of names. If a name is taken, Blender renames the new item or does not create it.
     holders = {
         "Vertex Groups": target.vertex_groups,
         "Attributes": target.data.attributes,

@@ -116,10 +116,9 @@ def _duplicate_faces(edit: bmesh.types.BMesh, _close: float) -> Found:
 
 
 def _interior_faces(edit: bmesh.types.BMesh, _close: float) -> Found:
-    """Return the faces that Select > Select All by Trait > Interior Faces selects, except faces visible from outside.
+    """Return the faces that Blender selects as Interior Faces, except faces visible from outside.
 
-    The faces divide space into rooms. A room is open if a ray from one of its faces, along the normal, meets no other
-    face. For example, the notch in a block is open. A face is interior if neither of its sides belongs to an open room.
+    Visible faces border an open room: from one of its faces, a ray along the normal meets no other face.
     """
     walled = [face for face in edit.faces if all(len(edge.link_faces) > 2 for edge in face.edges)]
     if not walled:
@@ -131,9 +130,9 @@ def _interior_faces(edit: bmesh.types.BMesh, _close: float) -> Found:
 
 
 def _rooms(edit: bmesh.types.BMesh) -> dict[tuple[int, int], tuple[int, int]]:
-    """Return, for each side of a face, the side that represents its room. Sides that meet at an edge are in one room.
+    """Return, for each side of a face, the side that represents its room.
 
-    A side is a pair (face, 1 or -1), with 1 for the side of the normal.
+    Side: (index of the face, 1 on the side of the normal or -1). Sides that meet at an edge are in one room.
     """
     parent = {(face.index, side): (face.index, side) for face in edit.faces for side in (1, -1)}
 

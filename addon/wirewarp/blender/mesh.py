@@ -229,8 +229,7 @@ _copies: dict[int, bpy.types.Mesh] = {}  # copies in use, by the memory addresse
 def current_mesh(target: bpy.types.Object) -> Iterator[bpy.types.Mesh]:
     """Yield the object's mesh for reading; in Edit Mode a copy, because attributes cannot be read in Edit Mode.
 
-    Nested calls for one object share the copy of the outermost call, so that several readers cost one copy. Making the
-    copy updates shape keys, which is harmless, because Blender also updates them before each undo step.
+    Nested calls for one object share one copy.
     """
     mesh, address = target.data, target.as_pointer()
     if not mesh.is_editmode:
@@ -240,7 +239,7 @@ def current_mesh(target: bpy.types.Object) -> Iterator[bpy.types.Mesh]:
         yield _copies[address]
         return
     try:
-        _copies[address] = copy = target.to_mesh()
+        _copies[address] = copy = target.to_mesh()  # updates shape keys, as Blender does before each undo step
         bmesh.from_edit_mesh(mesh).to_mesh(copy)
         yield copy
     finally:

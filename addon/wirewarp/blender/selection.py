@@ -21,11 +21,10 @@ WORKING_MODES = frozenset({"OBJECT", "EDIT_MESH"})
 
 
 def edited_meshes(context: bpy.types.Context) -> set[bpy.types.Mesh]:
-    """Return the meshes in Edit Mode in this view layer. context.objects_in_mode is not used, because it may list
-    objects of the window instead. The set is empty unless the active object is in Edit Mode, because only then can
-    in_object_mode leave Edit Mode."""
-    if context.mode != "EDIT_MESH":
+    """Return the meshes in Edit Mode in this view layer; none unless the active object is in Edit Mode."""
+    if context.mode != "EDIT_MESH":  # in_object_mode could not leave Edit Mode
         return set()
+    # context.objects_in_mode may list objects of the window instead.
     return {each.data for each in context.view_layer.objects if each.type == "MESH" and each.mode == "EDIT"}
 
 
@@ -62,10 +61,9 @@ def select_only(context: bpy.types.Context, target: bpy.types.Object) -> None:
 def hold_whole_file() -> None:
     """Makes the operator's undo step contain the whole file. Call it while the operator writes.
 
-    In Edit Mode, Blender's undo steps contain only the edited meshes, and undo would leave the flat pieces behind. But
-    if a data-block was added or removed since the last full step, Blender stores a hidden full step with the next
-    undo step, and undo restores both steps. This function therefore adds a data-block and removes it.
+    In Edit Mode, undo would otherwise restore only the edited meshes, and not the flat pieces.
     """
+    # After a data-block was added or removed, Blender stores the whole file with the next undo step.
     bpy.data.meshes.remove(bpy.data.meshes.new("WireWarp"))
 
 
@@ -73,16 +71,15 @@ LEAST_SHARE = 0.3  # least extent of a view, as a share of the object's size, so
 
 
 def select_elements(context: bpy.types.Context, target: bpy.types.Object, elements: Elements) -> None:
-    """Make `target` active and enter its Edit Mode with only these elements selected.
+    """Make `target` active, select only these elements in its Edit Mode, and move the view to them.
 
-    If a vertex pair has no edge (the diagonal of a quad), its two vertices are selected. The selection mode is the
-    coarsest that can show everything. The view moves to the elements. Raises ObjectError, with nothing changed, if the
-    object cannot be shown or edited, or has no such elements.
+    Raises ObjectError, with nothing changed, if the object cannot be shown or edited, or has no such elements.
     """
     check_local(target, target.data)
     with current_mesh(target) as current:
         edge_mask, loose_vertices = _find_edges(current, elements.edges)
         face_mask = _mask(target, current.polygons, elements.faces)
+        # A pair without an edge (the diagonal of a quad) selects its two vertices.
         vertex_mask = _mask(target, current.vertices, [*elements.vertices, *loose_vertices])
     mesh = target.data
     _show(context, target)
@@ -91,6 +88,7 @@ def select_elements(context: bpy.types.Context, target: bpy.types.Object, elemen
     deselect_all(mesh)
     select_only(context, target)
 
+    # This is the coarsest selection mode that can show everything.
     level = 0 if vertex_mask.any() else 1 if edge_mask.any() else 2
     context.tool_settings.mesh_select_mode = tuple(level == each for each in range(3))
 
@@ -169,11 +167,9 @@ def _mask(target: bpy.types.Object, elements: bpy.types.bpy_prop_collection, ind
 
 
 def deselect_all(mesh: bpy.types.Mesh) -> None:
-    """Deselect all elements of a mesh in Object Mode, because Blender selects new elements.
-
-    The selection attributes are removed instead of written. On new meshes, Blender 5.0 gives the attribute of edges a
-    wrong type, and crashes when this attribute is written or when Edit Mode begins.
-    """
+    """Deselect all elements of a mesh in Object Mode, because Blender selects new elements."""
+    # On new meshes, Blender 5.0 gives the attribute of edges a wrong type. Writing this attribute or entering Edit Mode
+    # then crashes Blender.
     for name in (".select_vert", ".select_edge", ".select_poly"):
         if attribute := mesh.attributes.get(name):
             mesh.attributes.remove(attribute)

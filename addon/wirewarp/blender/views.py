@@ -67,9 +67,10 @@ class Projection:
 
 
 def fit(points: np.ndarray, view: Projection) -> tuple[np.ndarray, float]:
-    """Return the point to look at (3,), and the distance of the eye from it. For an orthographic view, return a factor
-    for the view's present distance instead. With these results, the points (n,3) fill the part of the view that nothing
-    covers, except for MARGIN."""
+    """Return the point to look at (3,), and the eye's distance at which the points (n,3) fill the view.
+
+    Orthographic: a factor for the present distance. Covered parts and MARGIN stay free.
+    """
     x, y, z = (points @ view.axes).T
     middle = (z.min() + z.max()) / 2
     nearer = z - middle if view.is_perspective else np.zeros_like(z)
@@ -84,8 +85,11 @@ class _Sides:
     them."""
 
     def __init__(self, places: np.ndarray, nearer: np.ndarray, covered: float) -> None:
-        """places (n,): coordinates of the points, in units of half the view's size at distance 1; nearer (n,): how much
-        nearer to the eye the points are than the center; covered: covered share of the view, at its right or upper end.
+        """Set `distance` to the smallest distance at which all points are inside.
+
+        places (n,): coordinates of the points, in units of half the view's size at distance 1
+        nearer (n,): how much nearer to the eye the points are than the center
+        covered: covered share of the view, at its right or upper end
 
         With free = (1 - covered) / MARGIN and depth = distance - nearer, a point is inside if
 
@@ -112,8 +116,11 @@ def show_objects(context: bpy.types.Context, area: bpy.types.Area, objects: Sequ
 def show_place(
     context: bpy.types.Context, area: bpy.types.Area, points: np.ndarray, normals: np.ndarray, least: float
 ) -> None:
-    """Move this 3D view so that the points (n,3) of a surface are visible from the front. normals (n,3): normals of
-    the surface; least: smallest extent of the visible area, so that the surroundings are visible, too."""
+    """Move this 3D view so that the points (n,3) of a surface are visible from the front.
+
+    normals (n,3): normals of the surface
+    least: smallest extent of the visible area, in Blender units
+    """
     view = _free_view(area)
     normal = Vector(normals.mean(axis=0))
     toward = view.view_rotation.to_matrix().col[2]
@@ -184,11 +191,8 @@ def work_area(context: bpy.types.Context) -> bpy.types.Area | None:
 
 
 def send_mouse_move(window: bpy.types.Window) -> None:
-    """Makes Blender send a mouse movement to the current position, so that modal operators handle an event.
-
-    Blender sends a movement after a region is scrolled, because another button may be under the mouse. This function
-    therefore scrolls a region by zero.
-    """
+    """Makes Blender send a mouse movement to the current position, so that modal operators handle an event."""
+    # Blender sends a movement after a region is scrolled, even by zero, because another button may be under the mouse.
     for area in window.screen.areas:
         for region in area.regions:
             with bpy.context.temp_override(window=window, area=area, region=region):

@@ -53,8 +53,10 @@ def read_pattern(scene: bpy.types.Scene, source: bpy.types.Object) -> PatternPar
 def read_outlines(
     scene: bpy.types.Scene, source: bpy.types.Object, flat: bpy.types.Object, depsgraph: bpy.types.Depsgraph
 ) -> PatternParts | None:
-    """Return the data like read_pattern, even if the pieces are outdated. Return None if the pieces have no report, or
-    if no pattern can be made from them. The flat pieces must not be in Edit Mode."""
+    """Return the data like read_pattern, even if the pieces are outdated; None if no pattern can be made from them.
+
+    The flat pieces must not be in Edit Mode.
+    """
     report = pieces_report(source)
     if report is None or not has_attributes(flat.data, PIECE_INDEX, SOURCE_VERTEX):
         return None

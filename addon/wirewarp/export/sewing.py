@@ -51,9 +51,11 @@ def add_sewing_object(source: bpy.types.Object) -> bpy.types.Object:
 
 
 def sewing_edges(pieces: FlatPieces, seams: Iterable[list]) -> np.ndarray:
-    """Return pairs (k,2) of vertices of the pieces. Both vertices of a pair are the same vertex of the model. seams:
-    for each seam, its edges as vertex pairs of the model. If more than two sides meet, each side is joined to the next
-    side. Raises ObjectError if a seam is not found on the pieces."""
+    """Return pairs (k,2) of flat vertices to sew together, each from one vertex of the model.
+
+    seams: the edges of each seam as vertex pairs of the model
+    Raises ObjectError if a seam is not found on the pieces.
+    """
     outline = outline_of(pieces)
     sides: dict[tuple[int, int], list[tuple[int, int]]] = {}
     for ends in outline.edges.tolist():
@@ -66,7 +68,7 @@ def sewing_edges(pieces: FlatPieces, seams: Iterable[list]) -> np.ndarray:
 def _joining(sides: dict[tuple[int, int], list[tuple[int, int]]], edge: tuple[int, int]) -> Iterator[tuple[int, int]]:
     if edge not in sides:
         raise object_error("edited_pieces", EDITED)
-    own = sides[edge]
+    own = sides[edge]  # if there are more than two, each side is joined to the next side
     for first, second in zip(own[:-1], own[1:], strict=True):
         for a, b in zip(first, second, strict=True):
             if a != b:  # both sides of a dart share the vertex at its tip

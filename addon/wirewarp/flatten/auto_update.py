@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Updates flat pieces automatically after changes of the model.
 
-A handler only notes that something changed. The next mouse movement starts the operator wm.wirewarp_watch through the
-keymap, unless a running tool (moving vertices, a knife) consumes the event. A timer cannot replace this event: timers
-also run during such a tool. Leaving Edit Mode would then crash Blender, and before version 4.2, Python cannot detect
-the tool. The operator runs the update with an undo step. The update also ends with a mouse movement that no tool
-consumes. Nobody has to move the mouse: while an update is due, a timer in state.memory makes Blender send a mouse
-movement to the current position.
+1. A handler notes the change.
+2. A timer in state.memory makes Blender send a mouse movement to the current position.
+3. Unless a running tool (moving vertices, a knife) consumes the movement, the keymap starts wm.wirewarp_watch.
+4. The operator updates the pieces with an undo step. The update also ends with a movement that no tool consumes.
+
+The timer cannot start the update, because timers run during tools. Leaving Edit Mode would then crash Blender, and
+before version 4.2, Python cannot detect the tool.
 """
 
 from collections.abc import Callable
@@ -196,13 +197,12 @@ class WM_OT_wirewarp_watch(bpy.types.Operator):
 def updating_in(group: str) -> Callable:
     """Return an operator that updates within the last undo step. group: the name of that step.
 
-    If the update had its own undo step, the first undo would restore only the earlier pieces, which would not match the
-    marks. Blender joins steps of one undo group, and reads an operator's group when it is registered. Each group has
-    its own operator. If an operator were registered anew for another group, Blender would forget all operations, and
-    Adjust Last Operation would disappear.
+    In a separate step, the first undo would restore earlier pieces, which do not match the marks.
     """
     if group == LABEL:
         return bpy.ops.object.wirewarp_update
+    # Each group has its own operator, because Blender reads the group when it registers an operator. Registering one
+    # operator again for another group would make Adjust Last Operation disappear.
     joining = _joining()
     number = next((number for number, cls in enumerate(joining) if cls.bl_undo_group == group), len(joining))
     if number == MOST:

@@ -108,9 +108,10 @@ def write_flat_object(
     record: FlatRecord,
     models: Sequence[bpy.types.Object],
 ) -> bpy.types.Object:
-    """Make the flat object of `source`, or replace its mesh, and return the object. The pieces have actual size and are
-    in the object's plane z = 0. models: all models of the run; a new flat object does not overlap them. After an error,
-    the earlier pieces are restored."""
+    """Make the flat object of `source`, or replace its mesh. After an error, restore the earlier pieces.
+
+    models: all models of the run, which a new flat object does not overlap
+    """
     earlier, name = find_flat_object(source), flat_name(source.name)
     target = earlier or bpy.data.objects.new(name, bpy.data.meshes.new(name))
     if earlier and _is_shared(target):

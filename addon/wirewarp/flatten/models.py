@@ -63,8 +63,11 @@ class Outcome:
 def solve_models(
     models: list[Model], choices: FlattenChoices, meters: float, *, tries_uv_seams: bool = True
 ) -> Steps[list[Outcome]]:
-    """Flatten every model and return the outcomes. meters: meters in a Blender unit; tries_uv_seams: whether to try UV
-    seams after the marked seams. If the user cancels this attempt, the results with the marked seams are kept."""
+    """Flatten every model. If the user cancels the attempt with UV seams, keep the results with the marked seams.
+
+    meters: meters in a Blender unit
+    tries_uv_seams: whether to try UV seams, too
+    """
     outcomes: list[Outcome] = []
     # Models with modifiers are left out, because edges that modifiers create cannot be marked.
     readable = [model for model in models if tries_uv_seams and model.arrays and not model.facts.with_modifiers]
@@ -113,8 +116,7 @@ def _solve(model: Model, choices: FlattenChoices, meters: float) -> Steps[Outcom
 
 
 def _try_uv_seams(model: Model, choices: FlattenChoices, meters: float, report: ObjectReport) -> Steps[UvSeams | None]:
-    """Return the result with the seams of the model's own UV map; None if it is not better. These seams are tried if
-    pieces failed, or if the model has no seams and cannot be cut from every fabric."""
+    """Return the result with the seams of the model's own UV map; None if it is not needed or not better."""
     arrays = model.arrays
     is_strained = not len(arrays.seams) and any(piece.is_strained for piece in report.pieces)
     if not (report.issues or is_strained):

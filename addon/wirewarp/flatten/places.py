@@ -36,9 +36,12 @@ TURNED_TEXT = (
 def free_place(
     scene: bpy.types.Scene, source: bpy.types.Object, size: np.ndarray, models: Sequence[bpy.types.Object]
 ) -> Vector:
-    """Return the lower left corner for pieces of this size (2,) in Blender units. It is to the right of the source and
-    of all flat pieces, at the height of the lowest point of this run's models. There, the pieces meet no other object,
-    except objects beyond LARGE, and no model of the run is above or below them."""
+    """Return the lower left corner for pieces of this size (2,), in Blender units.
+
+    - It is to the right of the source and of all flat pieces.
+    - It is as low as the lowest of `models`, the models of this run, but not above or below any of them.
+    - Objects beyond LARGE are not obstacles.
+    """
     own, largest = world_box(source), max(source.dimensions)
     together = [world_box(each) for each in models]
     others = [each for each in scene.objects if each.type in SOLID and each.visible_get() and each not in models]

@@ -94,8 +94,10 @@ class RunSettings(Protocol):
 def in_suitable_mode(
     context: bpy.types.Context, sources: list[bpy.types.Object], settings: RunSettings
 ) -> Iterator[None]:
-    """Leave Edit Mode if these models cannot be read or written in it, and return to it at the end. Other models are
-    read and written in Edit Mode, because Blender's log would show each change of the mode by Auto."""
+    """Leave Edit Mode if these models cannot be read or written in it, and return to it at the end.
+
+    Otherwise stay in it, because Blender's log would show each change by Auto.
+    """
     edited = edited_meshes(context)
     if any(_needs_object_mode(source, settings, edited) for source in sources):
         with in_object_mode(context):
@@ -219,8 +221,8 @@ def _read(
         arrays = object_to_arrays(source, base, depsgraph if use_modifiers else None)
         widest = max(arrays.allowance, allowance)
         arrays = replace(arrays, allowance=widest, default_allowance=allowance, lengths=units)
-        # The mesh of the model may lack the ids of this object's last run. Results with modifiers are not written to
-        # the mesh, and objects that share a mesh overwrite each other's ids. The flat pieces always have these ids.
+        # The mesh may lack the ids of this object's last run: results with modifiers are not written to it, and objects
+        # that share it overwrite each other's ids. The flat pieces have these ids.
         asks_flat_pieces = use_modifiers or source.data.users > 1
         flat = find_flat_object(source) if asks_flat_pieces else None
         known = known_pieces(source, arrays, flat, flattened_name(source))
@@ -234,8 +236,8 @@ def _read(
 
 
 def _counts(source: bpy.types.Object, edited: Collection[bpy.types.Mesh]) -> dict[str, int]:
-    """Return the present numbers of elements. The data of Edit Mode are read only if the mesh is in `edited`, because
-    Blender would crash for a mesh that is in Edit Mode in another view layer."""
+    """Return the present numbers of elements."""
+    # If a mesh is in Edit Mode in another view layer, reading the data of Edit Mode would crash Blender.
     if source.data not in edited:
         return element_counts(source.data)
     with current_mesh(source) as mesh:

@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Marks eases, and changes existing wires and seams, on models in Object Mode.
 
-A function plan_... reads the mesh and returns a function that writes, so that no object is changed if any object
-is refused.
+A function plan_... returns a function that writes, so that no object is changed if any is refused.
 """
 
 import math
@@ -47,8 +46,10 @@ def wire_at(target: bpy.types.Object, edge: int) -> WireSummary:
 
 
 def change_wire(target: bpy.types.Object, edge: int, name: str, tolerance: float, ease: float | None) -> None:
-    """Change the wire of this edge. If the name is empty, the wire keeps its name. If the ease is None, the wire keeps
-    its ease. Raises ObjectError like wire_at."""
+    """Change the wire of this edge. The wire keeps its name if `name` is empty, and its ease if `ease` is None.
+
+    Raises ObjectError like wire_at.
+    """
     mesh = target.data
     rows = np.array(wire_at(target, edge).edges)
     marks = read_marks(mesh)
@@ -181,15 +182,14 @@ def _write_lines(target: bpy.types.Object, lines: list[np.ndarray], changes: lis
 
 
 def plan_sides(target: bpy.types.Object, rows: np.ndarray, amount: Amount, side: int) -> Planned:
-    """Plan to lengthen the lines of these edges on one side only. The other side keeps its ease.
+    """Plan to lengthen the lines of these seams and outlines on one side. Other edges are ignored.
 
-    side: 0 for the side of the smaller piece, 1 for the larger piece; an outline has only one side. The size decides,
-    so that the armholes of two sleeves are eased alike. Edges that are neither seams nor outlines are ignored, and
-    sides with several faces, too. Raises ObjectError if a line would have no length left.
+    side: 0 at the smaller piece, 1 at the larger piece
+    Raises ObjectError if a line would have no length left.
     """
     mesh = target.data
     lines = _sides_of_lines(mesh, rows[on_outlines(mesh)[rows]], _places(target))
-    areas = _piece_areas(mesh)
+    areas = _piece_areas(mesh)  # the size decides, so that the armholes of two sleeves are eased alike
     sides = [line[::-1] if _is_larger(areas, *line) else line for line in lines]
     return _plan(target, [line[side] or line[1 - side] for line in sides], amount, len(rows))
 
@@ -243,8 +243,8 @@ def _plan(target: bpy.types.Object, lines: list[list[int]], amount: Amount, sele
 def _sides_of_lines(mesh: bpy.types.Mesh, rows: np.ndarray, places: np.ndarray) -> list[tuple[list[int], list[int]]]:
     """Return the corners at which the edges of each line begin, on both sides.
 
-    rows: edges on seams and outlines; places (n,3): the displayed places of the vertices, which decide where lines are
-    straight. A side with no face or several faces has no corner.
+    rows: edges on seams and outlines
+    places (n,3): displayed places of the vertices, which decide where lines are straight
     """
     edges, starts, loop_edges = edge_vertices(mesh), corner_vertices(mesh), corner_edges(mesh)
     corners_of: dict[tuple[int, int], list[int]] = {}
@@ -256,7 +256,7 @@ def _sides_of_lines(mesh: bpy.types.Mesh, rows: np.ndarray, places: np.ndarray) 
         for side, begins in zip(sides, (chain.vertices[:-1], chain.vertices[1:]), strict=True):
             for row, vertex in zip(chain.edges, begins, strict=True):
                 found = corners_of.get((int(rows[row]), vertex), [])
-                side += found if len(found) == 1 else []
+                side += found if len(found) == 1 else []  # a side with several faces has no corner
         lines.append(sides)
     return lines
 

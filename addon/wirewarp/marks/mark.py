@@ -43,10 +43,10 @@ class Marked(NamedTuple):
 
 
 def plan_wires(target: bpy.types.Object, tolerance: float) -> Callable[[], Marked]:
-    """Plan to make the selected edges wires, one for each line, even along seams and outlines.
+    """Plan to make the selected edges wires, one for each line.
 
-    If a line contains all edges of one wire and no edges of other wires, this wire keeps its id and name and gets the
-    new tolerance. Raises ObjectError if an edge has no face, or if attributes of another add-on have our names.
+    A line with one whole wire and no other wire keeps its id. Raises ObjectError if an edge has no face, and like
+    check_attributes.
     """
     mesh = target.data
     check_attributes(mesh)
@@ -104,8 +104,10 @@ def plan_clear(target: bpy.types.Object) -> Callable[[], int]:
 
 
 def seams_from_uv(targets: Sequence[bpy.types.Object]) -> tuple[int, list[str]]:
-    """Mark the island borders of each object's map as seams, and keep existing seams. Return the number of new seams,
-    and the names of the maps. Raises ObjectError, with nothing marked, if an object has no UV map."""
+    """Mark the island borders of each object's map as seams. Return the number of new seams and the maps' names.
+
+    Raises ObjectError, with nothing marked, if an object has no UV map.
+    """
     maps = [_find_map(target) for target in targets]
     count = sum(make_seams(each.data, _borders(each.data, layer)) for each, layer in zip(targets, maps, strict=True))
     return count, list(dict.fromkeys(layer.name for layer in maps))

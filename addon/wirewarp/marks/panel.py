@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Draws the panel Mark. It is above Flatten, because the verdict below Flatten grows and shrinks and would move it.
+"""Draws the panel Mark, which has the same height in all modes and on flat pieces.
 
-The panel has the same height in all modes and on flat pieces. Otherwise, buttons below the panel would move when the
-user enters Edit Mode with one of them.
+Otherwise, buttons below it would move when they enter Edit Mode. Flatten is below Mark, because the verdict grows.
 """
 
 from collections.abc import Sequence

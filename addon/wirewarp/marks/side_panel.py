@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Draws the buttons that mark one side of edges, on flat pieces.
 
-The panel is below the lists, because it grows in Edit Mode, which the arrow buttons of the lists enter. Above the
-lists, it would move these buttons.
+The panel grows in Edit Mode. It is below the lists, so that it does not move their arrow buttons into Edit Mode.
 """
 
 import bpy

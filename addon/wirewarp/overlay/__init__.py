@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Draws seams, wires, failures, names, a legend and maps on models, on flat pieces and in the UV editor.
 
-The module view3d contains the drawing functions, and shown finds the objects to draw. The modules objects and failures
-make the arrays and names to draw, and state.drawings keeps them.
+- shown finds the objects to draw.
+- objects and failures make arrays and names, which state.drawings keeps.
+- view3d draws.
+
 May import: export, ui, state, solve, blender, core, issues, names.
 """
 

@@ -52,8 +52,7 @@ class _Elements:
 def failures(target: bpy.types.Object, *, in_map: bool = False) -> Failures | None:
     """Return the failures on a model or its flat pieces; None if there are none.
 
-    In Edit Mode, only the suggested seams are returned, because the selection shows the failed elements. in_map: return
-    places in the map of the pieces, for an object in Object Mode.
+    in_map: return places in the map of the pieces, for an object in Object Mode
     """
     report = None if _hides_changes(target) else current_report(target)
     if report is None or report.with_modifiers or not report.issues:
@@ -88,7 +87,7 @@ def _elements(target: bpy.types.Object, mesh: bpy.types.Mesh, report: ObjectRepo
         if not has_attributes(mesh, SOURCE_VERTEX, SOURCE_FACE):
             return None
         source = find_values(mesh, SOURCE_VERTEX)
-    # A model that only needs its first seams has not failed.
+    # A model that only needs its first seams has not failed. In Edit Mode, the selection shows the failed elements.
     is_uncut = {line.kind for line in report.tables.verdict.lines} <= {Kind.CLOSED, Kind.NEEDS_SEAM}
     issues = [] if is_uncut or target.data.is_editmode else report.issues
     faces = _failed_faces(mesh, issues)
@@ -107,9 +106,10 @@ def _failed_faces(mesh: bpy.types.Mesh, issues: list[Issue]) -> np.ndarray:
 
 
 def _failed_edges(mesh: bpy.types.Mesh, pairs: np.ndarray, issues: list[Issue], faces: np.ndarray) -> np.ndarray:
-    """Return a mask (e,) of the failed edges: edges of issues, edges at vertices of issues, and borders of failed
-    faces. Edges between two failed faces are not in the mask, so that wires and suggested seams are visible on tinted
-    faces."""
+    """Return a mask (e,) of the edges of issues, edges at their vertices, and borders of failed faces.
+
+    Edges between failed faces are left out, because they would hide wires and suggested seams.
+    """
     failed = are_among(pairs, [edge for issue in issues for edge in issue.edges])
     failed |= np.isin(pairs, [vertex for issue in issues for vertex in issue.vertices]).any(axis=1)
     face_of_corner = faces_of_corners(mesh)

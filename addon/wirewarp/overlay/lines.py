@@ -206,8 +206,11 @@ def wire_line_names(lines: LineEdges, runs: Sequence[WireRun], names: Sequence[s
 def seam_line_names(
     lines: LineEdges, numbers: np.ndarray, texts: Callable[[int, int], tuple[str, ...]], rooms: Rooms
 ) -> list[Name]:
-    """Return the names of each seam, one in each of its pieces. numbers (k,): number of each edge's seam, 0 for none;
-    texts: function that returns the texts of a seam in a piece, from the number and the piece, see Name."""
+    """Return the names of each seam, one in each of its pieces.
+
+    numbers (k,): seam of each edge, 0 for none
+    texts: returns the texts of a name, see Name, from the numbers of seam and piece
+    """
     rows: dict[tuple[int, int], list[int]] = {}
     for row in np.flatnonzero(numbers).tolist():
         rows.setdefault((int(numbers[row]), int(lines.pieces[row])), []).append(row)

@@ -42,8 +42,8 @@ from .lines import (
     wire_runs,
 )
 
-# Unit vectors (2,32), for finding the outermost vertices of a piece. Other vertices are farther out by at most
-# 1 - cos(pi / 32) = 0.5% of the piece's radius. No vector is along an axis, so both ends of an upright side are found.
+# Unit vectors (2,32) for finding the outermost vertices of a piece within 1 - cos(pi / 32) = 0.5% of its radius.
+# No vector is along an axis, so both ends of an upright side are found.
 DIRECTIONS = np.array([[np.cos(angle), np.sin(angle)] for angle in np.pi * (np.arange(32) + 0.5) / 16]).T
 ARROW = 0.4  # length of a grain arrow as a share of the size of its piece
 
@@ -122,8 +122,10 @@ def _seams_of_report(edges: LineEdges, report: ObjectReport) -> np.ndarray:
 
 
 def _seam_texts(report: ObjectReport, on_flat: bool, number: int, piece: int) -> tuple[str, ...]:
-    """Return the texts of a seam, see Name: its name with the joined pieces, then the name alone. On a flat piece, the
-    first text names only the other piece. number: as in _seams_of_report."""
+    """Return the texts of a seam, see Name: its name with the joined pieces, then the name alone.
+
+    On a flat piece, only the other piece is joined. number: as in _seams_of_report
+    """
     seam = report.seams[number - 1]
     joined = joined_pieces(report, [each for each in seam.pieces if not on_flat or each != piece])
     return (f"{seam.name}: {joined}", seam.name) if joined and len(set(seam.pieces)) > 1 else (seam.name,)

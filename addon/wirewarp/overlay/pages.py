@@ -61,8 +61,9 @@ class PageChoices:
 def page_preview(cut: CutLines, drawn: CutLines, choices: PageChoices, millimeters: float) -> PagePreview:
     """Return the pages of a PDF, over the pieces, or below the pieces if the PDF arranges them differently.
 
-    cut: the cutting lines of all pieces in their places; drawn: the cutting lines that the PDF contains, with copies
-    drawn once and symmetric pieces as halves; millimeters: number of millimeters in a Blender unit.
+    cut: cutting lines of all pieces in their places
+    drawn: cutting lines in the PDF, with copies drawn once and symmetric pieces as halves
+    millimeters: number of millimeters in a Blender unit
     """
     made = drawn.made
     if made is None or cut.made is None:

@@ -55,8 +55,10 @@ def lay_out(
     unit: float,
     text_width: Callable[[str], float],
 ) -> Legend:
-    """Return the legend with its lower right corner at `corner`. From top to bottom, it has a sample of each line, the
-    notes and the color scale. unit: pixels of the screen per pixel at interface scale 1."""
+    """Return the legend with its lower right corner at `corner`: lines, notes and color scale, from top to bottom.
+
+    unit: pixels of the screen per pixel at interface scale 1
+    """
     right, bottom = corner
     labels = [style.label for style in styles]
     widths = [(SAMPLE + 8) * unit + text_width(label) for label in labels] + [text_width(note) for note in notes]
@@ -181,9 +183,10 @@ def write_names(names: Iterable[PlacedName], unit: float, span: Span = EVERYWHER
 
 
 def arrange(names: Iterable[PlacedName], size_of: Callable[[str], Size], span: Span = EVERYWHERE) -> list[Text]:
-    """Return the texts of the names that fit, with their places. A name must not be much longer than its line, touch
-    another name or hide much of its piece. size_of: returns the size of a text. span: the columns of pixels that no
-    sidebar covers. A name whose point is in the span stays in the span."""
+    """Return the texts of the names that fit and touch no other name, with their places.
+
+    span: columns of pixels that no sidebar covers; names with a point in the span stay in it
+    """
     wanted = list(names)
     boxes = [_box(name.around).ravel() for name in wanted if name.around is not None]
     placed: list[Text] = []
@@ -254,9 +257,9 @@ def write_legend(
 
 
 def free_corner(corners: Sequence[Corner], box: Box, lines: np.ndarray) -> Corner:
-    """Return the first of the corners at which no line crosses the box, or the first corner if lines cross all boxes.
+    """Return the first corner at which no line crosses the box, or else the first corner.
 
-    corners: places for the lower right corner of the box; lines (k,2,2): ends in pixels.
+    corners: places for the lower right corner of the box; lines (k,2,2): ends in pixels
     """
     begins, ways = lines[:, 0], lines[:, 1] - lines[:, 0]
     for right, bottom in corners:
@@ -339,15 +342,15 @@ class Taken:
         return np.where((middles >= low) & (middles <= high), pushed, middles - width / 2)
 
     def place_beside(self, around: np.ndarray, size: Size) -> Corner | None:
-        """Return the lower left corner of a text below, above, to the right or to the left of a piece, but not on
-        another piece. Reserve its place. Return None if there is no room.
+        """Return the lower left corner of a text beside a piece, and reserve its place; None if there is no room.
 
-        around (c,2): outermost points of the piece. The text is beside the lowest, highest, rightmost or leftmost
-        point. It is not beside the middle of the box around the piece, because a slanted piece may be far from there.
+        around (c,2): outermost points of the piece
         """
         (width, height), room = size, TEXT_MARGIN * size[1]
         low, high = _box(around)
         across, upward = around[:, 0] - width / 2, around[:, 1] - height / 2
+        # Below, above, right or left of the outermost points, because the middle of the box around a slanted piece may
+        # be far from the piece.
         corners = [
             (across[around[:, 1] <= low[1] + SAME].mean(), low[1] - height - room),
             (across[around[:, 1] >= high[1] - SAME].mean(), high[1] + room),

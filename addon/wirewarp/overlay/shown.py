@@ -231,15 +231,11 @@ def shown_copies(context: bpy.types.Context, source: bpy.types.Object, flat: bpy
 
 
 def piece_copies(context: bpy.types.Context, source: bpy.types.Object, flat: bpy.types.Object, name: str) -> str:
-    """Return a sentence about the copies and the symmetry of a piece. The flat object must not be in Edit Mode.
-
-    The pattern is kept until the report or a name changes, or until the allowance of unmarked edges changes while other
-    edges have a marked allowance. Places of pieces, and one allowance for all edges, do not change which pieces are
-    equal.
-    """
+    """Return a sentence about the copies and the symmetry of a piece. The flat object must not be in Edit Mode."""
     parts, allowance = _outlines(context, source, flat), context.scene.wirewarp.allowance
     if parts is None:
         return ""
+    # Places of pieces, and one allowance for all edges, do not change which pieces are equal.
     marked = (allowance, parts.allowances) if any(parts.allowances) else ()
     made_of = Same(pieces_report(source)), [piece.name for piece in parts.pieces], marked
     darts = (context.scene.wirewarp.darts or "CLOSE").lower()

@@ -20,8 +20,8 @@ from .shown import Drawing, UvDrawing, drawings, highest_value, map_notes, shown
 # Layers are drawn closer to the eye by these shares of the distance, so that a surface does not hide its lines.
 SURFACE_NEARER = 0.0005
 NEARER = {Layer.RIMS: 0.002, Layer.LINES: 0.0025, Layer.CORES: 0.003}
-# This is two steps of a 24-bit depth buffer. The view distinguishes two depths if their difference, divided by the
-# distance, exceeds this number times distance / near. Here, near is the distance of the near plane.
+# Two steps of a 24-bit depth buffer. Let n be the distance of the near plane. At distance d, the view distinguishes
+# depths that differ by more than DEPTH_STEP * d * d / n.
 DEPTH_STEP = 2 / 2**24
 HIDDEN_BY = 0.005  # a surface that is closer to a place than this share of the distance from the eye does not hide it
 # In Edit Mode, names show through models with more faces, because reading all faces after each change would be slow.
@@ -59,8 +59,10 @@ def _hidden_by_what_is_in_front() -> Iterator[None]:
 
 
 def _apart(context: bpy.types.Context) -> float:
-    """Return the factor by which layers are drawn farther apart than usual. Models in centimeters or millimeters have
-    large coordinates and are far from the eye. At the usual distances, their layers would have the same depth."""
+    """Return the factor by which layers are drawn farther apart than usual.
+
+    Models in centimeters or millimeters are far from the eye, where layers at usual distances have the same depth.
+    """
     if not context.region_data.is_perspective:
         return 1.0
     step = DEPTH_STEP * context.region_data.view_distance / context.space_data.clip_start
@@ -145,15 +147,14 @@ def _names_in_view(context: bpy.types.Context, drawing: Drawing) -> Iterator[Pla
 
 
 def _room(context: bpy.types.Context, target: bpy.types.Object) -> float:
-    """Return the side in pixels of a square with room for the object's texts; infinite if the object is partly outside
-    the region.
+    """Return the side of a square with room for the object's texts, in pixels.
 
-    The square has the area of the box around the object, but its side is at least half of the box's longer side. A
-    strap, or a flat object seen edge-on, has almost no area, but there is room for texts beside it.
+    The side is infinite if the object is partly outside of the region.
     """
     corners = np.array([target.matrix_world @ Vector(corner) for corner in target.bound_box])
     pixels, is_inside = _in_region(context, corners)
     sides = np.ptp(pixels, axis=0)
+    # A strap, or a flat object seen edge-on, has almost no area, but there is room for texts beside it.
     return float(max(np.prod(sides) ** 0.5, sides.max() / 2)) if is_inside.all() else np.inf
 
 

@@ -46,11 +46,9 @@ EVERYDAY = {"fleece", "jersey", "swim"}
 
 
 def fabrics_to_choose(report: ObjectReport, present: str = "") -> tuple[list[str], list[str]]:
-    """Return the presets that stretch far enough for the present pieces, and the other presets, both by increasing
-    stretch.
+    """Return the presets that stretch far enough for these pieces, and the other presets, both by increasing stretch.
 
-    This is an estimate, because another fabric changes the shapes of the pieces. present: the fabric of these pieces;
-    the second list does not contain it.
+    This is an estimate, because fabrics change the pieces. present: fabric that the second list leaves out
     """
     across = max((piece.threads.across if piece.threads else piece.needed for piece in report.pieces), default=0.0)
     along = max((piece.threads.along if piece.threads else piece.needed for piece in report.pieces), default=0.0)
@@ -125,12 +123,9 @@ class VIEW3D_PT_wirewarp_flatten(SidebarPanel, bpy.types.Panel):
 
 
 def _draw_size(context: bpy.types.Context, layout: bpy.types.UILayout, source: bpy.types.Object) -> None:
-    """Draw a question about an implausible size, with buttons for possible units. Files often lack the unit.
-
-    After the user has chosen a unit, the rows stay until the next run, so that buttons below do not move under the
-    mouse.
-    """
+    """Draw a question about an implausible size, with buttons for possible units. Files often lack the unit."""
     question, state, report = strange_size(source, context.scene), state_of(source), Same(last_report(source))
+    # After a choice, the rows stay until the next run, so that buttons below do not move under the mouse.
     if question:
         state.size_asked = question, report
     asked, asked_at = state.size_asked or ("", None)

@@ -124,8 +124,8 @@ def draw_first_steps(layout: bpy.types.UILayout) -> None:
 
 MEND = "object.wirewarp_mend"
 SHOW = "mesh.wirewarp_select_result"
-# These are the text and the icon of the button for each kind of fix, the most urgent first. Overlapping vertices, faces
-# without area and flipped faces come before seams, because they cause faults that seams would only hide.
+# Text and icon of the button for each kind of fix, the most urgent first.
+# Faults of the mesh come before seams, because seams would only hide their effects.
 REMEDIES = {
     "MERGE": ("Merge and Flatten", "AUTOMERGE_ON"),
     "DISSOLVE": ("Dissolve and Flatten", "X"),
@@ -149,10 +149,9 @@ class NextStep(NamedTuple):
 
 
 def next_step(report: ObjectReport, left_out: list[str]) -> NextStep | None:
-    """Return the next step. Return None if the pieces can be cut from the fabric, or if Suggest Darts and Suggest Seams
-    are the next step.
+    """Return the next step; None if none is needed, or if it is Suggest Darts or Suggest Seams.
 
-    left_out: "modifiers" and "shape keys" of the present model if the run ignored them.
+    left_out: "modifiers" and "shape keys" of the present model if the run ignored them
     """
     remedies = [remedy_of(issue) for issue in report.issues]
     if report.with_modifiers and any(remedies):

@@ -162,10 +162,10 @@ class MESH_OT_wirewarp_select_result(ReportOperator, bpy.types.Operator):
 
 
 def take_proposals(source: bpy.types.Object, report: ObjectReport, what: str, issues: slice = slice(None)) -> int:
-    """Apply the suggestions of these issues to a model in Object Mode. Return the number of changed edges.
+    """Apply suggestions of these issues to a model in Object Mode. Return the number of changed edges.
 
-    what: SEAMS or TOLERANCES; issues: slice of the report's issues. Raises ObjectError if these issues suggest
-    nothing of this kind, or if the model has changed.
+    what: SEAMS or TOLERANCES
+    Raises ObjectError if there are none, or if the model has changed.
     """
     chosen = report.issues[issues]
     seams = [edge for issue in chosen for edge in issue.proposed_seams] if what == "SEAMS" else []

@@ -121,8 +121,10 @@ def new_seams(arrays: MeshArrays) -> np.ndarray:
 def island_borders(
     loop_edges: np.ndarray, loop_vertices: np.ndarray, next_loops: np.ndarray, uv: np.ndarray, edge_count: int
 ) -> np.ndarray:
-    """Return a mask (e,) of the edges whose two faces are not side by side in the map. The arrays describe each corner:
-    its edge, its vertex, the next corner of its face, and its place uv (l,2) in the map."""
+    """Return a mask (e,) of the edges whose two faces are not side by side in the map.
+
+    Arrays of corners (l,): edge, vertex, next corner of the face; uv (l,2): place in the map
+    """
     turned = loop_vertices > loop_vertices[next_loops]
     ends = np.column_stack([uv, uv[next_loops]])  # (l,4): both ends of the edge in the map, on the side of this face
     ends[turned] = ends[turned][:, [2, 3, 0, 1]]  # from the vertex with the lower index to the other vertex
@@ -133,20 +135,20 @@ def island_borders(
 
 
 def with_split_quads(corners: np.ndarray, starts: np.ndarray, sizes: np.ndarray, places: np.ndarray) -> np.ndarray:
-    """Return the triangles (m,3) with quads split by one rule: from the first corner to the third, or from the second
-    to the fourth if both triangles would otherwise be on the same side of the diagonal.
+    """Return the triangles (m,3) with quads split by Blender's rule, so that all modes lead to the same pieces.
 
-    This is Blender's rule, but Blender 3.4 splits some bent quads differently if it has stored their normals. Without
-    this function, Edit Mode and Object Mode would lead to different pieces.
+    Blender 3.4 splits some bent quads differently if it has stored their normals.
 
-    corners (m,3): corners of Blender's triangles, in the order of the faces; starts, sizes (f,): first corner and
-    number of corners of each face; places (l,3): places of the corners.
+    corners (m,3): corners of Blender's triangles, in the order of the faces
+    starts, sizes (f,): first corner and number of corners of each face
+    places (l,3): places of the corners
     """
     quads = np.flatnonzero(sizes == 4)
     if not len(quads):
         return corners
     first = starts[quads].astype(np.int32)
     second, third, fourth = (places[first + k].astype(np.float64) - places[first] for k in (1, 2, 3))
+    # Split from second to fourth corner if both triangles would otherwise be on the same side of the diagonal.
     across = np.sum(np.cross(second, third) * np.cross(fourth, third), axis=1) > 0
     rows = (np.cumsum(sizes - 2) - (sizes - 2))[quads]
     split = corners.copy()

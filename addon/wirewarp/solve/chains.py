@@ -94,9 +94,9 @@ class WireChain:
 def split_into_chains(edges: np.ndarray, positions: np.ndarray) -> list[Chain]:
     """Return the chains of edges (k,2). positions (n,3): places of the vertices.
 
-    At a vertex of two edges, the chain continues. If an even number of edges meet, chains continue as straight as
-    possible, so that crossing lines stay whole. If an odd number of edges meet, one chain ends, and chains that would
-    turn by 45 degrees or more end, too.
+    - Two edges at a vertex: the chain continues.
+    - Even number: chains continue as straight as possible, so that crossing lines stay whole.
+    - Odd number: one chain ends, and chains that would turn by 45 degrees or more end, too.
     """
     following, vertex_of_side = _pair_sides(edges, positions).tolist(), edges.ravel().tolist()
     used = [False] * len(edges)

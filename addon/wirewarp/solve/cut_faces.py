@@ -77,10 +77,9 @@ def segments_along(edges: np.ndarray, arrays: MeshArrays) -> Segments:
 
 
 def places_on(segments: Segments, polygons: np.ndarray, vertices: np.ndarray, places: np.ndarray) -> np.ndarray:
-    """Return the ends (2k,3) of the segments on a mesh. Segments on faces that the mesh lacks are left out.
+    """Return the ends (2k,3) of the segments on a mesh, without segments on faces that the mesh lacks.
 
-    The arrays describe each corner of the mesh: its face and vertex (l,), numbered as in the segments, and its place
-    (l,3).
+    Arrays of its corners: polygons, vertices (l,), numbered as in the segments; places (l,3)
     """
     near = np.flatnonzero(np.isin(polygons, segments.polygons))
     corner_at = dict(

@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Rewrites the library's errors for users of Blender: with faces, display units, wire names and Blender's commands.
 
-The sentences count elements instead of listing them, because a button selects the elements. Reports write the name of
-the piece before each sentence.
+The sentences count elements, which a button selects. Reports write the name of the piece before each sentence.
 """
 
 import math

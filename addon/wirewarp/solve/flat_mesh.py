@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Makes one mesh from the flat pieces, with measures.
 
-The flat mesh has the source's faces, including quads and n-gons, so that it has only edges of the source. Measures of
-triangles are combined for each face: energies are added, and the worst ratio is kept.
+The mesh has the source's faces, including quads and n-gons. Each face has the summed energy and the worst ratio of its
+triangles.
 """
 
 from collections.abc import Sequence
@@ -22,11 +22,12 @@ def edge_length_variation(
 ) -> np.ndarray:
     """Return the relative difference of the flat edges from their target lengths, (e,) float32.
 
-    flat (e,2): the edges as vectors; places (e,2): the piece of each edge, and its edge on the model. Edges of outlines
-    and wires have the library's value. The targets of other edges are their lengths on the model, shortened by the
-    fabric's negative ease.
+    flat (e,2): edges as vectors
+    places (e,2): piece of each edge, and its edge on the model
     """
     worn = (choices.cloth.worn_across, choices.cloth.worn_along) if choices.cloth else (0.0, 0.0)
+    # Edges of outlines and wires have the library's value. Targets of other edges are their lengths on the model,
+    # shortened by the fabric's negative ease.
     spatial = _model_lengths(result, arrays, choices)[places[:, 1]]
     variation = np.abs(np.linalg.norm(flat * np.add(worn, 1), axis=1) - spatial) / spatial
     keys, on_lines = _on_lines(result, arrays)
@@ -48,18 +49,15 @@ def _on_lines(result: FlattenResult, arrays: MeshArrays) -> tuple[np.ndarray, np
 
 
 def _model_lengths(result: FlattenResult, arrays: MeshArrays, choices: FlattenChoices) -> np.ndarray:
-    """Return the lengths (k,) of the model's edges; for thick materials, the lengths in the middle of the thickness.
-
-    Let f_u and f_v be the derivatives of the map from the plane to the model. The strains of the threads determine
-    their lengths, and the shear determines the angle between them. A flat edge (dx, dy) has the length of the vector dx
-    f_u + dy f_v on the model.
-    """
+    """Return the lengths (k,) of the model's edges; for thick materials, in the middle of the thickness."""
     lengths = edge_lengths(arrays.vertices, arrays.edges)
     if choices.thickness == 0 or choices.surface == "middle":
         return lengths
     weft, warp, shear = (each[:, None] for each in _threads_of_triangles(result))
     towards = -1 if choices.mirror else 1  # shear is measured from outside, and a mirrored layout shows the inside
     dx, dy = (np.roll(result.corner_uv, -1, axis=1) - result.corner_uv).transpose(2, 0, 1)  # (m,3), the sides
+    # A flat edge (dx, dy) is a sum of two vectors on the model, one along each thread. Their lengths are `across` and
+    # `along`, and the shear determines the angle between them.
     with np.errstate(invalid="ignore"):  # triangles without a layout or without area
         across, along = (1 + weft) * dx, (1 + warp) * dy
         worn = np.sqrt(across**2 + along**2 + 2 * towards * np.sin(shear) * across * along).ravel()
@@ -215,9 +213,10 @@ def _join_pieces(result: FlattenResult) -> tuple[np.ndarray, ...]:
 
 
 def _model_areas(result: FlattenResult, arrays: MeshArrays, flat: np.ndarray) -> np.ndarray:
-    """Return the areas (m,) of the triangles on the model; for thick materials, in the middle of the thickness. flat
-    (m,): flat areas, which the map to the model multiplies by the stretch factors of both threads and the cosine of the
-    shear angle. Triangles without a flat area have the area of the mesh."""
+    """Return the areas (m,) of the triangles on the model; for thick materials, in the middle of the thickness.
+
+    flat (m,): flat areas. Triangles without a flat area have the area of the mesh.
+    """
     weft, warp, shear = _threads_of_triangles(result)
     with np.errstate(invalid="ignore"):
         measured = np.abs(flat) * (1 + weft) * (1 + warp) * np.cos(shear)
@@ -242,8 +241,10 @@ def _edge_corners(source_corner: np.ndarray, sizes: np.ndarray, arrays: MeshArra
 def _edges(
     loop_vertices: np.ndarray, source_corner: np.ndarray, sizes: np.ndarray, arrays: MeshArrays
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return the flat edges (e,2), the edge at each corner (l,), and the source's edge of each flat edge (e,), all
-    int32. Sides of two faces share an edge if they have the same ends and the same edge of the source."""
+    """Return the edges of the flat mesh, int32: ends (e,2), edge at each corner (l,), edge of the source (e,).
+
+    Sides of faces with the same ends and source edge share an edge.
+    """
     following = next_corners(sizes)
     source_edge = arrays.loop_edges[_edge_corners(source_corner, sizes, arrays)]
     ends = loop_vertices, loop_vertices[following]

@@ -74,8 +74,11 @@ LAYOUT_OPTIONS = (*(each.name for each in fields(FlattenChoices) if each.metadat
 
 
 def flatten_arrays(arrays: MeshArrays, choices: FlattenChoices, solved: Cache | None = None) -> Steps[FlattenResult]:
-    """Return the library's FlattenResult. The library continues to work between the steps. solved: a cache of earlier
-    pieces, so that unchanged pieces are not solved again. Raises ObjectError if the library refuses the whole mesh."""
+    """Flatten the mesh with the library, which also works between the steps.
+
+    solved: cache of earlier pieces, so that unchanged pieces are not solved again
+    Raises ObjectError if the library refuses the whole mesh.
+    """
     try:
         arguments = library_arguments(arrays, choices)
         return (yield from result_of(start(arrays.vertices, arrays.triangles, **arguments, cache=solved)))
@@ -259,8 +262,10 @@ def has_cloth(result: FlattenResult) -> bool:
 
 
 def seams_on_edges(proposed: Iterable[tuple[int, int]], arrays: MeshArrays) -> list[tuple[int, int]]:
-    """Return the proposed vertex pairs as edges of the mesh, each once. A pair may be the diagonal of a face, because
-    the library works on triangles. It is replaced with the shorter way around the face."""
+    """Return the proposed vertex pairs as edges of the mesh, each once.
+
+    A diagonal of a face is replaced with the shorter way around the face.
+    """
     pairs = np.asarray(list(proposed), dtype=np.int64).reshape(-1, 2)
     is_edge = are_among(pairs, arrays.edges)
     edges = pairs[is_edge].tolist()
