@@ -53,8 +53,8 @@ def add_sewing_object(source: bpy.types.Object) -> bpy.types.Object:
 def sewing_edges(pieces: FlatPieces, seams: Iterable[list]) -> np.ndarray:
     """Return pairs (k,2) of flat vertices to sew together, each from one vertex of the model.
 
-    seams: the edges of each seam as vertex pairs of the model
-    Raises ObjectError if a seam is not found on the pieces.
+    seams: edges of each seam as vertex pairs of the model
+    Raises ObjectError if the pieces lack a seam.
     """
     outline = outline_of(pieces)
     sides: dict[tuple[int, int], list[tuple[int, int]]] = {}

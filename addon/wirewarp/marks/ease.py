@@ -184,7 +184,7 @@ def _write_lines(target: bpy.types.Object, lines: list[np.ndarray], changes: lis
 def plan_sides(target: bpy.types.Object, rows: np.ndarray, amount: Amount, side: int) -> Planned:
     """Plan to lengthen the lines of these seams and outlines on one side. Other edges are ignored.
 
-    side: 0 at the smaller piece, 1 at the larger piece
+    side: 0 at the smaller piece, 1 at the larger
     Raises ObjectError if a line would have no length left.
     """
     mesh = target.data

@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Assigns ids and names to the pieces and seams of a result.
 
-The ids on the model's edges identify a seam, so that it keeps its name even if its index in the result changes. No
-other seam gets the number of a removed seam.
+Ids on the model's edges let a seam keep its name if its index changes. Numbers of removed seams are not used again.
 """
 
 import random
@@ -34,12 +33,10 @@ NO_SIDE = "Around"
 
 
 def side_names(normals: np.ndarray, offsets: np.ndarray) -> list[str]:
-    """Return a name for each piece, such as "Front", or "Front Left" if there is a "Front Right".
+    """Return a name for each piece, such as "Front", or "Front Left" if there is a "Front Right". Names may repeat.
 
-    Several pieces may have the same name.
-
-    normals (p,3): the mean normal of each piece, of length 1 if the piece is flat. offsets (p,3): from the middle of
-    the model to the middle of the piece, as a share of the model's size.
+    normals (p,3): mean normals, of length 1 for flat pieces
+    offsets (p,3): from the middle of the model to the middle of the piece, as a share of the model's size
     """
     names = [_side(normal, offset) for normal, offset in zip(normals, offsets, strict=True)]
     for side in dict.fromkeys(names):
@@ -93,17 +90,14 @@ def _places_on(side: str, offsets: np.ndarray) -> list[str]:
 
 
 def _words(axes: Sequence[int], offsets: np.ndarray) -> list[str]:
-    """Return the words for each piece, one for each axis on which the piece is not near the middle of all pieces.
-
-    If there are more than two pieces, left and right are relative to the middle of the model.
-    """
+    """Return each piece's words: one for each axis on which it is not near the middle of all pieces."""
     words = [""] * len(offsets)
     for axis in axes:
         low, high = offsets[:, axis].min(), offsets[:, axis].max()
         if high - low < BESIDE:  # the pieces are at the same place along this axis
             continue
         middle, near = (low + high) / 2, IN_THE_MIDDLE * (high - low)
-        if axis == 0 and len(offsets) > 2:
+        if axis == 0 and len(offsets) > 2:  # left and right are relative to the middle of the model
             middle, near = 0.0, BESIDE
         for index, apart in enumerate(offsets[:, axis] - middle):
             word = HALVES[axis][int(apart > 0)] if abs(apart) >= near else ""
@@ -137,9 +131,9 @@ def numbered(wanted: Sequence[str], taken: Sequence[str]) -> list[str]:
 
 
 def region_names(piece_of_face: np.ndarray, piece_count: int, regions: FaceRegions) -> list[str | None]:
-    """Return, for each piece, the name of a region that contains most of its faces; None if there is no such region.
+    """Return, for each piece, the name of a region with most of its faces; None if there is no such region.
 
-    Regions that contain most faces of every piece are ignored, because they do not distinguish the pieces.
+    Regions with most faces of every piece are ignored.
     """
     faces_in_piece = np.bincount(piece_of_face[regions.sample], minlength=piece_count)
     names: list[str | None] = [None] * piece_count
@@ -232,11 +226,14 @@ def ids_by_face(result: FlattenResult, arrays: MeshArrays, identities: Sequence[
 
 
 def assign_ids(owners: np.ndarray, ids: np.ndarray, weights: np.ndarray, count: int, taken: set[int]) -> list[int]:
-    """Return, for each owner, the id with the largest weight among its elements. Of two owners with the same id, the
-    heavier owner keeps it. Other owners get new ids.
+    """Return, for each owner, the id with the largest weight among its elements.
 
-    The arrays describe elements, which are faces of pieces or edges of seams: owners (k,) from 0 to count - 1; ids
-    (k,), 0 or less for none; weights (k,). taken: other ids that new ids must not repeat.
+    Elements are faces of pieces or edges of seams. Of owners with the same id, the heaviest keeps it. Other owners get
+    new ids.
+
+    owners, weights (k,): owner of each element, from 0 to count - 1, and its weight
+    ids (k,): id of each element, 0 or less for none
+    taken: other ids that new ids must not repeat
     """
     marked = ids > 0  # other values are not ids
     pairs = owners[marked].astype(np.int64) << 32 | ids[marked].astype(np.int64)
@@ -324,15 +321,15 @@ def identify_seams(result: FlattenResult, arrays: MeshArrays, known: KnownSeams)
 
 
 def _highest_number(kind: str, names: Mapping[int, str], kinds: Mapping[int, str]) -> int:
-    """Return the highest number in the names of this kind of seam. Return the count of these seams if it is larger,
-    because renamed seams count, too.
+    """Return the highest number in the names of this kind of seam, or their count if it is larger.
 
-    If a seam becomes a dart, or a dart becomes a seam, a later seam or dart can get the number of its former name.
-
-    names: names of all present and removed seams, by id; kinds: kinds of the present seams, by id.
+    names: of all present and removed seams, by id
+    kinds: of the present seams, by id
     """
     given = {seam_id: GIVEN.fullmatch(name) for seam_id, name in names.items()}
+    # If a seam becomes a dart, or a dart becomes a seam, a new one may get the number of its former name.
     own = {i: match for i, match in given.items() if (match[1] if match else kinds.get(i, KINDS[0])) == kind}
+    # The count includes renamed seams.
     return max([len(own), *(int(match[2]) for match in own.values() if match)])
 
 

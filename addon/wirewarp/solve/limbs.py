@@ -20,13 +20,17 @@ def limb_names(
 ) -> list[str | None]:
     """Return "Sleeve" or "Leg" for each piece that is certainly a sleeve or a leg, otherwise None.
 
-    Such a piece is a tube, because a seam joins it to itself. It has a mirror image. No other mirrored tube, such as a
-    cuff, is sewn to it. One of its ends is sewn to other pieces, and one end is open: the outer end of a sleeve, or the
-    lower end of a leg. A leg also reaches the middle plane of the model. If there are several pairs of a kind, none of
-    them is named.
+    Such a piece
 
-    are_darts: whether each seam is a dart. places (n,3): vertices of the model, from its middle, as a share of its
-    size. offsets (p,3): middles of the pieces in these coordinates. areas (p,): areas of the pieces.
+    - is a tube: a seam joins it to itself.
+    - has a mirror image, and no other mirrored tube, such as a cuff, is sewn to it.
+    - is sewn to other pieces at one end, and open at the outer end (sleeve) or the lower end (leg).
+    - reaches the middle plane of the model if it is a leg.
+    - belongs to the only such pair.
+
+    places (n,3): vertices of the model, from its middle, as a share of its size
+    offsets (p,3): middles of the pieces in these coordinates
+    areas (p,): areas of the pieces
     """
     seams = list(zip(result.seams, are_darts, strict=True))
     tubes = {seam.pieces[0] for seam, is_dart in seams if not is_dart and len(set(seam.pieces)) == 1}

@@ -49,9 +49,12 @@ def outline_edges(
     face_sizes: np.ndarray,
     face_piece: np.ndarray,
 ) -> OutlineEdges:
-    """Return the outline edges of flat pieces. vertices (n,2): places; loop_vertices, loop_edges (l,): for each corner,
-    face by face, its vertex and the edge to the next corner; face_sizes, face_piece (f,): for each face, its number of
-    corners and its piece."""
+    """Return the outline edges of flat pieces.
+
+    vertices (n,2): places
+    loop_vertices, loop_edges (l,): for each corner, its vertex and the edge to the next corner
+    face_sizes, face_piece (f,): for each face, its number of corners and its piece
+    """
     lonely = np.flatnonzero(np.bincount(loop_edges)[loop_edges] == 1)
     corners = np.column_stack([lonely, next_corners(face_sizes)[lonely]])
     edges, piece = loop_vertices[corners].astype(np.int64), np.repeat(face_piece, face_sizes)[lonely]

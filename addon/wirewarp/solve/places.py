@@ -137,8 +137,10 @@ def find_places(pieces: FlatMesh, earlier: FlatPieces, away: np.ndarray, spacing
 
 
 def _fit(now: _Pieces, then: _Pieces, piece_id: int) -> Motion | None:
-    """Return the motion of the piece to its earlier place, as fitted to the vertices that occur only once in both
-    shapes. Return None if there are too few of these vertices, or if the fit is bad."""
+    """Return the motion of the piece to its earlier place; None without a good fit to at least two points.
+
+    Points are the vertices that occur only once in both shapes.
+    """
     rows = [_only_once(pieces.sources(piece_id)) for pieces in (now, then)]
     here, there = (pieces.sources(piece_id)[own] for pieces, own in zip((now, then), rows, strict=True))
     _, first, second = np.intersect1d(here, there, assume_unique=True, return_indices=True)

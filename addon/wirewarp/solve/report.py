@@ -208,10 +208,9 @@ IN_PLACE = 1e-4  # share of a piece's size: maximum distance between a vertex an
 
 
 def with_mirror_images(issues: Sequence[Issue], result: FlattenResult, arrays: MeshArrays) -> list[Issue]:
-    """Return the issues with shared fixes: for a mirrored pair of pieces, both issues suggest the fixes of both pieces.
+    """Return the issues with shared fixes: both issues of a mirrored pair of pieces suggest the fixes of both pieces.
 
-    If the meshes of the pieces are mirror images, the fixes are those of the first issue and their mirror images.
-    Otherwise, they are the fixes of both issues.
+    If the meshes are mirror images, the fixes of the first issue are mirrored.
     """
     found = list(issues)
     fixable = [index for index, issue in enumerate(issues) if issue.proposed_seams or issue.proposed_tolerances]
@@ -263,8 +262,11 @@ def _mirrored(issue: Issue, piece: Piece, other: Piece, arrays: MeshArrays) -> I
 
 
 def _images(points: np.ndarray, own: np.ndarray, others: np.ndarray, axis: int) -> np.ndarray | None:
-    """Return the index in `others` of the mirror image of each point, (k,); None if a point has no mirror image. points
-    (k,3): places in the first piece; own (n,3), others (m,3): places of all vertices of the two pieces."""
+    """Return the index in `others` of the mirror image of each point, (k,); None if a point has none.
+
+    points (k,3): in the first piece
+    own (n,3), others (m,3): all vertices of the two pieces
+    """
     mirror = np.where(np.arange(3) == axis, -1.0, 1.0)
     low, high = own.min(axis=0), own.max(axis=0)
     middle = (others.min(axis=0) + others.max(axis=0)) / 2

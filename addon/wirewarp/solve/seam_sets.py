@@ -40,8 +40,9 @@ def limits_up_to(stretches: Sequence[float]) -> list[float]:
 def fewer_seams(arrays: MeshArrays, choices: FlattenChoices, limits: Sequence[float], remedy: str) -> Steps[list[Cut]]:
     """Return sets of seams to clear, one for each limit that allows fewer seams than the next lower limit.
 
-    limits: accepted stretches in ascending order; the sets have the opposite order. If the search is canceled, the sets
-    found so far are returned. Raises ObjectError if every seam is needed. remedy: last sentence of this error.
+    limits: accepted stretches in ascending order; the sets have the opposite order
+    remedy: last sentence of the ObjectError if every seam is needed
+    If the search is canceled, the sets found so far are returned.
     """
     if len(arrays.seams) == 0:
         raise object_error("no_seams", "The model has no seams to simplify. Mark seams, or press Suggest Seams.")
@@ -91,10 +92,10 @@ def _row(arrays: MeshArrays, cleared: np.ndarray, length: float, strain: float, 
 
 
 def within_fabric(search: Steps[list[Cut]], limits: Sequence[float], remedy: str) -> Steps[list[Cut]]:
-    """Search, and return the sets that the fabric allows. Raises ObjectError if the fabric allows none, and
-    CanceledError if the search is canceled before a set is known to be allowed.
+    """Search, and return the sets that the fabric allows. Raises ObjectError if there are none.
 
-    search: steps of with_measures(); limits: see Cut.excess; remedy: see fewer_seams.
+    Raises CanceledError if the search is canceled before a set is known to be allowed.
+    search: steps of with_measures(); limits: see Cut.excess; remedy: see fewer_seams
     """
     cuts = yield from search
     allowed = [cut for cut in cuts if cut.excess(limits) <= 0]
@@ -108,13 +109,10 @@ def within_fabric(search: Steps[list[Cut]], limits: Sequence[float], remedy: str
 def first_sets(
     arrays: MeshArrays, choices: FlattenChoices, options: SearchOptions, no_seam: NoSeam
 ) -> Steps[list[Cut]]:
-    """Return cut sets for a fabric with a known maximum stretch, or other cuts if no piece needs a set.
-
-    The search uses a material without threads, which takes a fraction of the time. Then with_measures() measures the
-    stretch with the fabric. If the fabric has negative ease, the shapes of the pieces differ too much, so the search
-    uses the fabric.
-    """
+    """Return cut sets for a fabric with a known maximum stretch, or other cuts if no piece needs a set."""
     cloth = choices.cloth
+    # Without threads, the search takes a fraction of the time. Later, with_measures() uses the fabric. With negative
+    # ease, the shapes of the pieces would differ too much.
     if cloth is not None and not (cloth.worn_across or cloth.worn_along):
         cuts = yield from suggest_cuts(arrays, replace(choices, cloth=None), options, no_seam)
         if cuts[0].is_set:
@@ -128,16 +126,16 @@ SEARCH = 0.8  # share of the progress bar for the search; the rest is for measur
 def with_measures(
     search: Steps[list[Cut]], arrays: MeshArrays, choices: FlattenChoices, limits: Sequence[float]
 ) -> Steps[list[Cut]]:
-    """Search, and return cut sets with their widths and threads. Sets with failed pieces are left out. If the user
-    cancels, sets that were not measured have no width and no threads. Cuts that are not sets are returned unchanged.
+    """Search, and return cut sets with their widths and threads, without sets that have failed pieces.
 
-    limits: maximum stretches of the fabric, the smaller direction first.
+    Cuts that are not sets are returned unchanged.
+    limits: maximum stretches of the fabric, the smaller direction first
     """
     cuts = yield from reported_as(search, lambda share: SEARCH * share)
     if not cuts[0].is_set:
         return cuts
     measured: list[Cut] = []
-    with suppress(CanceledError):  # sets that were not measured keep the figures of the search
+    with suppress(CanceledError):  # sets that were not measured have no width and no threads
         yield from reported_as(_measure(cuts, measured, arrays, choices), lambda share: SEARCH + (1 - SEARCH) * share)
     sets = [cut for cut in [*measured, *cuts[len(measured) :]] if math.isfinite(cut.strain)]
     if not sets:
@@ -155,12 +153,9 @@ def _measure(cuts: Sequence[Cut], measured: list[Cut], arrays: MeshArrays, choic
 
 
 def _measured_set(arrays: MeshArrays, choices: FlattenChoices, cut: Cut, solved: Cache) -> Steps[Cut]:
-    """Return the set with its measures: the least width of the pieces that it changes, and whether a piece is too
-    narrow.
+    """Return the set with the least width of the pieces that it changes, and whether a piece is too narrow.
 
-    If pieces have no room for their allowances, only their widths count. The width is in Blender units; None if no
-    piece is flat. If the maximum stretch of the fabric is known, the set also gets the strain of the fabric, and the
-    threads of its worst piece. If a piece fails with the fabric, the strain is infinite.
+    If the fabric's maximum stretch is known, the set also gets its strain and threads.
     """
     arguments = library_arguments(arrays, choices)
     sides, allowances = _own_allowances(arrays)
@@ -181,6 +176,7 @@ def _measured_set(arrays: MeshArrays, choices: FlattenChoices, cut: Cut, solved:
         if not pattern.has_room(piece, arrays.default_allowance, sides, allowances):
             without_room.append(widths[-1])
         yield 1.0
+    # If pieces have no room for their allowances, only their widths count.
     cut = replace(cut, width=min(without_room or widths, default=None), is_narrow=bool(without_room))
     if not known_stretch(choices.cloth):
         return cut

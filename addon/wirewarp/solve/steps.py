@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs work in steps, between which the window responds. Steps are generators that yield the completed share of work.
+"""Runs work in steps, between which the window responds, because Blender does not allow Python threads.
 
-To cancel the work, throw CanceledError into the steps. If only optional work is left, the steps end with the result so
-far. To discard the work, close the steps; files do not change. The caller must always close the steps, because the
-traceback of an error would keep them alive. Blender does not allow Python threads, but the core has its own threads.
+Steps are generators that yield the completed share of work.
+
+- To cancel, throw CanceledError into the steps. If only optional work is left, they end with the result so far.
+- To discard the work, close the steps.
+- The caller must always close the steps, because the traceback of an error would keep them alive.
 """
 
 import time

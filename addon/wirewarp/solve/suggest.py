@@ -93,12 +93,11 @@ class Cut:
         return bool(self.cleared) or (self.is_first and len(self.lengths) == 1)
 
     def excess(self, limits: Sequence[float]) -> float:
-        """Return by how much the worst piece of the set exceeds the fabric, as in the verdict; at most 0 if no
-        piece does.
+        """Return by how much the worst piece of the set exceeds the fabric, as in the verdict; at most 0 if none does.
 
-        Before the set is measured, its strain is compared with the smaller limit. limits: maximum stretches, the
-        smaller direction first.
+        limits: maximum stretches, the smaller direction first
         """
+        # Before the set is measured, its strain is compared with the smaller limit.
         return self.threads.excess if self.threads else self.strain - limits[0]
 
 
@@ -120,10 +119,9 @@ class SearchOptions:
 def suggest_cuts(
     arrays: MeshArrays, choices: FlattenChoices, options: SearchOptions, no_seam: NoSeam
 ) -> Steps[list[Cut]]:
-    """Return cuts, or the steps to a target. The best dart or seam is first, but smooth darts come before darts with
-    corners. Cut sets are not sorted.
+    """Return cuts, the best dart or seam first, or the steps to a target. Cut sets are not sorted.
 
-    If the search is canceled, the cut sets found so far are returned. Raises ObjectError, for example if no cut helps.
+    If the search is canceled, return the cut sets found so far. Raises ObjectError, for example if no cut helps.
     """
     try:
         shared = library_arguments(arrays, choices)
@@ -140,7 +138,7 @@ def suggest_cuts(
             return _steps_of(proposals, arrays, options.piece)
         cuts = _with_mirror_images(proposals, arrays)
         if options.is_smooth and options.kind == "DARTS":
-            cuts.sort(key=lambda cut: cut.is_bent)
+            cuts.sort(key=lambda cut: cut.is_bent)  # darts with corners are last
         return cuts
     except FlattenError as error:
         issue = issue_of_error(error, arrays, piece=options.piece_text(arrays, np.asarray(error.faces, dtype=int)))
@@ -222,15 +220,15 @@ def _with_mirror_images(proposals: list[DartProposal], arrays: MeshArrays) -> li
 
 
 def from_few_pieces(sets: Sequence[Cut], limits: Sequence[float]) -> list[Cut]:
-    """Return cut sets by their number of pieces. Sets with more pieces but about the same stretch are left out.
+    """Return cut sets by their number of pieces, without sets that have more pieces but about the same stretch.
 
-    The first set that the fabric allows is kept even if it lowers the stretch little. A set with narrow pieces does not
-    replace a set without narrow pieces. If any set is within the larger limit, sets beyond this limit are left out.
-    limits: see Cut.excess.
+    limits: see Cut.excess
     """
     kept: list[Cut] = []
     within = [each for each in sets if each.strain <= limits[-1]]
     for each in sorted(within or sets, key=lambda cut: (cut.num_pieces, cut.strain, cut.lengths[0])):
+        # A set with narrow pieces does not replace a set without narrow pieces. The first set that the fabric allows is
+        # kept even if it lowers the stretch little.
         others = [other for other in kept if each.is_narrow or not other.is_narrow]
         is_first = each.excess(limits) <= 0 < min((other.excess(limits) for other in others), default=math.inf)
         if is_first or each.strain < WORTH_PIECES * min((other.strain for other in others), default=math.inf):
@@ -240,8 +238,10 @@ def from_few_pieces(sets: Sequence[Cut], limits: Sequence[float]) -> list[Cut]:
 
 
 def set_for(sets: Sequence[Cut], limits: Sequence[float]) -> int:
-    """Return the index of the set to show first: the first set that the fabric allows, if possible a set without narrow
-    pieces. If the fabric allows no set, return the set that exceeds its limits least. limits: see Cut.excess."""
+    """Return the index of the first set that the fabric allows, if possible without narrow pieces.
+
+    If the fabric allows no set, return the set that exceeds its limits least. limits: see Cut.excess
+    """
     excesses = [each.excess(limits) for each in sets]
     within = [index for index, excess in enumerate(excesses) if excess <= 0]
     if within:

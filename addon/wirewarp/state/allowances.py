@@ -1,19 +1,19 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Marks on one side of an edge, and seam allowances, for meshes in Object Mode.
+"""Seam allowances, and marks on one side of an edge, for meshes in Object Mode.
 
-Scripts may write a mark of one side on the corner at which the edge begins in the face on that side. Blender blends
-corner values when the edge is split, and moves them to another edge when the face is flipped or mirrored. Values on
-edges and faces do not change. The add-on therefore stores marks on the edge: the value, and the number of the face on
-the marked side (wirewarp_face INT, random, 0 none).
+wirewarp_allowance FLOAT, on edges, in Blender units:
 
-If a face is cut, copied or extruded, the new faces get its number, too. The side stays known while only one face of the
-edge has the number. Before a side is marked, each face with a shared number therefore gets a new number. The side is
-unknown if several faces of the edge have the number, or if the edge has several faces and no face has the number.
+- above 0: width on all sides of the edge; for one side, see SIDE_ALLOWANCES
+- below 0: nothing is added, because the fabric is folded there or stays raw
+- 0, NaN or missing: the pattern's default; new edges and edges of joined meshes have 0
 
-wirewarp_allowance FLOAT, on edges, in Blender units: above 0, the width on all sides of the edge; below 0, nothing is
-added, because the fabric is folded there or stays raw. 0 means the pattern's default, because new edges and edges of
-joined meshes have the value 0. NaN and a missing attribute mean the default, too. One side of an edge may have its own
-width: see SIDE_ALLOWANCES.
+Marks on one side are on the edge: a value, and the number of the face on this side (wirewarp_face INT, random, 0 none).
+Scripts may write the value on a corner instead: the corner of this face at which the edge begins. Blender blends such
+values when edges are split, and moves them to other edges when faces are flipped or mirrored.
+
+- Faces that are cut, copied or extruded share a number until number_faces() renumbers them.
+- The side is unknown if several faces of the edge have the number.
+- The side is also unknown if no face has the number, but the edge has several faces.
 """
 
 from collections.abc import Sequence
@@ -55,13 +55,12 @@ class SidedMark:
     def check(self, mesh: bpy.types.Mesh, *, has_modifiers: bool = False) -> None:
         """Raises ObjectError like check_attributes, or if a side is unknown or has two values.
 
-        If an edge has only one face left, which is not the marked face, the mark is ignored. has_modifiers: whether
-        modifiers made the mesh. For example, a Mirror modifier that merges the middle gives both faces of an edge one
-        number, so that its side is unknown.
+        has_modifiers: whether modifiers made the mesh; a Mirror modifier that merges the middle makes sides unknown
         """
         self.check_attributes(mesh)
         _, counts = marked_corners(mesh, self.side)
         sides, values = read_values(mesh, self.side), read_values(mesh, self.value)
+        # If only one face is left at an edge, which is not the marked face, the mark is ignored.
         lost = np.flatnonzero((sides != 0) & is_set(values) & (counts != 1) & (faces_at_edges(mesh) > 1))
         if len(lost):
             why, first = "faces there were copied or replaced", f"Mark the {self.what} again"
@@ -83,9 +82,10 @@ class SidedMark:
             raise ObjectError(Issue(f"{self.what}s_contradict", sentence, edges=_pairs(mesh, contradict)))
 
     def read(self, mesh: bpy.types.Mesh) -> np.ndarray:
-        """Returns (l,) float32: the value of the edge that begins at each corner, on the side of the corner's face; 0
-        for none. Attributes of another type or domain are ignored. If a side has two values, the corner's value is
-        returned."""
+        """Returns (l,) float32: the value of the edge that begins at each corner, on the side of its face; 0 for none.
+
+        Attributes of another type or domain are ignored. Values on corners take precedence.
+        """
         if not {self.value.name, self.corner.name} & set(mesh.attributes.keys()):
             return np.zeros(len(mesh.loops), dtype=np.float32)
         corners, marked = read_values(mesh, self.corner), self._on_edges(mesh)
@@ -128,8 +128,10 @@ def is_set(values: np.ndarray) -> np.ndarray:
 
 
 def number_faces(mesh: bpy.types.Mesh, faces: np.ndarray) -> np.ndarray:
-    """Gives these faces numbers, and new numbers to all faces that share a number. Returns the numbers of all faces
-    (f,), 0 for none. Known sides remain known. The mesh must be in Object Mode."""
+    """Gives numbers to these faces, and new numbers to faces that share a number. Known sides remain known.
+
+    Returns the numbers of all faces (f,), 0 for none.
+    """
     numbers = read_values(mesh, FACE)
     _, first, counts = np.unique(numbers, return_inverse=True, return_counts=True)
     renumbered = (numbers != 0) & (counts[first] > 1)
@@ -149,8 +151,10 @@ def number_faces(mesh: bpy.types.Mesh, faces: np.ndarray) -> np.ndarray:
 
 
 def marked_corners(mesh: bpy.types.Mesh, side: Mark) -> tuple[np.ndarray, np.ndarray]:
-    """Return a mask (l,) of the corners whose face has the number that is stored on their edge. Also return how many of
-    these corners each edge has, (e,). side: the attribute that stores the number on edges."""
+    """Return a mask (l,) of the corners whose face has the number on their edge, and their count at each edge (e,).
+
+    side: the attribute that stores the number on edges
+    """
     loop_edges = corner_edges(mesh)
     of_loops = read_values(mesh, side)[loop_edges]
     numbers = np.repeat(read_values(mesh, FACE), face_sizes(mesh))
@@ -187,9 +191,12 @@ def mark_edges(mesh: bpy.types.Mesh, rows: np.ndarray, width: float) -> int:
 
 
 def mark_sides(mesh: bpy.types.Mesh, corners: np.ndarray, width: float) -> int:
-    """Set this width on the sides of edges that begin at these corners. Return the number of changed sides. Edges of
-    more than two faces do not change, because all their sides have one width. width: see mark_edges."""
+    """Set this width on the sides of edges that begin at these corners. Return the number of changed sides.
+
+    Edges of more than two faces do not change. width: see mark_edges
+    """
     loop_edges = corner_edges(mesh)
+    # All sides of an edge with more than two faces have one width.
     marked = corners[faces_at_edges(mesh)[loop_edges[corners]] <= 2]
     both, widths = _where_set(read_values(mesh, ALLOWANCE)), corner_widths(mesh)
     widths[marked] = width

@@ -27,8 +27,11 @@ def model_state(source: bpy.types.Object, base: MarkedMesh, with_modifiers: bool
 
 
 def present_state(source: bpy.types.Object, with_modifiers: bool, take: Take = read_anew) -> dict:
-    """Return the present state like model_state, but without lengths. Works in Edit Mode, too. take: read_anew or kept.
-    Raises ObjectError if an attribute of another add-on has one of our names."""
+    """Return the present state like model_state, but without lengths. Works in Edit Mode, too.
+
+    take: read_anew or kept
+    Raises ObjectError if an attribute of another add-on has one of our names.
+    """
     digests = take(source.data, "digests", lambda _: _digests(marked_mesh(source, take)))
     return _state(source, digests, with_modifiers, take)
 
@@ -78,8 +81,8 @@ def _changes(source: bpy.types.Object, then: dict, take: Take) -> set[str]:
 
 
 def _is_applied(source: bpy.types.Object, then: dict, now: dict, take: Take) -> bool:
-    """Return whether the user has applied a transformation: vertices and matrix have changed, but no length. If the
-    matrix is the same, return False, so that even the smallest change of a vertex counts as a change."""
+    """Return whether the user has applied a transformation: vertices and matrix have changed, but no length."""
+    # If the matrix is the same, even the smallest change of a vertex counts as a change.
     if LENGTHS not in then or then[MATRIX] == now[MATRIX] or then[FACES] != now[FACES]:
         return False
     if (then[SCALE][-1] < 0) != (now[SCALE][-1] < 0):  # mirrored
@@ -103,8 +106,10 @@ def _digests(mesh: MarkedMesh) -> dict[str, str]:
 
 
 def _length_sums(mesh: MarkedMesh, linear: np.ndarray) -> dict:
-    """Return sums of the lengths of all edges and of diagonals of faces in the world, and the rounding error of the
-    sums. The shapes of pieces depend only on these lengths. linear (3,3): from the mesh to the world."""
+    """Return sums of the lengths of edges and diagonals of faces in the world, and their rounding error.
+
+    The shapes of pieces depend only on these lengths. linear (3,3): from the mesh to the world
+    """
     points = _finite(mesh.places) @ linear.T
     corners, sizes = mesh.corner_vertices, np.repeat(mesh.face_sizes, mesh.face_sizes)
     begins = np.repeat(np.cumsum(mesh.face_sizes) - mesh.face_sizes, mesh.face_sizes)
@@ -115,17 +120,13 @@ def _length_sums(mesh: MarkedMesh, linear: np.ndarray) -> dict:
 
 
 def _modified_state(source: bpy.types.Object) -> dict:
-    """Return the state of the existing evaluated mesh.
-
-    evaluated_mesh is not used, because it would evaluate the object again to get more layers.
-
-    Coordinates are summed and not hashed, because rounding may change them. If a modifier refers to another object,
-    moving both objects changes the rounding. Up to Blender 3.6, threads also sum normals in varying order, which
-    changes coordinates along normals.
-    """
+    """Return the state of the existing evaluated mesh."""
+    # evaluated_mesh would evaluate the object again to get more layers.
     evaluated = source.evaluated_get(bpy.context.view_layer.depsgraph)
     try:
         mesh = read_marked(evaluated.to_mesh())
+        # Coordinates are summed and not hashed, because their rounding varies. It changes if the object is moved together
+        # with an object of a modifier. Up to Blender 3.6, threads also sum normals in varying order.
         rounding = rounding_of_sums(mesh.places, source.matrix_world.translation.length)
         state = {FACES: _digest(_faces(mesh) + _marks(mesh)), "sums": place_sums(mesh.places), "rounding": rounding}
         return state | {LENGTHS: _length_sums(mesh, _linear(source))}

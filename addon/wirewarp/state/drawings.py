@@ -43,8 +43,10 @@ class _Entry:
 def kept_drawing(
     owner: bpy.types.Object, what: str, made_of: tuple, build: Callable[[], T], model: bpy.types.Object | None = None
 ) -> T:
-    """Return build(), or its last result if `made_of` is unchanged, or if a build now would delay the user. While the
-    owner or `model` is in Edit Mode, slow builds wait for a pause of the user."""
+    """Return build(), or its last result if `made_of` is unchanged, or if a build now would delay the user.
+
+    While the owner or `model` is in Edit Mode, slow builds wait for a pause.
+    """
     drawings, now = state_of(owner).drawings, time.monotonic()
     entry: _Entry | None = drawings.get(what)
     if entry and entry.made_of == made_of:

@@ -53,8 +53,11 @@ def is_flat_mesh(mesh: bpy.types.Mesh) -> bool:
 
 
 def read_flat_pieces(mesh: bpy.types.Mesh, scale: float = 1.0) -> FlatPieces:
-    """Return the pieces, with None for missing attributes. The mesh must not be in Edit Mode. scale: factor for
-    lengths, which are in Blender units. Raises ObjectError like read_marks."""
+    """Return the pieces, with None for missing attributes. The mesh must not be in Edit Mode.
+
+    scale: factor for lengths, which are in Blender units
+    Raises ObjectError like read_marks.
+    """
     return FlatPieces(
         vertices=vertex_places(mesh)[:, :2].astype(np.float64) * scale,
         source_vertex=find_values(mesh, SOURCE_VERTEX),

@@ -163,8 +163,10 @@ def find_wires(target: bpy.types.Object, take: Take = read_anew) -> list[WireSum
 
 
 def repair_names(target: bpy.types.Object) -> dict[int, int]:
-    """Write the names of all wires to the list of names, in Object Mode or Edit Mode. Return, by edge, new ids for
-    wires that share an id with an earlier wire. The caller must write these ids."""
+    """Write the names of all wires to the list of names, in Object Mode or Edit Mode.
+
+    Return, by edge, new ids for wires that share an id. The caller must write these ids.
+    """
     wires, mesh = find_wires(target), target.data
     ids = [wire.wire_id for wire in wires]
     own = own_ids(ids)
@@ -254,8 +256,11 @@ def _seam_ids_of_flat_pieces(mesh: bpy.types.Mesh, arrays: MeshArrays) -> np.nda
 def write_seams(
     source: bpy.types.Object, arrays: MeshArrays, identities: Sequence[SeamIdentity], on_model: bool
 ) -> None:
-    """Write ids and names of the seams. Keep names that the user has changed. arrays: the model with the new ids;
-    on_model: whether the arrays were read from the base mesh, so that ids can be written to it."""
+    """Write ids and names of the seams. Keep names that the user has changed.
+
+    arrays: the model with the new ids
+    on_model: whether they were read from the base mesh, which then gets the ids
+    """
     places = {entry.seam_id: place for place, entry in enumerate(source.wirewarp_seams)}
     for identity in identities:  # accessed by index, because add() moves the entries in memory
         place = places.get(identity.seam_id)

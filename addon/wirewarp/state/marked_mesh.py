@@ -76,8 +76,11 @@ def check_id_room(target: bpy.types.Object) -> None:
 
 
 def read_ids(mesh: bpy.types.Mesh, attribute: Attribute) -> np.ndarray:
-    """Return the ids on a mesh that is not in Edit Mode, int32, 0 for none. attribute: PIECE for the ids of faces (f,),
-    or SEAM for the ids of edges (e,). Raises ObjectError if the attribute has another type or domain."""
+    """Return the ids on a mesh that is not in Edit Mode, int32, 0 for none.
+
+    attribute: PIECE for faces (f,), or SEAM for edges (e,)
+    Raises ObjectError if it has another type or domain.
+    """
     check_attribute(mesh, attribute)
     return read_values(mesh, attribute)
 

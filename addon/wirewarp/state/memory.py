@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Keeps data about objects, meshes and scenes in memory until these are removed or another file is opened.
 
-Data read from geometry is kept until the geometry changes, so that drawing does not read it again. Only objects that
-Blender has updated are checked again, because a file may contain thousands of objects.
+Data from geometry is kept until the geometry changes, so that drawing does not read it again.
 """
 
 from collections.abc import Callable, Iterator
@@ -93,6 +92,7 @@ def stamp(owner: bpy.types.Mesh | bpy.types.Object) -> object:
 
 def find_objects(concerns_us: Callable[[bpy.types.Object], bool]) -> list[bpy.types.Object]:
     """Returns all objects of the file for which concerns_us() is true. All calls must pass the same function."""
+    # Only objects that Blender has updated are checked again, because a file may contain thousands of objects.
     if _memory.ours is not None:
         asked = {place: bpy.data.objects.get(place) for place in _memory.updated}
         _memory.ours -= asked.keys()

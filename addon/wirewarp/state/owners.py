@@ -68,9 +68,9 @@ def earlier_sentence(target: bpy.types.Object) -> str:
 def check_not_edited(target: bpy.types.Object, handled: Collection[bpy.types.Mesh] = ()) -> None:
     """Raises ObjectError if the mesh of the model or of its pieces is in Edit Mode, which hides attributes.
 
-    in_object_mode leaves Edit Mode only in one view layer. Meshes may be in Edit Mode in other scenes and windows, too.
-    handled: meshes that the caller reads and writes in Edit Mode.
+    handled: meshes that the caller reads and writes in Edit Mode
     """
+    # In other scenes and windows, meshes stay in Edit Mode even within in_object_mode.
     for each in filter(None, [target, find_flat_object(target)]):
         if each.data.is_editmode and each.data not in handled:
             raise object_error(

@@ -55,8 +55,10 @@ def left_out(source: bpy.types.Object, arrays: MeshArrays | None, use_modifiers:
 
 
 def shaped_by(source: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> list[str]:
-    """Return "modifiers" and "shape keys" if these change the shape of the object, which must be in Object Mode. Only
-    the evaluated shape counts, so an armature at rest or a modifier of normals does not matter."""
+    """Return "modifiers" and "shape keys" if these change the evaluated shape of the object.
+
+    For example, an armature at rest changes nothing. The object must be in Object Mode.
+    """
     makers = ["modifiers"] if any(modifier.show_viewport for modifier in source.modifiers) else []
     makers += ["shape keys"] if source.data.shape_keys else []
     if not makers:
@@ -65,8 +67,10 @@ def shaped_by(source: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> list[
 
 
 def subdivide(source: bpy.types.Object, is_used: bool) -> None:
-    """Add a Subdivision Surface modifier that keeps corners of outlines, or one more level if the model has such a
-    modifier. is_used: whether the last run used modifiers; if not, an existing modifier keeps its level."""
+    """Add a Subdivision Surface modifier that keeps corners of outlines, or a level to the present modifier.
+
+    is_used: whether the last run used modifiers; if not, the present modifier keeps its level
+    """
     found = [modifier for modifier in source.modifiers if modifier.type == "SUBSURF" and modifier.show_viewport]
     if found and is_used:
         found[-1].levels = max(found[-1].levels, min(found[-1].levels + 1, MOST_LEVELS))
@@ -195,8 +199,10 @@ def _to_arrays(
 
 
 def own_uv_map(mesh: bpy.types.Mesh) -> bpy.types.MeshUVLoopLayer | None:
-    """Return the user's active UV map; None if there is only WireWarp's map. If WireWarp's map is active, as after
-    Flatten, return the user's map that is active for rendering, or else the user's first map."""
+    """Return the user's active UV map; None if there is only WireWarp's map.
+
+    If WireWarp's map is active, return the user's map for rendering, or else the user's first map.
+    """
     active, others = mesh.uv_layers.active, [each for each in mesh.uv_layers if each.name != UV_LAYER]
     if active is None or active.name != UV_LAYER:
         return active

@@ -109,10 +109,9 @@ def read_record(mesh: bpy.types.Mesh) -> FlatRecord | None:
 
 
 def grains(mesh: bpy.types.Mesh, vertices: np.ndarray) -> dict[int, np.ndarray]:
-    """Return unit vectors (2,) along the present grain of the pieces, by index of the piece. vertices (n,2): places.
+    """Return unit vectors (2,) along the present grain, by index of the piece. vertices (n,2): places
 
-    The grain is stored as an angle from the line between two vertices, so that it rotates with its piece. Pieces
-    without these vertices have no grain.
+    The grain is an angle from the line between two vertices. Without these vertices, a piece has no grain.
     """
     record, found = read_record(mesh), {}
     for piece, first, last, cosine, sine in record.grain if record else ():

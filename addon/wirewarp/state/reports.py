@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Stores two reports of each object: of the run that made its flat pieces, and of a later run that wrote nothing.
+"""Stores two reports of each object.
 
-A run that wrote pieces stores its report on the object, so that the file keeps it. A run that wrote nothing does not
-change the file. Its report is kept in memory, and is the last report until another report is stored on the object. A
-stored report that another program has changed is not shown, because it may be wrong or unsafe to read.
+- Of the run that made its flat pieces: on the object, so that the file keeps it.
+- Of a later run that wrote nothing: in memory, until another report is stored on the object.
+
+A stored report that another program has changed is not shown, because it may be unsafe to read.
 """
 
 import json
@@ -68,10 +69,13 @@ def with_names(source: bpy.types.Object, report: ObjectReport | None) -> ObjectR
 
 
 def _failure(source: bpy.types.Object) -> ObjectReport | None:
-    """Return the report of the last run if this run wrote nothing, otherwise None. After a later run is undone, the
-    report is returned again. Before Blender 4.1, numbers of elements detect another object with the same key."""
+    """Return the report of the last run if this run wrote nothing, otherwise None.
+
+    After a later run is undone, the report is returned again.
+    """
     state = state_of(source)
     failure = state.failure if state.failed_after == stored_text(source, REPORT) else None
+    # Before Blender 4.1, another object may have the same key.
     if failure and not hasattr(source, "session_uid") and failure.counts != element_counts(source.data):
         return None
     return failure

@@ -46,8 +46,9 @@ from ..ui.window_run import WindowSteps, fault_sentence
 STOPPED = "Canceled early"
 CHOOSE_FABRIC = "Choose a fabric that stretches more."
 SET_TARGET = "Set a larger target."
-# These are the maximum stretches, as fractions, if the fabric is unknown. The first is that of plush and knits, from
-# which most closed models are sewn. The second is that of jersey, the softest fabric that is not made for swimming.
+# Maximum stretches, as fractions, if the fabric is unknown.
+# - Plush and knits: most closed models are sewn from these.
+# - Jersey: the softest fabric that is not made for swimming.
 SOFT = 0.2, 0.5
 
 
@@ -227,16 +228,16 @@ class SuggestCuts(OnMesh, WindowSteps):
         return None
 
     def _keep(self, context: bpy.types.Context, cuts: list[Cut], remark: str = "") -> set[str]:
-        """Keep the cuts and report them. remark: text before the figures. Raises ObjectError like keep_found.
+        """Keep the cuts and report them. Raises ObjectError like keep_found.
 
-        This must work in any mode, because leaving Edit Mode while a tool runs would crash Blender. The name of the
-        piece comes last, because the status bar cuts off long texts.
+        This must work in any mode, because leaving Edit Mode while a tool runs would crash Blender.
+        remark: text before the figures
         """
         found = keep_found(self._search, cuts, self.place)
         redraw_views()
         lengths, name = length_text(context.scene), found.names[0]
         is_named = cuts[0].piece in self._search.names or self._search.is_of_model
-        piece = quoted([name]) if is_named else name
+        piece = quoted([name]) if is_named else name  # comes last, because the status bar cuts off long texts
         if found.target:
             step = step_text(self.kind, cuts[-1], lengths)
             said = [f"Stretch with {step}, for {piece}", shortfall(self.kind, cuts, found.target)]

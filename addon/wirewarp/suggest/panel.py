@@ -45,10 +45,10 @@ def draw_suggest(
     *,
     has_seams: bool,
 ) -> None:
-    """Draw the buttons and the target. During a search, the progress replaces the buttons, so that nothing moves.
+    """Draw the buttons and the target. During a search, the progress replaces the buttons.
 
-    place: panel in which the suggestions appear; piece: index in the report, -1 for any piece. In the panel Flatten, a
-    target is for all pieces.
+    place: panel of the suggestions; in FLATTEN, a target is for all pieces
+    piece: index in the report, -1 for any piece
     """
     row, options, is_of_all = layout.row(align=True), layout.column(), place == "FLATTEN"
     options.enabled = not draw_progress(row, SUGGEST, "object.wirewarp_suggest_darts")

@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Cuts lines into the mesh: suggested lines, and smooth lines that replace seams along edges.
 
-The surface does not change. Marks, maps and attributes stay, because new elements get the attributes of the faces and
-edges that they divide.
+The surface does not change. New elements get the marks, maps and attributes of the elements that they divide.
 """
 
 from collections.abc import Iterator, Sequence
@@ -34,10 +33,10 @@ from ..ui.editing import OnModel, reporting_refusals
 
 
 def take_lines(source: bpy.types.Object, paths: Sequence[SurfacePath], with_modifiers: bool) -> int:
-    """Cut the lines into the mesh as edges, and mark these edges as seams. Return the number of new seams.
+    """Cut the lines into the mesh as seams. Return the number of new seams.
 
-    with_modifiers: whether the lines are on the mesh with modifiers, which are then applied. Raises ObjectError, with
-    nothing changed, if the lines cannot be cut.
+    with_modifiers: whether the lines are on the mesh with modifiers, which are then applied
+    Raises ObjectError, with nothing changed, on failure.
     """
     depsgraph = bpy.context.evaluated_depsgraph_get() if with_modifiers else None
     division = _divided(object_to_arrays(source, marked_mesh(source), depsgraph), paths)
@@ -192,11 +191,9 @@ def _side_layers(edited: bmesh.types.BMesh) -> list[bmesh.types.BMLayerItem]:
 
 
 def cut_smooth_lines(source: bpy.types.Object, edges: Pairs) -> Pairs:
-    """Replace each line of these seam edges with a smooth seam that has the same ends.
+    """Replace each line of these seam edges with a smooth seam: see _smooth_line(). Returns the edges of the new seams.
 
-    The new lines meet each other, other seams and wires at the same places as the old lines, and do not enter painted
-    faces. Vertices keep their indices. Returns the edges of the smooth lines. Raises ObjectError, perhaps after
-    changes: see unchanged_on_error.
+    Vertices keep their indices. Raises ObjectError, perhaps after changes: see unchanged_on_error
     """
     mesh, seams = source.data, []
     places = object_to_arrays(source, marked_mesh(source), None).vertices
@@ -226,10 +223,11 @@ def _check_ends(source: bpy.types.Object, path: list[int]) -> None:
 
 
 def _smooth_line(arrays: MeshArrays, path: list[int], kept: Pairs, no_seam: NoSeam) -> SurfacePath:
-    """Return a smooth line beside a path of vertices inside a piece, with the same ends.
+    """Return a smooth line beside a path along edges that are not seams, with the same ends.
 
-    The line crosses kept edges at the same places as the path, and enters only painted faces that the path enters.
-    Edges of the path must not be seams. Raises ObjectError if the library finds no line.
+    kept: edges that the line crosses at the same places as the path
+    no_seam: the line enters only painted faces that the path enters
+    Raises ObjectError if the library finds no line.
     """
     painted = (painted_at_edges(arrays, no_seam) > 0) | no_seam.vertices[arrays.edges].all(axis=1)
     painted &= ~are_among(arrays.edges, list(pairwise(path)))

@@ -67,9 +67,10 @@ def reporting_refusals(execute: Execute) -> Execute:
 
 
 def change_edited(context: bpy.types.Context, plan: Callable[[bpy.types.Object], Callable[[], T]]) -> list[T]:
-    """Plan changes for each object in Edit Mode, then write all changes, and return their results. If plan() raises
-    ObjectError for an object, no object is changed. plan() and its results are called in Object Mode. If no edge is
-    selected, nothing is planned."""
+    """Plan changes for each object in Edit Mode, then write all changes, and return their results.
+
+    plan() is called in Object Mode, if an edge is selected. If it raises ObjectError, no object is changed.
+    """
     targets = list(context.objects_in_mode_unique_data)
     for target in targets:
         check_local(target, target.data)

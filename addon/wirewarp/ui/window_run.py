@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs one task at a time in the window, with steps, a timer and progress.
 
-Every run ends in stop(): when the run is finished or canceled, when another file is opened, or when the add-on is
-disabled.
+Every run ends in stop(), even if another file is opened or the add-on is disabled.
 """
 
 import math
