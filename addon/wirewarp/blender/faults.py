@@ -118,7 +118,9 @@ def _duplicate_faces(edit: bmesh.types.BMesh, _close: float) -> Found:
 def _interior_faces(edit: bmesh.types.BMesh, _close: float) -> Found:
     """Return the faces that Blender selects as Interior Faces, except faces visible from outside.
 
-    Visible faces border an open room: from one of its faces, a ray along the normal meets no other face.
+    - The faces divide space into rooms.
+    - A room is open if a ray from one of its faces, along the normal, meets no other face.
+    - A face is visible if one of its sides belongs to an open room.
     """
     walled = [face for face in edit.faces if all(len(edge.link_faces) > 2 for edge in face.edges)]
     if not walled:
@@ -132,7 +134,7 @@ def _interior_faces(edit: bmesh.types.BMesh, _close: float) -> Found:
 def _rooms(edit: bmesh.types.BMesh) -> dict[tuple[int, int], tuple[int, int]]:
     """Return, for each side of a face, the side that represents its room.
 
-    Side: (index of the face, 1 on the side of the normal or -1). Sides that meet at an edge are in one room.
+    A side is (face, 1) toward the normal, or (face, -1). Sides that meet at an edge are in one room.
     """
     parent = {(face.index, side): (face.index, side) for face in edit.faces for side in (1, -1)}
 

@@ -24,7 +24,7 @@ def edited_meshes(context: bpy.types.Context) -> set[bpy.types.Mesh]:
     """Return the meshes in Edit Mode in this view layer; none unless the active object is in Edit Mode."""
     if context.mode != "EDIT_MESH":  # in_object_mode could not leave Edit Mode
         return set()
-    # context.objects_in_mode may list objects of the window instead.
+    # context.objects_in_mode is not used, because it may list objects of the window instead.
     return {each.data for each in context.view_layer.objects if each.type == "MESH" and each.mode == "EDIT"}
 
 

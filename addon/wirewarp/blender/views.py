@@ -69,7 +69,8 @@ class Projection:
 def fit(points: np.ndarray, view: Projection) -> tuple[np.ndarray, float]:
     """Return the point to look at (3,), and the eye's distance at which the points (n,3) fill the view.
 
-    Orthographic: a factor for the present distance. Covered parts and MARGIN stay free.
+    - Orthographic view: a factor for the present distance instead.
+    - Covered parts of the view and MARGIN stay free.
     """
     x, y, z = (points @ view.axes).T
     middle = (z.min() + z.max()) / 2

@@ -197,7 +197,7 @@ class WM_OT_wirewarp_watch(bpy.types.Operator):
 def updating_in(group: str) -> Callable:
     """Return an operator that updates within the last undo step. group: the name of that step.
 
-    In a separate step, the first undo would restore earlier pieces, which do not match the marks.
+    With a separate step, the first undo would restore earlier pieces, which do not match the marks.
     """
     if group == LABEL:
         return bpy.ops.object.wirewarp_update

@@ -40,7 +40,7 @@ def free_place(
 
     - It is to the right of the source and of all flat pieces.
     - It is as low as the lowest of `models`, the models of this run, but not above or below any of them.
-    - Objects beyond LARGE are not obstacles.
+    - The pieces meet no other object, except objects beyond LARGE.
     """
     own, largest = world_box(source), max(source.dimensions)
     together = [world_box(each) for each in models]

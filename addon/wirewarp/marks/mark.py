@@ -45,8 +45,8 @@ class Marked(NamedTuple):
 def plan_wires(target: bpy.types.Object, tolerance: float) -> Callable[[], Marked]:
     """Plan to make the selected edges wires, one for each line.
 
-    A line with one whole wire and no other keeps its id. Raises ObjectError if an edge has no face, and like
-    check_attributes.
+    If a line contains one whole wire and no other, this wire keeps its id and name.
+    Raises ObjectError if an edge has no face, and like check_attributes.
     """
     mesh = target.data
     check_attributes(mesh)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Draws the panel Mark, which has the same height in all modes and on flat pieces.
 
-Otherwise, buttons below it would move when they enter Edit Mode. Flatten is below Mark, because the verdict grows.
+Otherwise, buttons below it would move when they enter Edit Mode. Mark is above Flatten, whose verdict grows.
 """
 
 from collections.abc import Sequence

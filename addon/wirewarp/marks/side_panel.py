@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Draws the buttons that mark one side of edges, on flat pieces.
 
-The panel grows in Edit Mode. It is below the lists, so that it does not move their arrow buttons into Edit Mode.
+The panel is below the lists, because it grows in Edit Mode. Above them, it would move the buttons that enter Edit Mode.
 """
 
 import bpy

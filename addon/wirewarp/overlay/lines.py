@@ -209,7 +209,7 @@ def seam_line_names(
     """Return the names of each seam, one in each of its pieces.
 
     numbers (k,): seam of each edge, 0 for none
-    texts: returns the texts of a name, see Name, from seam and piece
+    texts: returns the texts of this seam in this piece, see Name
     """
     rows: dict[tuple[int, int], list[int]] = {}
     for row in np.flatnonzero(numbers).tolist():

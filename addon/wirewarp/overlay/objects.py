@@ -124,7 +124,7 @@ def _seams_of_report(edges: LineEdges, report: ObjectReport) -> np.ndarray:
 def _seam_texts(report: ObjectReport, on_flat: bool, number: int, piece: int) -> tuple[str, ...]:
     """Return the texts of a seam, see Name: its name with the joined pieces, then the name alone.
 
-    On a flat piece, only the other piece is joined. number: as in _seams_of_report
+    On a flat piece, the first text names only the other piece. number: as in _seams_of_report
     """
     seam = report.seams[number - 1]
     joined = joined_pieces(report, [each for each in seam.pieces if not on_flat or each != piece])

@@ -165,7 +165,7 @@ def take_proposals(source: bpy.types.Object, report: ObjectReport, what: str, is
     """Apply suggestions of these issues to a model in Object Mode. Return the number of changed edges.
 
     what: SEAMS or TOLERANCES
-    Raises ObjectError if there are none, or if the model has changed.
+    Raises ObjectError if there is no such suggestion, or if the model has changed.
     """
     chosen = report.issues[issues]
     seams = [edge for issue in chosen for edge in issue.proposed_seams] if what == "SEAMS" else []

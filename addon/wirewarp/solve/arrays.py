@@ -123,7 +123,8 @@ def island_borders(
 ) -> np.ndarray:
     """Return a mask (e,) of the edges whose two faces are not side by side in the map.
 
-    Arrays of corners (l,): edge, vertex, next corner of the face; uv (l,2): place in the map
+    loop_edges, loop_vertices, next_loops (l,): edge, vertex and next corner of each corner
+    uv (l,2): places of the corners in the map
     """
     turned = loop_vertices > loop_vertices[next_loops]
     ends = np.column_stack([uv, uv[next_loops]])  # (l,4): both ends of the edge in the map, on the side of this face

@@ -79,7 +79,8 @@ def segments_along(edges: np.ndarray, arrays: MeshArrays) -> Segments:
 def places_on(segments: Segments, polygons: np.ndarray, vertices: np.ndarray, places: np.ndarray) -> np.ndarray:
     """Return the ends (2k,3) of the segments on a mesh, without segments on faces that the mesh lacks.
 
-    Arrays of its corners: polygons, vertices (l,), numbered as in the segments; places (l,3)
+    polygons, vertices (l,): face and vertex of each corner, numbered as in the segments
+    places (l,3): places of the corners
     """
     near = np.flatnonzero(np.isin(polygons, segments.polygons))
     corner_at = dict(

@@ -90,7 +90,7 @@ def _places_on(side: str, offsets: np.ndarray) -> list[str]:
 
 
 def _words(axes: Sequence[int], offsets: np.ndarray) -> list[str]:
-    """Return each piece's words: one for each axis on which it is not near the middle of all pieces."""
+    """Return each piece's words: one for each axis on which the piece is not near the middle of all pieces."""
     words = [""] * len(offsets)
     for axis in axes:
         low, high = offsets[:, axis].min(), offsets[:, axis].max()

@@ -119,7 +119,7 @@ class SearchOptions:
 def suggest_cuts(
     arrays: MeshArrays, choices: FlattenChoices, options: SearchOptions, no_seam: NoSeam
 ) -> Steps[list[Cut]]:
-    """Return cuts, the best dart or seam first, or the steps to a target. Cut sets are not sorted.
+    """Return cuts, the best dart or seam first, or the steps to a target.
 
     If the search is canceled, return the cut sets found so far. Raises ObjectError, for example if no cut helps.
     """

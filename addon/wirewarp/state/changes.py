@@ -125,8 +125,8 @@ def _modified_state(source: bpy.types.Object) -> dict:
     evaluated = source.evaluated_get(bpy.context.view_layer.depsgraph)
     try:
         mesh = read_marked(evaluated.to_mesh())
-        # Coordinates are summed and not hashed, because their rounding varies. It changes if the object is moved together
-        # with an object of a modifier. Up to Blender 3.6, threads also sum normals in varying order.
+        # Coordinates are summed and not hashed, because their rounding varies. Moving the object and the object of a
+        # modifier together changes the rounding. Up to Blender 3.6, threads also sum normals in varying order.
         rounding = rounding_of_sums(mesh.places, source.matrix_world.translation.length)
         state = {FACES: _digest(_faces(mesh) + _marks(mesh)), "sums": place_sums(mesh.places), "rounding": rounding}
         return state | {LENGTHS: _length_sums(mesh, _linear(source))}

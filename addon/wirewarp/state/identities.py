@@ -258,8 +258,8 @@ def write_seams(
 ) -> None:
     """Write ids and names of the seams. Keep names that the user has changed.
 
-    arrays: the model with the new ids
-    on_model: whether they were read from the base mesh, which then gets the ids
+    arrays: model with the new ids
+    on_model: whether the arrays were read from the base mesh, which then gets the ids
     """
     places = {entry.seam_id: place for place, entry in enumerate(source.wirewarp_seams)}
     for identity in identities:  # accessed by index, because add() moves the entries in memory

@@ -237,7 +237,7 @@ class SuggestCuts(OnMesh, WindowSteps):
         redraw_views()
         lengths, name = length_text(context.scene), found.names[0]
         is_named = cuts[0].piece in self._search.names or self._search.is_of_model
-        piece = quoted([name]) if is_named else name  # comes last, because the status bar cuts off long texts
+        piece = quoted([name]) if is_named else name  # last in the texts, because the status bar cuts them off
         if found.target:
             step = step_text(self.kind, cuts[-1], lengths)
             said = [f"Stretch with {step}, for {piece}", shortfall(self.kind, cuts, found.target)]

@@ -36,7 +36,7 @@ def take_lines(source: bpy.types.Object, paths: Sequence[SurfacePath], with_modi
     """Cut the lines into the mesh as seams. Return the number of new seams.
 
     with_modifiers: whether the lines are on the mesh with modifiers, which are then applied
-    Raises ObjectError, with nothing changed, on failure.
+    Raises ObjectError, with nothing changed, if the lines cannot be cut.
     """
     depsgraph = bpy.context.evaluated_depsgraph_get() if with_modifiers else None
     division = _divided(object_to_arrays(source, marked_mesh(source), depsgraph), paths)

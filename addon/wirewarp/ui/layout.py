@@ -92,9 +92,9 @@ def draw_sentence(
 ) -> None:
     """Draw a sentence in lines that fit the region, because Blender cuts long labels off.
 
-    icon: a name of Blender or of MARKS
+    icon: name of Blender or of MARKS
     reserved: see broken()
-    as_high_as: text for which room is left
+    as_high_as: text for whose lines room is left
     """
     column = layout.column(align=True)
     column.scale_y = 0.8
