@@ -85,11 +85,10 @@ def cut(vertices: np.ndarray, faces: np.ndarray, bound: float) -> tuple[CutFigur
 def starts(
     vertices: np.ndarray, faces: np.ndarray, sets: list[Cuts], below: list[Cuts], bound: float
 ) -> Iterator[Cuts]:
-    """Yield cuts with an energy of at most `bound`. The caller then removes seams from them.
+    """Yield cuts with an energy of at most `bound`, the shortest set of `below` first.
 
-    The shortest set of `below` is first, then sets with added darts, then the rest of `below`.
-
-    sets: all cut sets, the shortest first. below: the sets with an energy of at most `bound` without darts.
+    sets: all cut sets, the shortest first
+    below: the sets whose energy is at most `bound` without darts
     """
     longest = below[0][1].length if below else np.inf
     yield from below[:1]
@@ -132,9 +131,9 @@ def flat_sets(vertices: np.ndarray, faces: np.ndarray) -> list[Cuts]:
 
 
 def with_darts(vertices: np.ndarray, faces: np.ndarray, cuts: Cuts, longest: float, bound: float) -> Cuts | None:
-    """Return the cuts with added darts. Each added dart has the largest decrease of energy for its length.
+    """Return the cuts with the added darts that decrease the energy most for their lengths.
 
-    Returns None if the cuts would be longer than `longest`, or if the energy stays above the bound.
+    Returns None if the cuts get as long as `longest`, or if the energy stays above the bound.
     """
     seams, figures = cuts
     for _ in range(DARTS):

@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Draws the sets of seams that are proposed for the toys of toys.py or for other closed models, and prints their table:
+"""Draws proposed seams of closed models, and prints their table:
 
 PYTHONPATH=results:blend_samples python bench/cut_pictures.py FOLDER [NAME or MESH.obj...]
 
-The set is chosen as in cut_sets.py, with smooth seams. A picture has the model from the front and from the back, and
-the pieces at the scale of the model. Pieces without room for their allowances are darker.
+NAME: a toy of toys.py, by default all
 """
 
 import sys

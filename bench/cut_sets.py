@@ -1,11 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Measures the sets of seams that are proposed for closed models, and prints a table with a row for each model:
+"""Measures proposed seams of closed models, and prints a table with a row for each model:
 
 python bench/cut_sets.py MESH.obj...
-
-A row has the set with the fewest pieces that need no more than the maximum stretch of plush. If there is no such set,
-the row has the set with the least stretch. *With room* is the number of pieces with room for their allowances. *Bends*
-is the number of vertices inside a seam at which the outline of a flat piece turns sharply.
 """
 
 import sys
@@ -83,6 +79,7 @@ class Cut:
 
 
 def best_cut(mesh: Mesh, smooth: bool = False) -> Cut:
+    """Return the set with the fewest pieces up to the strain SOFT, or else the set with the least strain."""
     begin = time.process_time()
     sets = wirewarp.propose_seams(*mesh, narrowest=2 * ALLOWANCE / scale_of(mesh), smooth=smooth)
     seconds = time.process_time() - begin

@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Maps a piece to the plane with libigl, starting from the harmonic map to a disk. These maps do not keep lengths.
 
-The functions arap() and slim() take vertices (n, 3) and faces (m, 3). They return positions (n, 2) and the number of
-iterations.
+arap() and slim() return positions (n, 2) and the number of iterations.
 """
 
 import igl

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs OptCuts, built from its public sources, and keeps its output in three files.
+"""Runs OptCuts, built from its public sources, and keeps its output in three files:
 
-NAME.obj is the surface with its flat shape as texture coordinates. NAME.json has the cost of the run, and the reason if
-there is no result. NAME.log has the messages.
+- NAME.obj: the surface with its flat shape as texture coordinates
+- NAME.json: the PeerRun
+- NAME.log: the messages
 """
 
 import json

@@ -16,11 +16,7 @@ def resident_megabytes(line: str) -> float:
 
 
 def cost_of(work: Callable[[], Answer]) -> tuple[Answer, float, float]:
-    """Return the result of the work, its CPU seconds, and its peak memory in megabytes.
-
-    The seconds include all threads and the system's time. Wall time is not used, because other programs lengthen it.
-    The memory of the process before the work does not count.
-    """
+    """Return the result of the work, the CPU seconds of all threads, and the peak of the added memory in megabytes."""
     Path("/proc/self/clear_refs").write_text("5")  # resets the peak (VmHWM) to the present memory (VmRSS)
     before = resident_megabytes("VmRSS")
     begin = time.process_time()

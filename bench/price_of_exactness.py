@@ -83,16 +83,16 @@ class Runs:
         return kept_flat(folder_of(self.results, bound) / mesh.name)
 
     def lengths_within(self, mesh: Path) -> list[float | None]:
-        """Return two lengths of OptCuts' cuts: the shortest that suffice with exact seams, and with elastic seams.
+        """Return the lengths of the shortest cuts that suffice with exact seams, and with elastic seams.
 
-        Cuts suffice if Flat.least is at most BOUND and no piece overlaps itself. Cuts that suffice with exact seams
-        also suffice with elastic seams. A length is None if no cuts suffice.
+        Cuts suffice if Flat.least is at most BOUND and no piece overlaps itself.
         """
         found: list[float | None] = [None, None]
         for bound in TIGHTER:
             peer = self.peer(mesh, bound)
             flat = self.flat(mesh, bound) if peer else [None, None]
             enough = [bool(each and not each.overlaps and each.least <= BOUND) for each in flat]
+            # Cuts that suffice with exact seams also suffice with elastic seams.
             for i, is_enough in enumerate((enough[0], any(enough))):
                 if peer and is_enough and found[i] is None:
                     found[i] = peer.length

@@ -2,10 +2,6 @@
 """Compares proposed darts with every dart of a large selection, on the most distorted piece of each sample.
 
 Usage: PYTHONPATH=blend_samples python bench/propose_darts.py [SAMPLE...]
-
-The selection has the shortest edge path from each of 14 points of the outline to each of 22 points inside. The points
-are evenly spread, and each dart is evaluated by a full flattening. Regret is the share of the best decrease of energy
-that the best proposal does not achieve.
 """
 
 import heapq
@@ -50,7 +46,7 @@ def spread(vertices: np.ndarray, choice: list[int], count: int) -> list[int]:
 
 
 def every_dart(shape: Shape, piece: wirewarp.Piece) -> list[np.ndarray]:
-    """Return the edges (k, 2) of each dart of the selection."""
+    """Return the edges (k, 2) of each dart: shortest paths from spread points of the outline to others inside."""
     faces = piece.source_vertex[piece.faces]
     neighbors: dict[int, set[int]] = {int(v): set() for v in faces.ravel()}
     for face in faces:
@@ -94,6 +90,7 @@ def measure(shape: Shape) -> str:
         if not cut.pieces[worst].error:
             energies.append(cut.pieces[worst].metrics.arap_energy)
     best = min(energies)
+    # share of the best decrease of energy that the first proposal does not achieve
     regret = (proposals[0].energy - best) / (before - best)
     return (
         f"{shape.name:22} {len(uncut.pieces[worst].faces):6} triangles  E/A {before:.5f}  "

@@ -25,10 +25,10 @@ def wires_across(lines: np.ndarray, number: int) -> list[np.ndarray]:
 
 
 def bumpy_sheet(triangles: int, in_two_pieces: bool = False, jitter: float = 0.0, wires: int = 8) -> Surface:
-    """Return the sheet of native/bench/bumpy_sheet.h, 2 units wide. A sheet in two pieces is 0.5 m wide.
+    """Return the sheet of native/bench/bumpy_sheet.h, 2 units wide, or 0.5 m wide in two pieces.
 
-    jitter: largest shift of inner vertices on the surface in each direction, as a share of an edge of the grid.
-    wires: an even number.
+    jitter: largest shift of inner vertices in x and y, in grid edges
+    wires: an even number
     """
     n = round((triangles / 2) ** 0.5)
     side = np.linspace(-1.0, 1.0, n + 1)

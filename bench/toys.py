@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Makes closed models of soft toys, as surfaces of fields that are negative inside.
+"""Makes closed models of soft toys, 250 to 300 mm large and symmetric across the plane x = 0.
 
-The largest side of a model is 300 mm. Coordinates are in millimeters, except for the sample bear, whose coordinates are
-in meters. All models are symmetric across the plane x = 0.
+Coordinates are in millimeters, except for the sample bear, whose coordinates are in meters.
 """
 
 from collections.abc import Callable
@@ -12,7 +11,7 @@ import numpy as np
 from mesh_files import Mesh
 from shapes import toy
 
-Field = Callable[[np.ndarray], np.ndarray]  # approximate distance of points (..., 3) to the surface
+Field = Callable[[np.ndarray], np.ndarray]  # approximate distance of points (..., 3) to the surface, negative inside
 
 COARSE, FINE = 19, 27  # number of cells along each side; odd numbers, so that vertices are on the mirror plane
 SMOOTH = ("ball", "egg", "cube", "heart")  # models for which the coarse cells are enough

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Unwraps a surface by one of Blender's methods. Run it in a Python with the module bpy:
+"""Unwraps a surface with Blender, in a Python with bpy:
 
 PYTHONPATH=results python bench/unwrap_in_blender.py INPUT.npz METHOD OUTPUT.npz
 
-INPUT has vertices, faces (triangles) and seams. OUTPUT has corner_uv (m, 3, 2), and the seconds and megabytes of
-bpy.ops.uv.unwrap.
+INPUT: vertices, faces, seams
+OUTPUT: corner_uv (m, 3, 2), seconds, megabytes
 """
 
 import sys

@@ -47,11 +47,12 @@ def turn_upright(uv: np.ndarray, points: np.ndarray) -> np.ndarray:
 
 
 def arrange(vertices: np.ndarray, results: list[wirewarp.FlattenResult], aspect: float) -> Arrangement:
-    """Return the arrangement of the pieces of all results on shelves. vertices (n, 3): of the surface.
+    """Return the arrangement of the pieces of all results on shelves.
 
-    Pieces of the last result are upright, and the pieces of the other results are rotated like them. aspect: preferred
-    width over height.
+    vertices: (n, 3), of the surface
+    aspect: preferred width over height
     """
+    # Pieces of the last result are upright, and the pieces of the other results are rotated like them.
     models = [turn_upright(piece.vertices, vertices[piece.source_vertex]) for piece in results[-1].pieces]
     turned = [[turn_like(p.vertices, m) for p, m in zip(r.pieces, models, strict=True)] for r in results]
     sizes = np.array([np.max([np.ptp(uvs[k], axis=0) for uvs in turned], axis=0) for k in range(len(models))])

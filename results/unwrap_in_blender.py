@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Unwraps every sample with Blender's own methods, so that write_page.py can measure the results. Needs no add-on:
+"""Unwraps every sample with Blender's own methods:
 
 blender --background --factory-startup --python-exit-code 1 --python results/unwrap_in_blender.py -- OUTPUT.npz
 
-The file has an array (m, 3, 2) for each SAMPLE/METHOD: the UVs at the corners of the sample's triangles. They are as
-Blender makes them, in the unit square, with every island in an arbitrary size.
+OUTPUT: UVs (m, 3, 2) at the corners of triangles by SAMPLE/METHOD, in islands of arbitrary size
 """
 
 from __future__ import annotations
