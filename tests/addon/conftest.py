@@ -75,9 +75,7 @@ def model():
 def everything_answers(model, addon, tmp_path, capfd):
     """Return a function that damages the file with spoil(), then uses every panel, overlay and command.
 
-    The function makes each object active in turn, and damages the file again before each object. in_turn: a mode for
-    each object, repeated; if None, each object is used in both modes. Shapes of models must not change, and no
-    traceback may be printed, not even by a handler that Blender calls.
+    in_turn: a mode for each object, repeated; None: both modes for each object
     """
 
     def shapes():
@@ -96,6 +94,6 @@ def everything_answers(model, addon, tmp_path, capfd):
             for shape, after in zip(before, shapes(), strict=True):
                 assert np.array_equal(shape, after, equal_nan=True)
         printed = capfd.readouterr()
-        assert "Traceback" not in printed.out + printed.err
+        assert "Traceback" not in printed.out + printed.err  # not even from a handler that Blender calls
 
     return check

@@ -184,13 +184,10 @@ def place():
 
 
 def call(command, settings, before):
-    """Call a command. If it is refused or does nothing, stored data, active object, mode and selection must stay.
-
-    Flatten and repairs may fail for some pieces only, so nothing is checked after them. before: stored() before the
-    call.
-    """
+    """Call a command, and check that it changes nothing unless it finishes. before: stored() before the call."""
     where = place()
     said = answer(command, **settings)
+    # Flatten and repairs may fail for some pieces only, so nothing is checked after them.
     if said == "{'FINISHED'}" or "flatten" in command or "mend" in command:
         return
     assert place() == where, f"{command} {settings}: {said}"

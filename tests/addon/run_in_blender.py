@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Installs the zip named by WIREWARP_ZIP as users do, then runs pytest inside Blender. Exits with the code of pytest.
+"""Installs a zip as users do, then runs pytest inside Blender and exits with its code.
 
 blender --background --factory-startup --python-exit-code 1 --python tests/addon/run_in_blender.py -- PYTEST_ARGUMENTS
 python tests/addon/run_in_blender.py -- PYTEST_ARGUMENTS        (a Python with bpy)
 
-BLENDER_USER_RESOURCES (Blender 3.4: BLENDER_USER_SCRIPTS and _CONFIG) should name an empty folder. The installed
-files stay there.
+- WIREWARP_ZIP: the zip
+- BLENDER_USER_RESOURCES (Blender 3.4: BLENDER_USER_SCRIPTS and _CONFIG): an empty folder for the installed files
 """
 
 import os

@@ -43,11 +43,10 @@ def select_only(*targets: bpy.types.Object) -> None:
 
 
 def grid(name: str, shape: Callable, size: int = 8, faces: str = "quads", **marked: Callable) -> bpy.types.Object:
-    """Return a grid at shape(x, y) over the square from -1 to 1, with size by size cells of quads, triangles or n-gons.
+    """Return a grid of size by size cells at shape(x, y) over the square from -1 to 1.
 
-    Each n-gon is a pair of cells. With n-gons, no three neighboring vertices of the outline may be collinear, because
-    a triangle between them would have zero area. marked: `seam` or `wire`, each with a function of the ends of an edge
-    that returns whether the edge is marked.
+    faces: "quads", "triangles", or "ngons" of two cells, for which no three neighbors on the outline may be collinear
+    marked: `seam` or `wire`, each a function of an edge's ends that returns whether the edge is marked
     """
     steps = [2 * i / size - 1 for i in range(size + 1)]
     vertices = [shape(x, y) for y in steps for x in steps]

@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Pattern files have the lengths of the model, are described before the export, and are never half written.
 
-Pieces edited by hand are refused. test_pattern_parts.py tests the data that the export reads. tests/bindings tests how
-patterns are drawn.
+tests/bindings tests how patterns are drawn.
 """
 
 import re

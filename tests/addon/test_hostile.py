@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""In files damaged by hand or by other scripts, every command works or is refused in a sentence, and loses no data.
+"""In damaged files, every command works or is refused in a sentence, and loses no data.
 
-Each of CASES damages one kind of data, and is tested with READERS, in Object Mode and Edit Mode by turns. Each of WORST
-damages data that many commands read, and is tested with every command in both modes.
+- CASES: tested with READERS only
+- WORST: damage of data that many commands read, tested with every command
 """
 
 import json

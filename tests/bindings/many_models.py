@@ -1,9 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Flattens many small models twice, once undisturbed and once interrupted three times by kill -9.
+"""Flattens many small models twice: undisturbed, and interrupted by kill -9. The files of both runs must be equal.
 
-The files of both runs must be equal.
-
-python tests/bindings/many_models.py COUNT FOLDER [--jobs N] does both runs on Linux and prints their seconds.
+Usage on Linux: python tests/bindings/many_models.py COUNT FOLDER [--jobs N]
 """
 
 import argparse

@@ -12,7 +12,7 @@ Mesh = tuple[np.ndarray, np.ndarray]
 def grid(columns: int, rows: int, point: Callable[[float, float], tuple[float, float, float]]) -> Mesh:
     """Return a grid of triangles. Its vertex j * (columns + 1) + i is at point(i / columns, j / rows).
 
-    The faces point along the cross product of the derivatives of `point` by its first and its second argument.
+    The faces point along the cross product of the derivatives of `point` by its two arguments.
     """
     vertices = [point(i / columns, j / rows) for j in range(rows + 1) for i in range(columns + 1)]
     faces = []

@@ -117,10 +117,9 @@ def test_proposed_seams_can_be_passed_as_seams():
 
 
 def test_seams_are_proposed_for_a_piece_that_only_the_stretch_makes_infeasible():
-    """The stretch shortens the legs of a slim triangle to a fifth. Its base becomes too long to be the third side.
+    """The stretch shortens the legs of a triangle to a fifth, so its base becomes too long.
 
-    The base is a seam with a square, along the grain of one piece and across the grain of the other. It is cut at the
-    mean length of both sides, three fifths.
+    The base is sewn to a square that keeps its length. Both get the mean length, three fifths.
     """
     around = [(i / 4, 0, 0) for i in range(5)] + [(0.5, 0.08, 0)]
     vertices = [*around, *((i / 4, 0, -1) for i in range(5))]

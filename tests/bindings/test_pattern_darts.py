@@ -12,9 +12,9 @@ from wirewarp.pattern import Chain, FlatPiece, Pattern
 
 
 def dart(mouth: float, depth: float) -> wirewarp.FlattenResult:
-    """Flatten a rectangle of 300 x 200 mm with a dart in the middle of its lower edge.
+    """Flatten a cone into a rectangle of 300 x 200 mm with a dart in the middle of its lower edge.
 
-    mouth, depth: millimeters on the flat piece. On the model, the legs of the dart meet, so the model is a cone.
+    mouth, depth: millimeters on the flat piece
     """
     half = mouth / 2
     leg = math.hypot(half, depth)

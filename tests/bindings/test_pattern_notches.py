@@ -54,8 +54,8 @@ def test_a_seam_all_around_begins_at_a_notch_and_has_a_second_notch():
 
 def test_seams_that_meet_on_a_smooth_outline_end_at_notches():
     halves = disc_in_ring((1, 1 + CORNERS), (1 + CORNERS // 2, 1 + CORNERS + CORNERS // 2))
-    # The disc has notches at the ends and in the middles of two seams. Each half of the ring has corners at the ends of
-    # its three seams, so it has notches only in their middles.
+    # The disc has notches at the ends and middles of two seams. Each half of the ring has corners at the ends of three
+    # seams, and notches only in their middles.
     assert sorted(len(own) for own in notches(halves, 1000.0)) == [3, 3, 4]
 
 

@@ -243,7 +243,8 @@ UP = wirewarp.Options(orientation="up")
 def capped_tubes(ring, *seam_rows):
     """Flatten tubes side by side, each with a cap below. Every second tube is a mirror image.
 
-    ring: (n,2) points around a tube. seam_rows: for each tube, the index of the point at which a seam opens the tube.
+    ring: (n, 2) points around a tube
+    seam_rows: index of the point where a seam opens each tube
     """
     count, vertices, faces, seams = len(ring), [], [], []
     for number, row in enumerate(seam_rows):

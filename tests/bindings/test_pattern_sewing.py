@@ -19,10 +19,10 @@ CONNECTED = ["Fitted top", "Ball of six gores", "Cushion", "Hat", "Jeans", "Wets
 
 @pytest.mark.parametrize("name", CONNECTED)
 def test_the_kinds_of_steps_add_up_to_the_model(name):
-    """The Euler characteristic of the model follows from the pieces and the steps.
+    """The Euler characteristic of the model is the sum over the pieces, changed by the steps:
 
-    It is the sum over the pieces. A step that joins two pieces or closes a ring subtracts one. A step that closes a
-    body adds one.
+    - Joining two pieces or closing a ring subtracts one.
+    - Closing a body adds one.
     """
     steps, result = sample(name).steps, flattened(name)
     assert sorted(step.seam for step in steps) == sorted(f"Seam {n}" for n in range(1, len(result.seams) + 1))

@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Results agree with figures that other programs computed, and requests that have a solution are solved.
 
-The tests are skipped if the figures are missing. The toy is left out, because its seams have changed since its figures
-were computed.
+The toy is left out, because its seams have changed since its figures were computed.
 """
 
 import json
@@ -27,9 +26,7 @@ CASES = [
     "wetsuit_front_bodice",
     "wetsuit_back",
 ]
-# The tests with fabrics allow for two differences. The figures of pieces lack the term against zigzags. The figures of
-# samples have another bending term near crossings of lines and short edges. Jersey is left out, because its figures are
-# for stiffnesses that were not divided by the larger stiffness.
+# Jersey is left out, because its figures are for stiffnesses that were not divided by the larger stiffness.
 WOVEN = wirewarp.Cloth(1, 1, 0.05)
 CLOTHS = {"woven": (1, 1, 0.05), "denim": (0.21, 1, 0.06), "isotropic": (1, 1, 0.5)}
 HAS_OTHER_MINIMA = "bodysuit_collar"  # piece with several minima, whose energies differ by a few percent
@@ -136,8 +133,8 @@ def test_refined(name: str, entry: str):
     piece = exact_piece(name, tolerance, method="refined", fairness=fairness)
     assert piece.error is None  # exact lengths, no flipped face, no overlap
     assert piece.report.termination == "converged" and piece.report.factorizations <= 20
-    # D is fairness * √area. If lines have edges shorter than D/8, the bending at their corners has less weight than in
-    # the reference. The minimum is then lower, and the ARAP energy may be a larger part of it.
+    # At edges of lines shorter than fairness * √area / 8, bending has less weight than in the reference. The minimum is
+    # then lower, and the ARAP energy may be a larger part.
     vertices, _, wires = read_case(name)
     chains = (*wires, *(boundary.vertices for boundary in piece.boundaries))
     shortest = min(np.linalg.norm(np.diff(vertices[chain], axis=0), axis=1).min() for chain in chains)
@@ -183,6 +180,7 @@ def test_pieces_of_fabric(name: str, entry: str, tolerance: float, cloth: str):
     marked = [wirewarp.Wire(wire, tolerance) for wire in wires]
     (piece,) = wirewarp.flatten(vertices, faces, wires=marked, options=options).pieces
     assert piece.error is None
+    # The expected objective lacks the term against zigzags.
     assert 0.999 <= piece.report.objective / expected["objective"] <= 1.05
     if name != HAS_OTHER_MINIMA:
         assert piece.metrics.cloth_energy == pytest.approx(expected["E_cloth"], rel=0.02)
@@ -209,6 +207,7 @@ def test_samples_of_fabric(name: str):
     result = flatten(SAMPLES[name], cloth=WOVEN)
     area = np.array([piece.metrics.area_3d for piece in result.pieces])
     energy = np.array([piece.metrics.cloth_energy for piece in result.pieces]) @ area / area.sum()
+    # The figures have another bending term near crossings of lines and short edges.
     assert energy == pytest.approx(expected["E"], rel=0.01)
     assert thread_strain(SAMPLES[name], result) == pytest.approx(expected["p99"], rel=0.01)
 

@@ -1,8 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Adds a repository to Blender, installs the add-on, flattens a sample, and updates the add-on, as users do.
+"""Installs the add-on from a repository in Blender, and updates it, as users do:
 
-Usage: python update_in_blender.py REPOSITORY GENERATOR, in a Python with bpy. REPOSITORY is dist/repository/, and
-GENERATOR is Blender's program for extensions. BLENDER_USER_RESOURCES must name an empty folder.
+python update_in_blender.py REPOSITORY GENERATOR
+
+- REPOSITORY: dist/repository/
+- GENERATOR: Blender's program for extensions
+- BLENDER_USER_RESOURCES: an empty folder
 """
 
 import os

@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs in Blender, installs WireWarp, and drives the window through tours, which are generator functions of a script.
+"""Drives Blender's window through tours, which are generator functions:
 
-blender ... --enable-event-simulate --python-expr "import drive; drive.main()" -- SCRIPT FUNCTION...
+blender --enable-event-simulate --python-expr "import drive; drive.main()" -- SCRIPT FUNCTION...
 
-A tour yields a function without arguments, its condition. Blender then continues until the condition is true. Each tour
-starts in Blender's startup file. After the last tour, Blender exits with 0, or with 1 if a tour has failed.
+Each tour starts in Blender's startup file, and Blender exits with 1 if a tour fails.
 """
 
 import importlib
@@ -23,7 +22,7 @@ if "COVERAGE_PROCESS_START" in os.environ:  # set by tools/addon_coverage.py
 
 TICK = 0.02  # seconds
 PATIENCE = 120.0  # seconds to wait for a condition; machines without a graphics card are slow
-Tour = Iterator[Callable[[], bool]]
+Tour = Iterator[Callable[[], bool]]  # yields conditions; the tour continues when its last condition is true
 _replaced: list[tuple[object, str, object]] = []
 
 
