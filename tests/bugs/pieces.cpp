@@ -18,9 +18,9 @@
 namespace wirewarp::bugs_of_pieces_test {
 namespace {
 
-// For some flat sheets, the solver ended close to the flat shape. The result was strained, not converged, flipped, or
-// overlapping along a slit. There were two causes. At edges of a millionth of the piece's size, bending is so stiff
-// that the other terms are lost in rounding. Flat nets of rigid wires are rigid only to second order.
+// Flat sheets were strained or flipped for two reasons:
+// - At edges of a millionth of the size, rounding of the bending hides the other terms.
+// - Nets of rigid wires are rigid only to second order.
 
 constexpr double kRounding = 1e-20;  // rounding error of E, for strains of 1e-10
 
@@ -112,13 +112,6 @@ TEST(Bugs, AShortWireOfNoVertexIsOutOfRange) {
   EXPECT_EQ(test::error_of([&] { flatten(input); }).code, ErrorCode::vertex_out_of_range);
 }
 
-// Pieces that could be flattened without the fabric's stretch failed with it, or overlapped themselves. The solver
-// moved to the stretched lengths in a single step. This step failed if the sides of a seam shrink very differently, and
-// nothing prevented overlaps.
-//
-// A piece that is flipped even without the stretch lost its layout and the seams suggested for it. A first fix kept its
-// layout with the unstretched lengths, so the two sides of its seams differed in length.
-
 Options stretched(double weft, double warp) {
   Options options;
   options.cloth.emplace();
@@ -152,6 +145,7 @@ void expect_good(const FlattenResult& result) {
   for (const SeamReport& seam : result.seams) EXPECT_LT(seam.mismatch, 1e-9 * seam.length_3d);
 }
 
+// A single step to the stretched lengths failed here.
 TEST(Bugs, SidesOfASeamThatShrinkVeryDifferentlyGetCommonLengths) {
   for (const double bump : {0.0, 0.6}) {
     FlattenInput input = sheets_with_crossed_grain(bump);
@@ -197,6 +191,7 @@ FlattenInput flipped_beside_good() {
   return input;
 }
 
+// The stretched piece lost its layout and the seams suggested for it.
 TEST(Bugs, APieceThatIsFlippedAnywayKeepsItsErrorAndSuggestionUnderAStretch) {
   const FlattenInput input = flipped_beside_good();
   const FlattenResult loose = flatten(input, stretched(0, 0)), tight = flatten(input, stretched(0.2, 0.05));
@@ -208,6 +203,7 @@ TEST(Bugs, APieceThatIsFlippedAnywayKeepsItsErrorAndSuggestionUnderAStretch) {
   EXPECT_FALSE(tight.pieces.at(1).error);
 }
 
+// The flipped piece kept its unstretched lengths, so the two sides of its seam differed in length.
 TEST(Bugs, TheSidesOfASeamHaveOneLengthBesideAFlippedPiece) {
   for (const double tolerance : {0.0, 0.05}) {
     FlattenInput input = flipped_beside_good();

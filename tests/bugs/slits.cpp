@@ -22,8 +22,8 @@
 namespace wirewarp::bugs_of_slits_test {
 namespace {
 
-// The key of the cache did not say which rims come from the same edges of the input. If two pieces had equal geometry,
-// one with a slit and one with a hole, the second got the shape of the first.
+// A piece with a hole got the cached shape of a piece of equal geometry with a slit. The key of the cache did not say
+// which rims come from the same edges.
 
 constexpr int kQuads = 8;
 
@@ -87,9 +87,8 @@ TEST(Bugs, ACachedSlitIsNotReusedForAHoleOfTheSameGeometry) {
   EXPECT_TRUE(cached.corner_uv == alone.corner_uv);
 }
 
-// For domes with a slit of two or three edges, the solver stopped after 100 factorizations. The objective was 1.7 to
-// 2.7 times the best objective, or the rims of the slit crossed each other. The cause was that exact shapes form
-// several branches, which meet at a closed slit.
+// For domes with a slit of two or three edges, the solver did not converge, or the rims crossed. The cause was that
+// exact shapes form several branches, which meet at a closed slit.
 
 /// Direction of a slit on the grid. corner: along a row first, then along a column.
 enum class Way { along_row, along_column, diagonal, corner };
@@ -144,8 +143,8 @@ TEST(Bugs, ClosedSlitsOfAFewEdgesTakeHardlyLongerThanWires) {
   }
 }
 
-// On a rough surface, a slit that turns more to the left than the outline was mistaken for the outer loop. Therefore,
-// this slit was not sewn, but its rims still became one edge. Then a value was written at index -1.
+// A slit that turns more to the left than the outline was mistaken for the outer loop. As a result, a value was written
+// at index -1.
 
 /// Returns a sheet with two slits of one edge each. One slit connects two high spikes, so it turns by nearly 2 pi.
 FlattenInput rough_sheet_with_two_slits() {
@@ -225,8 +224,8 @@ TEST(Bugs, ALargePieceMayHaveASlitOfOneEdge) {
   EXPECT_EQ(result.seams.at(0).mismatch, 0);
 }
 
-// With a slit of one edge, the solver used all 100 factorizations. At an end of the slit, the outline turns back, so
-// the previous and the next vertex are one vertex. The Hessian of the fairness lacked the product of both.
+// At an end of the slit, the previous and the next vertex of the outline are one vertex. The Hessian of the fairness
+// lacked the product of both, so the solver used all 100 factorizations.
 TEST(Bugs, ASlitOfOneEdgeTakesNoLongerThanAWire) {
   const auto saddle = [](double s, double t) {
     return Eigen::Vector3d(68 * s, 5 * t, 8.5 * ((s - 0.5) * (s - 0.5) - (t - 0.5) * (t - 0.5)));
@@ -240,8 +239,7 @@ TEST(Bugs, ASlitOfOneEdgeTakesNoLongerThanAWire) {
 }
 
 // The two closure conditions of a slit of one edge depend on each other, so their pivot is regularized. The
-// regularization was scaled by the mean weight of all edges. If other edges were tiny, it was lost in rounding, and the
-// pieces were "not solvable".
+// regularization was scaled by the mean weight, and was lost in rounding beside tiny edges.
 TEST(Bugs, ASlitOfOneEdgeBesideTinyEdgesHasAFactor) {
   const int n = 12;
   for (int i = 0; i < 3 * (n - 2); ++i) {
