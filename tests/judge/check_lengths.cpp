@@ -131,8 +131,11 @@ std::multiset<int> fans_beside(const Judged& judged, const Edge& edge, int verte
   return fans;
 }
 
-/// Returns the runs of a wire along outlines, as lists of edges. A run ends where the wire leaves the outline, and at
-/// junctions of outlines. At a junction, more or fewer than two outline edges meet, or the fans beside the wire change.
+/// Returns the runs of a wire along outlines. A run ends where
+///
+/// - the wire leaves the outline,
+/// - more or fewer than two outline edges meet, or
+/// - the fans beside the wire change.
 std::vector<std::vector<Edge>> runs_along_outlines(const Judged& judged, const Wire& wire) {
   std::vector<std::vector<Edge>> runs;
   const std::vector<Edge> edges = edges_of(wire);
@@ -154,8 +157,8 @@ std::vector<std::vector<Edge>> runs_along_outlines(const Judged& judged, const W
   return runs;
 }
 
-/// Checks the sides of all edges of a run. A side with the ease r and the target length l must have the planar length
-/// (1+r)(1+h) l. The variation h is the same for all sides.
+/// Checks that all sides of a run have one length variation h, within the wire's tolerance. A side with the ease r and
+/// the target length l then has the planar length (1+r)(1+h) l.
 void check_run(Judged& judged, const Wire& wire, const std::vector<Edge>& run) {
   Variations variations(is_all_rigid(judged.options) ? 0 : wire.tolerance, wire.ease);
   for (const Edge& edge : run) {

@@ -128,9 +128,7 @@ void check_straightest_section(Judged& judged, int number) {
   if (longest_section < (1 - 1e-4) * longest_edge) judged.say("no straight section of the outline is upright");
 }
 
-/// Returns the mean gradient of the height over the piece, or nullopt if about half of the piece is flipped. A corner
-/// of a triangle has the height h. The inward normal n of the opposite side is as long as this side. The gradient's
-/// integral over the triangle is the sum of h n / 2 over its corners.
+/// Returns the mean gradient of the height over the piece, or nullopt if about half of the piece is flipped.
 std::optional<Eigen::Vector2d> mean_rise(const Judged& judged, const Piece& piece) {
   const Eigen::Vector3d up = Eigen::Vector3d(judged.options.up.data()).stableNormalized();
   const Eigen::Vector3d origin = judged.position(judged.vertex(piece.source_face[0], 0));
@@ -140,6 +138,7 @@ std::optional<Eigen::Vector2d> mean_rise(const Judged& judged, const Piece& piec
     for (int k = 0; k < 3; ++k) {
       const double height = up.dot(judged.position(judged.vertex(face, k)) - origin);
       const Eigen::Vector2d across = judged.uv(face, k + 2) - judged.uv(face, k + 1);
+      // This vector is the inward normal of the opposite side, and is as long as this side.
       sum += height / 2 * Eigen::Vector2d(-across.y(), across.x());
     }
     const Eigen::Vector2d a = judged.uv(face, 1) - judged.uv(face, 0), b = judged.uv(face, 2) - judged.uv(face, 0);

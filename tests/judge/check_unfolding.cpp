@@ -12,13 +12,13 @@
 namespace wirewarp::test {
 namespace {
 
-// Largest gaps where faces of an unfolded surface meet again. kCloses: gap over the piece's size. kStrain: gap times
-// L/l over l, for a common side of length l and the longest side L of both faces, because the error of a short side
-// grows over a long face.
+// Largest gaps where faces of an unfolded surface meet again: kCloses over the piece's size, kStrain over the length of
+// the common side.
 constexpr double kCloses = 1e-11, kStrain = 1e-7;
 
-// Largest E (Eq. 4) over the 3D area of a shape without distortion. kUndistorted allows for rounding errors only,
-// kUndistortedAngles also for the angle error at which the solver of Eq. (1) stops.
+// Largest E (Eq. 4) over the 3D area of a shape without distortion:
+// - kUndistorted: from rounding errors only
+// - kUndistortedAngles: also from the angle error at which the solver of Eq. (1) stops
 constexpr double kUndistorted = 1e-12, kUndistortedAngles = 1e-9;
 
 double triangle_area(const PlanarTriangle& t) { return static_cast<double>(doubled_area(t)) / 2; }
@@ -73,6 +73,7 @@ std::optional<std::map<int, PlanarTriangle>> unfold(const Judged& judged, const 
       const double off =
           std::max((known->second[other.corner] - b).norm(), (known->second[(other.corner + 1) % 3] - a).norm());
       const double side_length = (b - a).norm();
+      // The error of a short side grows over a long face, so the limit is multiplied by side_length / longest.
       const double longest = std::max(longest_side(face), longest_side(other.face));
       if (!(off <= std::min(kCloses * size, kStrain * side_length * side_length / longest))) return std::nullopt;
     }

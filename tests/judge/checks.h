@@ -16,10 +16,8 @@ void check_error(Judged& judged, int number);
 /// Returns whether eases or tolerances may give a piece's outline other lengths than on the surface.
 bool has_other_outline(const Judged& judged, const Piece& piece);
 
-/// Checks a piece whose surface unfolds into the plane without overlap, and whose outline has the lengths on the
-/// surface. The piece must have no error and almost no distortion. Checks nothing for a stretched fabric, and
-/// nothing for the refined method with a low limit on factorizations. The paper's methods are checked only if they
-/// converged without an error.
+/// Checks that a piece has no error and almost no distortion if its surface unfolds without overlap. Checks nothing if
+/// has_other_outline(), for a stretched fabric, or if the solver may stop early.
 void check_unfolding(Judged& judged, const Piece& piece);
 
 /// Returns whether all lengths of a piece are guaranteed, because it has no error, or an error that is reported only
@@ -30,18 +28,20 @@ bool keeps_lengths(const Piece& piece);
 /// must keep its lengths.
 void check_outline(Judged& judged, const Piece& piece);
 
-/// Checks that rigid wires have exact lengths, and that all edges of a part of an elastic wire have the same length
-/// variation h. This h must be within the tolerance around the wire's ease. Along an outline, all sides of a run
-/// between junctions must have the same h, apart from their own eases.
+/// Checks that one length variation, within the tolerance around the wire's ease, applies to
+///
+/// - all edges of each part of a wire, and
+/// - all sides of each run along an outline, apart from their eases.
 void check_wires(Judged& judged);
 
 /// Returns the target length of an edge without an ease, divided by its length on the surface. The target length of a
 /// seam is the mean of its sides.
 double stretched_share(const Judged& judged, const Edge& edge);
 
-/// Checks a piece whose lengths shrink only by their directions. The piece must have no error if it has no error
-/// without the stretch. If the piece unfolds, its shape must be the shape without the stretch, shrunk along weft and
-/// warp.
+/// Checks a piece whose lengths shrink only by their directions:
+///
+/// - It has no error if it has none without the stretch.
+/// - If it unfolds, its shape is the unstretched shape, shrunk along weft and warp.
 void check_even_stretch(Judged& judged, const Piece& piece);
 
 /// Checks that the boxes of pieces are at least the gap apart. With PieceLayout::row, also checks that the pieces are

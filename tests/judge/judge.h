@@ -15,9 +15,8 @@ namespace wirewarp::test {
 std::vector<std::string> broken_guarantees(const FlattenInput& input, const Options& options,
                                            const FlattenResult& result, const FlattenResult* unstretched = nullptr);
 
-/// Returns a sentence for every broken expectation beyond the guarantees. A piece that unfolds must be flat, and no
-/// piece of legal input may fail for internal reasons of the solver. fault: the error code of the fault that was added
-/// to the input, if any.
+/// Returns a sentence for every broken expectation: pieces that unfold have no distortion, and legal input does not
+/// fail inside the solver. fault: error code of the fault that was added to the input.
 std::vector<std::string> broken_expectations(const FlattenInput& input, const Options& options,
                                              const FlattenResult& result, const std::optional<ErrorCode>& fault,
                                              const FlattenResult* unstretched = nullptr);

@@ -8,8 +8,10 @@
 
 namespace wirewarp::test {
 
-/// Returns a closed surface from pole to pole. i counts around the axis, and j from the south pole. shape: maps unit
-/// vectors to points. rises: returns whether the diagonal of the cell (i, j) goes from (i, j) to (i + 1, j + 1).
+/// Returns a closed surface. Cells (i, j) count around the axis, and from the south pole.
+///
+/// shape: maps unit vectors to points
+/// rises: whether a cell's diagonal goes from (i, j) to (i + 1, j + 1)
 FlattenInput closed_surface(int around, int rings, const std::function<Eigen::Vector3d(const Eigen::Vector3d&)>& shape,
                             const std::function<bool(int, int)>& rises);
 

@@ -20,9 +20,9 @@ namespace {
 using test::charts_of;
 using test::section;
 
-/// Returns a text about the charts and seams, such as "24 faces around 16, elastic part 0 of 2; 6 edges between 0 1".
-/// This chart has 24 faces, an outline of 16 edges, and an elastic wire, whose part 0 has 2 edges. The seam between
-/// charts 0 and 1 has 6 edges.
+/// Returns a text such as "24 faces around 16, elastic part 0 of 2; 6 edges between 0 1":
+/// - a chart of 24 faces, an outline of 16 edges, and part 0 of an elastic wire, with 2 edges
+/// - a seam of 6 edges between charts 0 and 1
 std::string described(const Charts& charts) {
   std::ostringstream text;
   for (const Chart& chart : charts.charts) {

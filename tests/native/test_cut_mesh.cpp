@@ -228,8 +228,8 @@ TEST(CutMesh, AStraightLineLeavesNoSlivers) {
     const CutMesh cut = cut_mesh(mesh.vertices, mesh.faces, {path}, snap);
     SCOPED_TRACE(i);
     expect_same_surface(mesh, cut);
-    // A line may cross two sides of a face at the fractions s and t of their lengths, from their common corner. It cuts
-    // off the fraction s t of the area. The smallest height results from s = snap and t = 1 - snap.
+    // The smallest height results if a line crosses two sides at the fractions snap and 1 - snap from their common
+    // corner. The line then cuts off snap (1 - snap) of the area.
     EXPECT_GT(least_height(mesh, cut), snap * (1 - snap) * (1 - 1e-9));
   }
 }

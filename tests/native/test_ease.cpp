@@ -81,9 +81,8 @@ TEST(Ease, BetweenTwoMarksAppliesToTheEdgesBetween) {
   EXPECT_NEAR(result.seams.at(0).eases[0], 0.1 * 3 / 8, 1e-9);
 }
 
-/// If one end of a strip of height H becomes longer by the fraction r, the strip becomes a sector of a ring. At the
-/// distance y from the other end, its threads become arcs that are longer by r y/H. E is the integral of (r y/H)². The
-/// strip's free sides cost the same energy at any width, which cancels out in the difference of two widths.
+/// A strip of height H becomes a sector of a ring if one end becomes longer by the fraction r. At the distance y from
+/// the other end, threads become longer by r y/H.
 TEST(Ease, OfOneEndTurnsACylinderIntoASector) {
   const double ease = 0.05, height = 1;
   const int rows = 8;
@@ -99,8 +98,9 @@ TEST(Ease, OfOneEndTurnsACylinderIntoASector) {
     const Metrics& metrics = result.pieces.at(0).metrics;
     return metrics.arap_energy * metrics.area_3d;
   };
-  // Each triangle has the strain of the row that contains one of its edges.
+  // The mean of (r y/H)². Each triangle has the strain of the row that contains one of its edges.
   const double mean_square = ease * ease * (1. / 3 + 1. / (6 * rows * rows));
+  // The energy of the strip's free sides does not depend on the width.
   EXPECT_NEAR(total_energy(8) - total_energy(4), mean_square * 4 * height, 0.01 * mean_square * 4 * height);
 }
 

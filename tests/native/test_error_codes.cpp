@@ -233,8 +233,8 @@ TEST(ErrorCodes, Handles) {
 }
 
 TEST(ErrorCodes, OtherChartsAreFlattenedIfOneIsNotSolvable) {
-  // A pyramid of squares, each 1e-10 times as large as the square below it. A random walk along the edges leaves the
-  // inner squares with a probability below rounding errors, so the linear system is singular.
+  // A pyramid of squares, each 1e-10 times as large as the square below it. The linear system is singular, because a
+  // random walk leaves the inner squares with a probability below rounding errors.
   std::vector<std::array<double, 3>> points;
   std::vector<std::array<int, 3>> faces;
   const int rings = 4;

@@ -45,10 +45,10 @@ class FairShapeErrorOnASaddle : public testing::Test {
     return test::symmetric(matrix.lower());
   }
 
-  /// Compares gradient and Hessian with central differences along the line uv + t d. The differences have the error h²
-  /// times the third derivative plus rounding errors over h. If a triangle enters the barrier, the error is h times the
-  /// barrier's second derivative.
+  /// Compares gradient and Hessian with central differences along the line uv + t d.
   void expect_derivatives(const Positions2& uv, const Positions2& d, double hessian_tolerance) {
+    // The error is h² times the third derivative plus rounding errors over h. If a triangle enters the barrier, the
+    // error is h times the barrier's second derivative.
     const double h = 1e-6;
     Positions2 gradient, ahead, behind;
     EXPECT_DOUBLE_EQ(objective.value_and_gradient(uv, gradient), objective.value(uv));
@@ -182,8 +182,8 @@ TEST(FairShapeError, AMirrorImageHasOnlyFlippedTriangles) {
   EXPECT_NEAR(bending(chart, 0.1).value(uv), 0, 1e-25);
 }
 
-/// A square is sheared into a rhombus by β. Lengths along rows and columns are exact, and every angle between a row and
-/// a column changes by β. The square of the residual of each angle is |r|² = 2 - 2 cos β.
+/// A square is sheared by β into a rhombus, with exact lengths along rows and columns. Every angle between a row and a
+/// column changes by β, so the square of its residual is 2 - 2 cos β.
 TEST(BendingOfARhombus, IsTheAngleTermOfEquation1HoweverFineTheMesh) {
   for (const int n : {4, 64}) {
     FlattenInput input = test::flat_rectangle(n, n, 1, 1);

@@ -19,8 +19,8 @@
 namespace wirewarp::test_infeasible_wires {
 namespace {
 
-/// Adds all inner rows and columns of an n by n grid as wires. This net (a Chebyshev net) fixes fewer lengths than a
-/// flat shape has degrees of freedom, and its wires need not contradict one another.
+/// Adds all inner rows and columns of an n by n grid as wires (a Chebyshev net). This net fixes fewer lengths than a
+/// flat shape has degrees of freedom.
 void add_lines(FlattenInput& input, int n, double tolerance) {
   for (int i = 1; i < n; ++i) test::add_net(input, n, {i}, tolerance);
 }
@@ -67,9 +67,8 @@ TEST(InfeasibleWires, TolerancesFixACurvedPatchWithAWireOnEveryEdge) {
 }
 
 TEST(InfeasibleWires, ADenseNetGetsOneToleranceForAll) {
-  // A dome with a flat outline. To flatten it, changes of single wires are not enough, but small changes of all wires
-  // are enough. Every wire has a slope of at most 0.2 π, so it is at most 18% longer than in the flat square. The
-  // tolerance must be much less than 18%.
+  // To flatten a dome with a flat outline, changes of single wires are not enough. Every wire has a slope of at most
+  // 0.2 π, so it is at most 18% longer than in the flat square.
   const int n = 6;
   FlattenInput input = test::make_grid(
       n, n, [](double s, double t) { return Eigen::Vector3d(s, t, 0.2 * std::sin(kPi * s) * std::sin(kPi * t)); });
@@ -77,14 +76,14 @@ TEST(InfeasibleWires, ADenseNetGetsOneToleranceForAll) {
   const Piece refused = expect_fixed(input);
   ASSERT_TRUE(refused.error);
   for (const ProposedTolerance& p : refused.error->elements.proposed_tolerances) {
-    EXPECT_LT(p.tolerance, 0.1);
+    EXPECT_LT(p.tolerance, 0.1);  // much less than 18%
     EXPECT_EQ(p.tolerance, refused.error->elements.proposed_tolerances[0].tolerance);
   }
 }
 
 TEST(InfeasibleWires, OnlyWiresOfTheCurvedRegionAreNamed) {
   // The sheet is flat except for a dimple of radius 0.2. A wire needs a tolerance only if the angles at one of its ends
-  // do not add up to 2π. This happens only at faces that the dimple touches.
+  // do not add up to 2π, as in the dimple.
   const int n = 10;
   FlattenInput input = test::make_grid(n, n, [](double s, double t) {
     const double r2 = (s - 0.5) * (s - 0.5) + (t - 0.5) * (t - 0.5);

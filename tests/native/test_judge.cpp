@@ -52,9 +52,8 @@ JudgeCase flattened(const FlattenInput& input, const Options& options = {}) {
   return {input, options, flatten(input, options)};
 }
 
-/// Returns a saddle of 8 by 8 quads with vertices i + 9 j. It is cut along i = 4 into two pieces, which are laid out in
-/// a row. Wire "rigid" runs along j = 4 through both pieces. Wire "elastic" runs along i = 2 in piece 0 and is upright
-/// there. Wire "other" runs along i = 6 in piece 1.
+/// Returns a saddle of 8 by 8 quads with vertices i + 9 j, cut along i = 4 into two pieces in a row. Wire "rigid" runs
+/// through both pieces, "elastic" is upright in piece 0, and "other" is in piece 1.
 JudgeCase two_sheets() {
   const int n = 8;
   FlattenInput input = test::saddle(n, 0.2);

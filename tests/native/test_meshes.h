@@ -25,8 +25,8 @@ FlattenInput make_grid(int nx, int ny, const Surface& surface);
 /// Turns the diagonal of every second quad of a grid, as on a checkerboard.
 void alternate_diagonals(FlattenInput& grid, int nx);
 
-/// Returns an n by n grid with jagged rows and columns. Vertices are moved at random in s and t, by up to `jitter`
-/// times an edge. Vertices on the outline move only along the outline.
+/// Returns an n by n grid with jagged rows and columns. Vertices are moved at random by up to `jitter` times an edge,
+/// and outline vertices only along the outline.
 FlattenInput jittered_grid(int n, double jitter, const Surface& surface);
 
 FlattenInput mesh_of(const std::vector<std::array<double, 3>>& points, const std::vector<std::array<int, 3>>& faces);
@@ -86,8 +86,8 @@ FlattenInput cone_patch(int nx, int ny, double near, double far, double half_ang
 /// A whole cylinder, open at both ends.
 FlattenInput cylinder_tube(int nx, int ny, double radius, double height);
 
-/// A quarter of the unit sphere from 75 degrees south to 75 degrees north, the shape of the paper's Fig. 1. It has n by
-/// 2n quads with alternating diagonals, and rigid wires along the middle meridian and the equator.
+/// The shape of the paper's Fig. 1: a quarter of the unit sphere between the latitudes of -75 and 75 degrees. It has n
+/// by 2n quads, and rigid wires along the middle meridian and the equator.
 FlattenInput quarter_sphere(int n);
 /// z = bend (x² − y²) over the square of side 2.
 FlattenInput saddle(int n, double bend);
@@ -98,7 +98,7 @@ FlattenInput saddle_of_wires(int n, double tolerance);
 /// loops.
 FlattenInput sphere_band(int nx, int ny, double latitude);
 /// The unit sphere cut into equal gores by seams from pole to pole. Each gore has n quads across, and `rings` rows of
-/// faces from pole to pole. If a tolerance is given, each seam is also a wire.
+/// faces. If a tolerance is given, each seam is also a wire.
 FlattenInput sphere_of_gores(int gores, int n, int rings, std::optional<double> tolerance = std::nullopt);
 
 /// A function that returns the height z over the point (x, y). over_square() returns its surface over the square from

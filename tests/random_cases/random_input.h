@@ -29,13 +29,12 @@ struct MeshPart {
   std::vector<std::array<int, 3>> faces;
 };
 
-/// Returns a mesh like a scan or a sculpture. It is a Delaunay triangulation of a random domain with up to four holes,
-/// a rough height and needles of up to 1 : 10,000. Appends a word to the description.
+/// Returns a mesh like a scan, with a rough height, up to four holes, and needles of up to 1 : 10,000. Appends a word
+/// to the description.
 MeshPart rough_sheet(RandomStream& random, std::string& description);
 
-/// Returns a legal mesh of one to three separate parts. Each part is a sheet, a sheet with holes, a rough sheet, a
-/// tube, a ball, a ring, a fan or a single triangle. A part may have even or uneven faces, slivers, any size and any
-/// place, with vertices and faces in any order. Appends words about the mesh to the description.
+/// Returns a legal mesh of one to three separate parts, of any size and place, with vertices and faces in any order.
+/// Appends words about the mesh to the description.
 FlattenInput random_mesh(RandomStream& random, std::string& description);
 
 /// Adds random seams, or sometimes no seams. Seams are walks along edges, shortest paths between borders, or small
@@ -46,9 +45,8 @@ void add_random_seams(RandomStream& random, FlattenInput& input, std::string& de
 /// may be closed, and may run along seams and outlines.
 void add_random_wires(RandomStream& random, FlattenInput& input, std::string& description);
 
-/// Chooses two vertices of a legal mesh at random. If they belong to different parts, moves one part so that both
-/// vertices coincide, and merges the vertices. Adds a wire through the merged vertex, unless other wires use one of its
-/// two edges. Returns false, with the input unchanged, if both vertices belong to one part.
+/// Lets two parts of a legal mesh touch in one vertex, and may add a wire through this vertex. Returns false, with the
+/// input unchanged, if the two random vertices belong to one part.
 bool let_parts_touch(RandomStream& random, FlattenInput& input);
 
 /// Adds a fabric that is stretched when worn to legal input of the refined method. May also add wires along seams, and

@@ -30,8 +30,10 @@ std::vector<double> grid_lines(RandomStream& random, int count) {
   return lines;
 }
 
-/// Returns a triangulated grid of nx by ny quads. wraps_s, wraps_t: whether the last points in this direction are the
-/// first points. place(s, t): returns the position of a grid point in space.
+/// Returns a triangulated grid of nx by ny quads.
+///
+/// wraps_s, wraps_t: whether the last points in this direction are the first points
+/// place(s, t): position of a grid point
 template <typename Place>
 MeshPart make_grid(RandomStream& random, int nx, int ny, bool wraps_s, bool wraps_t, const Place& place) {
   const std::vector<double> s = grid_lines(random, nx), t = grid_lines(random, ny);

@@ -10,8 +10,8 @@
 
 namespace wirewarp::test {
 
-/// Random numbers of several kinds. A seed leads to the same numbers on every platform, because the C++ standard
-/// defines the engine. The standard does not define the results of distributions, so this class does not use them.
+/// Random numbers of several kinds. A seed leads to the same numbers on every platform. The class uses no
+/// distributions, because the C++ standard does not define their results.
 class RandomStream {
  public:
   explicit RandomStream(std::uint64_t seed)

@@ -27,8 +27,8 @@ bool is_in_circle(const std::vector<Point>& points, const Face& triangle, const 
   return a.squaredNorm() * cross(b, c) + b.squaredNorm() * cross(c, a) + c.squaredNorm() * cross(a, b) > 0;
 }
 
-/// Returns the Delaunay triangulation of points in general position, counter-clockwise (A. Bowyer, D. F. Watson, 1981).
-/// The time grows with the square of the number of points. Slivers may be missing at the hull.
+/// Returns the Delaunay triangulation of points in general position, counter-clockwise (Bowyer 1981, Watson 1981). The
+/// time grows with the square of the number of points. Slivers may be missing at the hull.
 Faces delaunay(const std::vector<Eigen::Vector2d>& points) {
   Eigen::Vector2d low = points.front(), high = points.front();
   std::vector<Point> all;

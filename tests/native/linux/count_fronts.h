@@ -3,9 +3,8 @@
 
 namespace wirewarp {
 
-/// Numbers of fronts that the Cholesky kernels have visited so far, in all threads of the test program. A visit handles
-/// up to four right-hand sides. The numbers depend on the machine, because rounding errors may end an iteration a step
-/// earlier or later.
+/// Numbers of fronts that the Cholesky kernels have visited so far, in all threads. A visit handles up to four
+/// right-hand sides. The numbers depend on the machine, because of rounding errors.
 struct FrontCounts {
   long factored;
   long substituted_forward;
