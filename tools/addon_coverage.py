@@ -30,12 +30,11 @@ def begin(kind: str) -> dict[str, str]:
 
 
 def show(kind: str) -> None:
-    """Print the share of covered lines and the least covered modules, from the last measurements of both kinds.
+    """Print the share of covered lines and the least covered modules, of both kinds of tests.
 
-    Raises StepError if the tests of this kind run no function of a module that they should test. Does nothing if
-    PYTEST_ADDOPTS is set, because it may select a part of the tests.
+    Raises StepError if the tests of this kind run no function of a module that they should test.
     """
-    if os.environ.get("PYTEST_ADDOPTS"):
+    if os.environ.get("PYTEST_ADDOPTS"):  # it may select a part of the tests
         return
     found = _report(*KINDS)
     shares = {name: file["summary"]["percent_covered"] for name, file in found["files"].items()}

@@ -32,11 +32,12 @@ def bindings_python(version: str) -> Path:
 def bindings_tests(version: str, *options: str) -> None:
     """Run all tests in Debian's Python. In other Pythons, leave out the tests of the core's results.
 
-    options: options of pytest. If PYTEST_ADDOPTS is set, the tests run in one process, in which breakpoint() works.
+    options: options of pytest
     """
     chosen = [] if version == DEBIAN_VERSION else ["-m", "not core"]
     has_options = bool(os.environ.get("PYTEST_ADDOPTS"))
-    # All tests of a file run in one process, because they share results.
+    # All tests of a file run in one process, because they share results. With PYTEST_ADDOPTS, all tests run in one
+    # process, in which breakpoint() works.
     at_once = [] if has_options else ["-n", str(CORES), "--dist", "loadfile"]
     folders = ("tests/bindings", "tests/without_blender")
     run([bindings_python(version), "-m", "pytest", "-q", *at_once, *chosen, *options, *folders])

@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs the add-on's tests in every available Blender, on the zips that users install.
 
-Debian's Blender is the whole program, 3.4 in Debian 12 and 4.3 in Debian 13. Other Blenders are the module `bpy` in a
-Python of their own.
+Debian's Blender is the whole program. Other Blenders are the module `bpy` in a Python of their own.
 """
 
 import os
@@ -91,13 +90,14 @@ def debian_blender_tests() -> None:
 
 
 def run_addon_tests(command: Sequence[str | Path], name: str, *options: str, **settings: str) -> None:
-    """Run the tests of the add-on in several Blenders at once, each with its own settings and a share of the files.
+    """Run the tests of the add-on in several Blenders at once, each with a share of the files.
 
-    command: starts a Blender that runs RUNNER; options: options of pytest. If PYTEST_ADDOPTS is set, all tests run in
-    one Blender. The files are dealt by size, forward and back, so that all shares take about the same time.
+    command: starts a Blender that runs RUNNER
+    options: options of pytest
     """
     files = sorted((ROOT / "tests" / "addon").glob("test_*.py"), key=lambda file: (-file.stat().st_size, file.name))
     shares = 1 if os.environ.get("PYTEST_ADDOPTS") else BLENDERS
+    # The files are dealt by size, forward and back, so that all shares take about the same time.
     dealt = [files[k :: 2 * shares] + files[2 * shares - 1 - k :: 2 * shares] for k in range(shares)]
     run_at_once([
         ([*command, "--", "-q", *options, *share], blender_folder(f"test-{name}-{k}") | settings)
@@ -125,15 +125,12 @@ def blender_script(python: Path, name: str) -> Path:
 
 
 def bpy_tests(requirement: str) -> None:
-    """Check the extension zip with Blender's own program, then run tests of the add-on on this zip.
-
-    The newest Blender leaves out the tests of the core's results. Earlier Blenders run only tests that depend on
-    Blender's Python interface.
-    """
+    """Check the extension zip with Blender's own program, then run tests of the add-on on this zip."""
     require_apt(*BPY_APT)
     package()
     python = bpy_python(requirement)
     tags = blender_script(python, "modules/_bpy_internal/extensions/tags.py")
     run([python, blender_script(python, EXTENSION_PROGRAM), "validate", f"--valid-tags={tags}", extension_zip()])
+    # Blenders except the newest run only tests that depend on Blender's Python interface.
     chosen = "not core" if requirement == list(BPY)[-1] else "api"
     run_addon_tests([python, RUNNER], python.parent.parent.name, "-m", chosen, WIREWARP_ZIP=str(extension_zip()))

@@ -16,17 +16,16 @@ DRIVE = f"import sys; sys.path.insert(0, {str(DRIVER)!r}); import drive; drive.m
 def run_tours(
     script: Path, names: Sequence[str], environment: dict[str, str], seconds: float, display: int = 99
 ) -> tuple[int, str]:
-    """Run tours in the window. Return the exit code and the output.
+    """Run tours in the window. Return the exit code (-9 after `seconds`) and the output.
 
-    names: generator functions of `script`, which tests/window/drive.py describes.
+    names: generator functions of `script`
+    display: number of the first virtual screen to try, different for tours that start at the same time
+    environment: variables for Blender:
 
-    environment: variables for Blender. WIREWARP_ZIP names the zip to install. BLENDER_USER_SCRIPTS and
-    BLENDER_USER_CONFIG name empty folders. WIREWARP_PICTURES names the folder for pictures. WIREWARP_VIEWPORT_AA is
-    Blender's setting for smooth edges in the view, by default "8".
-
-    display: number of the first virtual screen to try. Tours that start at the same time need different numbers.
-
-    After `seconds`, the tours are killed, with exit code -9.
+    - WIREWARP_ZIP: the zip to install
+    - BLENDER_USER_SCRIPTS, BLENDER_USER_CONFIG: empty folders
+    - WIREWARP_PICTURES: folder for pictures
+    - WIREWARP_VIEWPORT_AA: Blender's setting for smooth edges in the view, by default "8"
     """
     blender = ["/usr/bin/blender", "--factory-startup", "--no-window-focus"]
     blender += ["--window-geometry", "0", "0", "1600", "900", "--enable-event-simulate"]

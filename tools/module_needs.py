@@ -1,11 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Checks that a module for another system is built for it, and needs nothing that the system lacks.
-
-This system cannot load such modules, and linkers do not find all errors. On macOS, for example, the linker accepts
-every undefined name, because it may be Python's. Run this program with a Python that has the package lief. It prints
-one line for each fault:
+"""Checks that a module for another system needs nothing that the system lacks. Prints a line for each fault.
 
     python -m tools.module_needs PLATFORM MODULE VERSION LIBSYSTEM
+
+Linkers do not find all faults.
 """
 
 import re
@@ -76,6 +74,7 @@ def elf_faults(binary: "lief.ELF.Binary", oldest: tuple[int, ...]) -> list[str]:
 
 
 def macho_faults(binary: "lief.MachO.Binary", oldest: tuple[int, ...], system: Path) -> list[str]:
+    # For macOS, the linker accepts every undefined name, because it may be Python's.
     offered = set(re.findall(r"[\w$]+", system.read_text()))
     found = [
         f"needs {symbol.name}, which no library has"

@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Measures how many small faults the tests catch. Each mutant of a source has one changed comparison, sign or logical
+"""Measures how many mutants the tests catch. A mutant is a source with one changed comparison, sign or logical
 operator.
 
-Run this program before and after you remove tests: the share of caught mutants must not fall. The sample of mutants is
-the same each time.
+Run this program before and after you remove tests: the share of caught mutants must not fall.
 """
 
 import io

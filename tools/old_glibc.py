@@ -22,9 +22,9 @@ from tools.zig import ZIG, cache_variables, zig
 OPENMESH = "openmesh==1.2.1"  # contains the C++ source of OpenMesh 9.1
 GLIBC = "2.28"  # version on the oldest systems that blender.org supports
 POLICY = f"manylinux_{GLIBC.replace('.', '_')}_x86_64"
-# This source defines names for which libstdc++ or its headers would otherwise need a newer glibc. The variable
-# __libc_single_threaded is 0: there may be several threads. This value is always safe. Debian 13's headers replace
-# strtol and strtoul by the functions __isoc23_*, which also accept binary numbers.
+# Definitions without which libstdc++ or its headers would need a newer glibc:
+# - __libc_single_threaded: 0 is always safe (there may be several threads)
+# - __isoc23_*: Debian 13's headers replace strtol and strtoul by these functions
 NEWER_GLIBC = """
 #define OURS extern "C" __attribute__((visibility("hidden")))
 OURS char __libc_single_threaded;

@@ -97,9 +97,9 @@ def extension_for(system: System) -> Path:
 
 
 def cross_wheel(system: System, version: str, wheel: Path) -> Path:
-    """Return the wheel for another system. If the sources have not changed, this is the wheel of the last build.
+    """Return the wheel for another system, from the last build if the sources have not changed.
 
-    The wheel is in build/cross, in a folder for its system, because other steps delete wheels in dist/.
+    The wheel is in build/cross, because other steps delete wheels in dist/.
     """
     folder = BUILD / "cross" / system.platform / "wheels"
     folder.mkdir(parents=True, exist_ok=True)

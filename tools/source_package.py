@@ -2,8 +2,6 @@
 """Makes the source package for PyPI: the Python package, and the core with the sources of Eigen and OpenMesh.
 
 pip can build it with packages from PyPI only.
-
-`python -m build` would not make this program shorter, because it calls the function that BUILD_SDIST calls.
 """
 
 import shutil
@@ -33,6 +31,7 @@ EIGEN = Path("/usr/include/eigen3")  # headers of Debian's libeigen3-dev, 3.4.0
 EIGEN_LICENSE = Path("/usr/share/doc/libeigen3-dev/copyright")
 FOLDER = BUILD / "source"
 PARTS = (*(name for name in CORE_SOURCES if not name.startswith("tools/")), "CHANGELOG.md", "examples")
+# `python -m build` would not make this program shorter, because it calls the same function.
 BUILD_SDIST = "import scikit_build_core.build, sys; scikit_build_core.build.build_sdist(sys.argv[1])"
 
 

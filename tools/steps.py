@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs the steps of ./dev test: named steps one after the other, otherwise two steps at a time.
 
-nox would not make this program shorter, because it runs one session at a time and knows no dependencies.
+nox is not used, because it runs one session at a time and knows no dependencies.
 """
 
 import multiprocessing

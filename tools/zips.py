@@ -1,11 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Makes the zips that users install from wheels: for each platform an extension, and an add-on for older Blenders.
 
-The zips also contain wheels of the packages that WireWarp needs and Blender lacks (tools/libraries.py). Version and
-manifest come from pyproject.toml only. The same sources and wheels give the same bytes.
-
-Blender's `extension build` would not make this program shorter. Debian 12's Blender 3.4 lacks this command, and it does
-not write legacy zips.
+The same sources and wheels give the same bytes. Blender's `extension build` cannot write legacy zips.
 """
 
 import json
@@ -47,10 +43,9 @@ Libraries = Callable[[str, str], list[Path]]
 
 
 def write_zips(folder: Path, libraries: Libraries = library_wheels) -> list[Path]:
-    """Write the extension of each platform that has wheels of this version in the folder. Return the written zips.
+    """Write the zips for all wheels of this version in the folder, and return the written zips.
 
-    If there is a wheel for LEGACY_TAG, also writes the legacy zip. Raises StepError for a wheel of an unknown platform,
-    and if there is no wheel.
+    Raises StepError for a wheel of an unknown platform, and if there is no wheel.
     """
     by_platform: dict[str, list[Path]] = {}
     for wheel in sorted(folder.glob(f"wirewarp-{VERSION}-*.whl")):
