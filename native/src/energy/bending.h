@@ -33,8 +33,8 @@ namespace wirewarp {
 /// face.
 using Bending = QuadraticForm<Eigen::Matrix2d, 3>;
 
-/// Returns F. A wire has no term where it ends inside the chart. network: the edges with fixed length. area_at: for
-/// each vertex, the 3D area of its connected part.
+/// Returns F, without terms where wires end inside the chart.
+/// network: the edges with fixed length. area_at: for each vertex, the 3D area of its connected part.
 Bending bending_of(const Chart& chart, const WireNetwork& network, double fairness, const std::vector<double>& area_at);
 
 }  // namespace wirewarp

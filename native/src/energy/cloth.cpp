@@ -22,6 +22,8 @@ void check_stiffness(const std::string& name, double value) {
   if (!(value > 0 && std::isfinite(value))) refuse(name, value, "be positive and finite");
 }
 
+// stiffness: across the grain, along the grain, and against shear. stretch: maximum across and along the grain that a
+// hand can reach and the fabric recovers from.
 Cloth fabric(std::array<double, 3> stiffness, std::array<double, 2> stretch, double squeeze = 1,
              std::optional<double> locking = {}) {
   return {stiffness[0], stiffness[1], stiffness[2], squeeze, {}, locking, stretch};
@@ -29,27 +31,26 @@ Cloth fabric(std::array<double, 3> stiffness, std::array<double, 2> stretch, dou
 
 }  // namespace
 
-// The first three numbers are the stiffnesses across the grain, along the grain and against shear. Only their ratios
-// matter. The next two are the maximum stretch across and along the grain: a hand can pull this far, and the fabric
-// recovers. The last two numbers, if present, are the squeeze factor and the locking angle.
-//
-// A preset is for a family of fabrics, so its stiffnesses are middle values. Measured stiffnesses in N/m, in the same
-// order: stiff plain weaves 2,100, 2,100 and 25 to 100; 11 oz denim 225, 1,055 and 70; knits such as swimwear 40, 138
-// and 10 to 36; double knit 67, 182 and 30. A plain weave locks at about 45° (trellis tests on dry fabrics). An
-// isotropic material has half of its tensile stiffness against shear. Foam and leather buckle instead of compressing.
-// No measurements are published, so their squeeze factors are chosen.
+// The stiffnesses are middle values for families of fabrics, and only their ratios matter. Measured stiffnesses are
+// beside the presets: weft, warp and shear, in N/m.
 const std::vector<ClothPreset>& cloth_presets() {
   static const std::string wang = "Stiffness: Wang, O'Brien, Ramamoorthi: Data-driven elastic models for cloth (2011)";
   static const std::vector<ClothPreset> all = {
+      // Measured: 2,100, 2,100 and 25 to 100. Dry fabrics lock at about 45° in trellis tests.
       {"woven", "Woven Cotton", "Cotton, linen and other plain weaves without elastane",
        fabric({1, 1, 0.05}, {0.03, 0.03}, 1, kPi / 4),
        wang + ", stiff plain weaves. Stretch: chosen for the crimp of the yarns"},
+      // Measured, 11 oz: 225, 1,055 and 70.
       {"denim", "Denim", "Denim and twill without elastane", fabric({0.21, 1, 0.06}, {0.03, 0.03}),
        wang + ", denim of 11 oz. Stretch: chosen, the same as for other wovens"},
+      // Measured double knit: 67, 182 and 30.
       {"jersey", "Jersey", "Jersey and T-shirt fabric", fabric({0.3, 0.6, 0.15}, {0.5, 0.25}),
        wang + ", a little softer than their double knit. Stretch: stretch guides, 25 to 50%"},
+      // Measured: 40, 138 and 10 to 36.
       {"swim", "Swim Knit", "Swim and activewear knit with elastane", fabric({0.29, 1, 0.17}, {1.0, 0.75}),
        wang + ", swimwear knit. Stretch: stretch guides, 75 to 100% both ways"},
+      // Isotropic materials have half of their tensile stiffness against shear. Leather and foam buckle instead of
+      // compressing: no measurements are published, so their squeeze factors are chosen.
       {"leather", "Leather", "Garment and upholstery leather", fabric({1, 1, 0.5}, {0.08, 0.08}, 4),
        "Stiffness: the same in all directions. Stretch: chosen for garment leather, which shoemakers stretch no "
        "further"},

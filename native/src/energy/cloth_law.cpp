@@ -10,8 +10,8 @@
 namespace wirewarp {
 namespace {
 
-// The factor of the locking term in W. With this value, a woven fabric has as much energy 15° beyond its locking angle
-// as with a thread strain of 50%. The Newton systems are as well conditioned as without locking.
+// The factor of the locking term in W. With 10, a woven fabric has as much energy 15° beyond its locking angle as at a
+// thread strain of 50%. The Newton systems remain well conditioned.
 constexpr double kLockingStiffness = 10;
 
 enum Index { kP, kQ, kG, kD };

@@ -55,8 +55,8 @@ enum class Injectivity {
 
 class FairShapeError {
  public:
-  /// cloth: null for the shape error of Eq. (4). layout: for Injectivity::global, one row per chart vertex. The Hessian
-  /// includes the contacts of the outline in this layout.
+  /// cloth: null for the shape error of Eq. (4). layout: for Injectivity::global, one row per chart vertex; the Hessian
+  /// includes the contacts of its outline.
   FairShapeError(const Chart& chart, const HeldNetwork& network, double fairness, const Cloth* cloth = nullptr,
                  Injectivity injectivity = Injectivity::none, const Positions2& layout = {});
 

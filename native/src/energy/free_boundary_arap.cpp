@@ -54,8 +54,8 @@ class GlobalStep {
 
 double dot(const Positions2& a, const Positions2& b) { return (a.array() * b.array()).sum(); }
 
-/// Returns the multiple of the direction at which a parabola has its minimum. The parabola has the value and slope of E
-/// at the start of the direction, and the value of E at its end.
+/// Returns the step to the minimum of a parabola, in multiples of the direction. The parabola has the value and slope
+/// of E at the start, and the value of E after one direction.
 double step_length(const ShapeError& shape_error, const FreeBoundaryArap& flat, const Positions2& direction,
                    double slope) {
   const double curvature = 2 * (shape_error.energy(flat.uv + direction) - flat.energy - slope);

@@ -24,10 +24,9 @@ struct FreeBoundaryArap {
 /// This number of steps is enough for starts and for the choice of wire lengths. Further steps hardly lower E.
 inline constexpr int kFreeSteps = 30;
 
-/// Takes at most max_iterations steps from the given layout or, without a layout, from the Tutte embedding in a circle.
-/// start: one row per chart vertex; mirrored if its area is negative. No step increases E. Throws Stopped (checked
-/// before each step), and FactorizationFailed if rounding errors make the Laplacian or the matrix of the embedding
-/// indefinite.
+/// Takes at most max_iterations steps, of which none increases E. Throws Stopped and FactorizationFailed.
+///
+/// start: one row per chart vertex, mirrored if its area is negative. Default: the Tutte embedding.
 FreeBoundaryArap free_boundary_arap(const Chart& chart, int max_iterations, const std::optional<Positions2>& start = {},
                                     const StopToken& stop = {});
 

@@ -28,9 +28,8 @@ class ShapeError {
   /// Returns E of a layout, scene units squared. uv: one row per chart vertex.
   double energy(const Positions2& uv) const;
 
-  /// Returns E, and writes ∂E/∂uv to gradient. E has a kink at z = 0 (mirror images of similar triangles, and points),
-  /// because every rotation fits equally well. At z = 0, ẑ = 0 is used, which leads to the middle of the possible
-  /// gradients.
+  /// Returns E, and writes ∂E/∂uv to gradient. At z = 0, every rotation fits equally well, and E has a kink. There, the
+  /// result is the middle of the possible gradients.
   double energy_and_gradient(const Positions2& uv, Positions2& gradient) const;
 
   /// Returns the number of flipped triangles and triangles with zero area.
@@ -40,11 +39,11 @@ class ShapeError {
   /// semidefinite. Unlike fixed_rotation_hessian(), G has no cost for rotating triangles.
   Positions2 times_gauss_newton(const Positions2& uv, const Positions2& d) const;
 
-  /// Returns the lower triangle of K = Σ_t 2A NᵀN. The columns of N are the gradients of the hat functions. K is twice
-  /// the cotangent Laplacian, and positive semidefinite on every mesh. It is the Hessian of E in each coordinate for
-  /// fixed rotations. With g = ∂E/∂uv, K bounds E everywhere:
+  /// Returns the lower triangle of K, the Hessian of E in each coordinate for fixed rotations. K is positive
+  /// semidefinite.
   ///
-  ///   E(u + d) ≤ E(u) + g·d + ½ d·Kd
+  ///   K = Σ_t 2A NᵀN = twice the cotangent Laplacian,   N: gradients of the hat functions, one per column
+  ///   E(u + d) ≤ E(u) + g·d + ½ d·Kd everywhere,        g = ∂E/∂u
   Eigen::SparseMatrix<double> fixed_rotation_hessian() const;
 
   /// A triangle p0 p1 p2, unfolded to (0, 0), (x1, 0), (x2, y2). The map from the unfolded triangle to u0 u1 u2 has the

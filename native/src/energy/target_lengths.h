@@ -14,10 +14,11 @@ struct GrainRow {
   Eigen::Vector2d normal;
 };
 
-/// The flat lengths of a chart in a layout that is not free to rotate: x is the weft of a fabric, y its warp. For a
-/// fabric that is stretched when worn, the layout is the shape of the stretched fabric. A flat piece u is S u in this
-/// layout, with S = diag(1 + c_weft, 1 + c_warp) and the stretch c. Energies are computed from the layout as usual. An
-/// edge d of the layout has the flat length |S⁻¹ d|.
+/// The flat lengths of a chart whose layout has a fixed direction. x is the weft of a fabric, y its warp.
+///
+/// If the fabric is stretched by the shares c when worn, the layout is S u:
+///   u   flat piece
+///   S   diag(1 + c_weft, 1 + c_warp)
 struct TargetLengths {
   std::vector<GrainRow> grains;         // one for each connected part
   std::vector<double> ratio;            // per edge of the chart: flat length over nominal length; empty: all 1

@@ -95,10 +95,8 @@ void add_faces(const HalfEdgeMesh& mesh, Springs& springs) {
   }
 }
 
-/// Adds a cone over a hole. If the loop has the length 2π r, all edges to the apex count as r long, and all corners at
-/// the loop count as right angles. Each of these corners adds tan(π/4) over the edge length to the stiffness of both
-/// its edges. Each corner at the apex adds l / 2r² to both its edges, where l is the length of the edge opposite to the
-/// apex.
+/// Adds a cone over a hole, as over a circle around the apex. Corners at the loop count as right angles, and tan(α/2)
+/// at the apex as length / 2 radius.
 void add_cone(const HalfEdgeMesh& mesh, const HalfEdgeChain& hole, int apex, Springs& springs) {
   const double radius = length_of(mesh, hole) / (2 * kPi);
   for (const HalfedgeHandle h : hole) {

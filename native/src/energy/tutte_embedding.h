@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The Tutte embedding of a chart in a circle, a start without flips: the outer loop is on the circle, all other
-// vertices are inside.
+// The Tutte embedding of a chart in a circle, a start without flips. The outer loop is on the circle. Every other
+// vertex is at a weighted mean of its neighbors. The weights are positive and symmetric: sums of the two mean-value
+// weights of an edge (warp/inner/mean_value.h). Cones fill the holes. Then no triangle is flipped except by rounding
+// errors (M. S. Floater, One-to-one piecewise linear mappings over triangulations, Mathematics of Computation 72
+// (2003), 685-696).
 #pragma once
 
 #include "base/stop_token.h"
@@ -9,13 +12,8 @@
 
 namespace wirewarp {
 
-/// Returns the layout, one row per chart vertex, scene units. The outer loop is mapped counter-clockwise to a circle of
-/// the chart's 3D area, so that arcs are proportional to edge lengths. Every other vertex is at the weighted mean of
-/// its neighbors. The weight of an edge is the sum of its two mean-value weights (warp/inner/mean_value.h). Weights are
-/// positive and symmetric, so one Cholesky factorization is enough. A cone with one more vertex, its apex, fills each
-/// hole. The filled chart is a triangulated disk, and its outline is a strictly convex polygon, so no triangle is
-/// flipped (M. S. Floater, One-to-one piecewise linear mappings over triangulations, Mathematics of Computation 72
-/// (2003), 685-696). Throws FactorizationFailed if rounding makes the matrix indefinite.
+/// Returns the layout, one row per chart vertex, scene units. The circle has the area of the chart in 3D, and its arcs
+/// are proportional to edge lengths. Throws Stopped and FactorizationFailed.
 Positions2 tutte_embedding(const Chart& chart, const StopToken& stop = {});
 
 }  // namespace wirewarp

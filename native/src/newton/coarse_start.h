@@ -10,10 +10,8 @@
 
 namespace wirewarp {
 
-/// Solves a coarser copy of the chart, and prolongs the shape and multipliers of the copy to the chart. The edges of
-/// the copy are four times as long, or shorter if longer edges could not follow the wires. Returns nullopt if the copy
-/// is hardly coarser or no shape with exact lengths is found. The token is polled in the stage "start". Throws Stopped
-/// and FactorizationFailed.
+/// Returns the shape and multipliers of a coarser copy, prolonged to the chart. Returns nullopt if the copy is hardly
+/// coarser or has no exact shape. Throws Stopped (polled in the stage "start") and FactorizationFailed.
 std::optional<Shape> start_from_coarse(const Problem& problem, const Control& control);
 
 }  // namespace wirewarp

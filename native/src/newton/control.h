@@ -24,7 +24,7 @@ class Budget {
   int spent() const { return spent_; }
 
   /// Returns whether this number of factorizations may be spent. If not, ran_out() is true from then on. Also asks the
-  /// whole budget, so that its ran_out() is true if the whole has too few left.
+  /// whole budget, for its own ran_out().
   bool allows(int factorizations = 1) {
     if (whole_) whole_->allows(factorizations);
     ran_out_ = ran_out_ || left_ < factorizations;

@@ -16,8 +16,8 @@
 namespace wirewarp {
 namespace {
 
-// Strains up to which a length counts as kept; smoothing leaves strains of 1e-4. Wires with a strain above the first
-// bound are freed; if that does not help, also wires with a strain above the second bound.
+// Wires with larger strains are freed: first with kKept and, if that does not help, with kPerhapsKept. Smoothing alone
+// leaves strains of 1e-4.
 constexpr double kKept = 5e-4, kPerhapsKept = 3e-5;
 // A wire is freed if its strain_rms is larger. A smaller value may vanish if other wires change more.
 constexpr double kUneven = 5e-3;
@@ -29,9 +29,8 @@ constexpr int kMaxFreeFactorizations = 40;  // as in lies_flat(); factorizations
 constexpr double kMostTrials = 30;  // largest cost (cost_of()) of dropping wires, and again of lowering tolerances
 // Up to 8 wires get individual tolerances. More wires share a tolerance, which is faster to find and to type.
 constexpr std::size_t kFewWires = 8;
-/// Tolerances are not tried on more wires than this, because a trial on n wires solves dense problems of size n in n³
-/// operations. A trial on 569 wires costs as much as 23 trials on 200 wires. The limit is high enough for nets of 168
-/// wires, which get one tolerance of 5%.
+/// Tolerances are not tried on more wires than this. A trial on 569 wires costs as much as 23 trials on 200 wires,
+/// because n wires take n³ operations. Nets of 168 wires still get a common tolerance of 5%.
 constexpr std::size_t kMostElasticWires = 200;
 
 /// Tolerances to try, 0.1% to 50%: each is 1.3 to 2 times the tolerance before.
@@ -118,9 +117,8 @@ class ToleranceSearch {
     return tolerances;
   }
 
-  /// Returns the wires with the lowest common tolerance that are_good accepts, found by bisection among the values of
-  /// kLadder below `below`. Returns no wires if even the highest of these values does not work, or if there are too
-  /// many wires.
+  /// Returns the wires with the lowest common tolerance in kLadder, below `below`, that are_good accepts. Returns no
+  /// wires if there are too many, or if the highest tolerance does not work.
   Tolerances lowest_shared(const Tolerances& wires, double below,
                            const std::function<bool(const Tolerances&)>& are_good) const {
     Tolerances lowest;

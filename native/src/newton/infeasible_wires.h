@@ -13,11 +13,14 @@
 namespace wirewarp {
 
 struct LengthDiagnosis {
-  /// Tolerances, sorted by wire, with which the refined method found a flat shape without flips and overlaps. They are
-  /// round numbers, as small as possible. Up to 8 wires get individual tolerances. More wires share one tolerance: all
-  /// wires that the relaxed shape changes. If the tolerance becomes less than half as large, all wires that change when
-  /// they are free share it instead. A tolerance is infinite if no tolerance up to 50% helps, or if there are too many
-  /// wires to try. The list is empty if no such shape is found even with all wires free.
+  /// Tolerances, sorted by wire, with which a flat shape without flips and overlaps was found. They are round and as
+  /// small as possible.
+  ///
+  /// - Up to 8 wires have individual tolerances.
+  /// - More wires share a tolerance: the wires that the relaxed shape changes.
+  /// - If this halves the tolerance, all wires that change when they are free share it instead.
+  /// - Infinite: no tolerance up to 50% helps, or there are too many wires to try.
+  /// - Empty list: no shape was found even with all wires free.
   std::vector<ProposedTolerance> tolerances{};
   /// Whether the lengths contradict one another near the relaxed shape, so that a longer search would hardly help.
   bool lengths_conflict = false;

@@ -13,9 +13,8 @@ inline constexpr const char* kInjectiveStart = "injective";  // value of Solutio
 /// Returns how injective a layout of the chart is. uv: one row per vertex.
 Injectivity injectivity_of(const Chart& chart, const Positions2& uv);
 
-/// Improves an exact solution that is not injective: replaces it with the least distorted shape without flips. If the
-/// chart has no holes, the least distorted shape without overlaps then replaces this shape. Keeps the last exact shape
-/// if the search fails or the caller stops.
+/// Replaces an exact solution that is not injective with the least distorted injective shape. If the chart has holes,
+/// only removes flips. Keeps the last exact shape if the search fails or the caller stops.
 void make_injective(Problem& problem, Stage stage, const Control& control, Solution& solution);
 
 }  // namespace wirewarp

@@ -100,8 +100,7 @@ bool MultiplierMethod::factorize(const Eigen::VectorXd& multipliers) {
   return is_positive;
 }
 
-/// Returns the Newton step of Φ. With d eliminated, a quadratic program in Δh remains. Its Hessian is the stiffness of
-/// the springs ρ and the surface, and its gradient is −Tᵀ (λ + ρ (c + J d)) with the d for Δh = 0.
+/// Returns the Newton step of Φ. Finds d for Δh = 0, then Δh with d eliminated, then the change of d for this Δh.
 std::optional<Step> MultiplierMethod::newton_step() {
   const Eigen::VectorXd stiffness = stiffness_ * unit_;
   const Eigen::VectorXd forces = multipliers_ + stiffness.cwiseProduct(residual(now_));

@@ -21,10 +21,11 @@
 
 namespace wirewarp {
 
-/// Returns a shape with exact lengths, h within the tolerances, and λ. Every shape on the way has the injectivity of
-/// the stage. Returns nullopt if exact lengths are not reached. map: first shape, one row per chart vertex. The default
-/// is the free ARAP map, or the Tutte embedding in a circle if the ARAP map is not injective enough. The token is
-/// polled in the stages "start" and "shape". Throws Stopped and FactorizationFailed.
+/// Returns a shape with exact lengths, and λ; nullopt if exact lengths are not reached. Every shape on the way has the
+/// injectivity of the stage. Throws Stopped (polled in the stages "start" and "shape") and FactorizationFailed.
+///
+/// map: first shape, one row per chart vertex. Default: the free ARAP map, or the Tutte embedding if the ARAP map is
+/// not injective enough.
 std::optional<Shape> injective_start(Problem& problem, const Stage& stage, const Control& control,
                                      std::optional<Positions2> map = {});
 

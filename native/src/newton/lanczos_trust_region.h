@@ -30,9 +30,11 @@ class LanczosTrustRegion {
  public:
   using Operator = std::function<Eigen::VectorXd(const Eigen::VectorXd&)>;
 
-  /// Builds at most max_size basis vectors. times_hessian returns H d. precondition returns the d in the tangent space
-  /// with G d = r, up to components of r normal to that space. It may remove these components from r. gradient: g.
-  /// Throws FactorizationFailed if a product is not finite.
+  /// Builds at most max_size basis vectors for the gradient g. Throws FactorizationFailed if a product is not finite.
+  ///
+  /// - times_hessian(d) returns H d.
+  /// - precondition(r) returns the d in the tangent space with G d = r. It may remove components of r normal to this
+  ///   space.
   LanczosTrustRegion(const Operator& times_hessian,
                      const std::function<Eigen::VectorXd(Eigen::VectorXd& r)>& precondition,
                      const Eigen::VectorXd& gradient, int max_size);

@@ -15,9 +15,11 @@
 namespace wirewarp {
 
 /// Minimizes f from a start. A start with multipliers must be near the minimum. The lengths of other starts may be
-/// wrong by up to 50%. The result is infeasible if the first step does not reach exact lengths, or if the budget is
-/// spent before this step. If the caller stops later, the current shape is returned. Ends early if a stage allows
-/// flipped triangles and some are still flipped after NewtonConstants::patience factorizations.
+/// wrong by up to 50%.
+///
+/// - If the first step does not reach exact lengths, the result is infeasible.
+/// - If the caller stops later, the result is the current shape.
+/// - Ends early if triangles are still flipped after NewtonConstants::patience factorizations.
 Solution minimize(const Problem& problem, const Stage& stage, const Shape& start, const Control& control);
 
 /// Returns the shape with its f and length error. Takes no step, and does not check the injectivity that the stage

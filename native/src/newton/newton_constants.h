@@ -9,8 +9,7 @@ struct NewtonConstants {
   /// Smallest predicted decrease of a step, relative to f. Lengths are exact at every step, so more digits improve only
   /// the shape, and f has rounding errors of 1e-13 on a million triangles.
   static constexpr double worthwhile = 1e-9;
-  /// Smallest predicted decrease of a step for intermediate shapes, relative to f. Later stages start from these
-  /// shapes, for example from the shape without the fabric, and from the shape with fixed seams. With 1e-2, all samples
+  /// Smallest predicted decrease, relative to f, for shapes from which later stages start. With 1e-2, all samples
   /// together take a tenth more factorizations. With 1, a quarter sphere takes 16 factorizations instead of 10.
   static constexpr double worthwhile_on_the_way = 0.1;
   /// A shape counts as isometric if f over the area is below this value. This means strains of 1e-11, a hundredth of
@@ -24,14 +23,14 @@ struct NewtonConstants {
   /// With a tenth of this value, 1% more factorizations are needed.
   static constexpr double near_minimum = 1e-2;
   /// Largest slope of a step with an old factor, relative to the slope of the previous step. If the slope falls less, a
-  /// new factor is cheaper, because it costs as much as about four steps with the old factor.
+  /// new factor is cheaper: it costs as much as about four steps.
   static constexpr double falls_fast = 0.1;
 
   /// A step is accepted if f falls by at least this share of the predicted decrease. Values below 1/4 are usual
   /// (Nocedal, Wright, algorithm 4.1).
   static constexpr double accept_ratio = 0.1;
-  /// Twice the radius is tried if f falls by at least this share of the predicted decrease. The share is lower than the
-  /// usual 3/4, because a larger step costs no factorization: one basis is enough for all radii.
+  /// Twice the radius is tried if f falls by this share of the predicted decrease. Usually, the share is 3/4. Here, a
+  /// larger step costs no factorization, because one basis is enough for all radii.
   static constexpr double grow_ratio = 0.5;
   /// Divisor of the radius after a bad step; 2 to 4 is usual.
   static constexpr double shrink = 3;

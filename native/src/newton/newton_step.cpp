@@ -15,9 +15,8 @@ struct NewtonStep : Step {
   Eigen::VectorXd multipliers;  // λ at the end of the step
 };
 
-/// Returns the solution of min g·d + ½ d·H d with J d - T Δh = -c and h + Δh in its bounds. With d eliminated, a dense
-/// quadratic program in Δh remains, with the Hessian S and the gradient -Tᵀλ. The unknown is the change of λ, and g +
-/// Jᵀλ replaces g. So a factor from an earlier shape causes only small errors.
+/// Returns the minimum of g·d + ½ d·H d for J d - T Δh = -c and h + Δh in its bounds. Solves for the change of λ: then
+/// an old factor causes only small errors.
 NewtonStep newton_step(const NewtonState& state) {
   const LengthConstraints& constraints = state.constraints;
   const Eigen::VectorXd residual = constraints.residual(state.now.uv, state.now.variation);
@@ -48,8 +47,8 @@ void move_along(const NewtonStep& step, NewtonState& state) {
   ++state.iterations;
 }
 
-/// Takes more Newton steps with the current factor, as long as their slope falls fast. Each step corrects the length
-/// errors of the step before. slope: slope of the last step. Returns true if the remaining decrease is not worthwhile.
+/// Takes Newton steps with the current factor while their slope falls fast. Returns whether the remaining decrease is
+/// not worthwhile. slope: slope of the last step.
 bool take_steps_with_factor(NewtonState& state, double slope) {
   for (bool is_first = true; state.control.stop.may_go_on(); is_first = false) {
     state.update_gradient();

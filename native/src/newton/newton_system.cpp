@@ -14,18 +14,17 @@
 namespace wirewarp {
 namespace {
 
-// Factor of M, which makes A definite for modes without stiffness. The softest mode of a square sheet has a stiffness
-// of 2π² for a mass of 1, so that 1e-4 shortens its step by a few millionths.
+// Factor of M, which makes A definite for modes without stiffness. It shortens the step of a square sheet's softest
+// mode (stiffness 2π² for mass 1) by a few millionths.
 constexpr double kMass = 1e-4;
 // Stiffness of the pins: far above the stiffness at a vertex, a few units (cotangents of angles), and far below the
 // stiffness of edges. The pins cause rounding errors of 1e-10.
 constexpr double kPin = 1e6;
-// Smallest ρ of an edge. It is far above any curvature of f + λᵀc along a wire, so that a factorization fails only for
-// directions in the null space of J. Each step of the method of multipliers divides the errors by ρ over the stiffness
-// of the surface, which gains about seven digits.
+// Smallest ρ of an edge, far above any curvature of f + λᵀc along a wire. So a factorization fails only for directions
+// in the null space of J. Each multiplier step gains seven digits.
 constexpr double kSmallestStiffness = 1e8;
-// Smallest ratio of ρ to the largest diagonal entry of the Hessian at an edge's ends. It matters for short edges, which
-// fairness can make stiffer than 1e8. A larger ratio would cause rounding errors near the stiffness of the surface.
+// Smallest ratio of ρ to the Hessian's diagonal at an edge's ends. It matters for short edges, which fairness can make
+// stiffer than 1e8. With a larger ratio, rounding errors would reach the surface's stiffness.
 constexpr double kStiffness = 10;
 constexpr int kMultiplierSteps = 3;  // usually one step is enough; after three, rounding errors prevent further gains
 // Largest relative error of the length changes of a Newton step. The retraction to exact lengths corrects this error.
@@ -282,9 +281,8 @@ NewtonSystem::Solution NewtonSystem::solve_roughly(const Reduced& reduced, const
   return solve(reduced, variation, cholesky_->all());
 }
 
-/// Takes steps of the method of multipliers: solves (H + Jᵀ ρ J) d = r₁ + Jᵀ (ρ r₂ − λ), then sets λ += ρ (J d − r₂).
-/// The first row of the system holds after every step. The error of the second row is divided by about ρ over the
-/// stiffness of the surface.
+/// Takes steps of the method of multipliers until the second row of the system holds. The first row holds after every
+/// step. Each step divides the error by about ρ over the stiffness of the surface.
 void NewtonSystem::improve(const Eigen::VectorXd& r2, Solution& solution) const {
   for (int i = 0; i < kMultiplierSteps; ++i) {
     Eigen::VectorXd tensions = stiffness_.cwiseProduct(r2) - solution.multipliers;

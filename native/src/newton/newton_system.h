@@ -39,9 +39,8 @@ inline constexpr Convexity kExactHessian{Curvature::exact, true};
 inline constexpr Convexity kConvexHessian{Curvature::convex, false};
 inline constexpr Convexity kLaplacian{Curvature::none, false};
 
-/// Returns a positive definite matrix near a symmetric matrix, so that the quadratic model has a minimum. Returns a
-/// matrix that is clearly positive definite unchanged. Otherwise, replaces the eigenvalues with their magnitudes, at
-/// least 1e-6 of the largest. If the matrix has more than 200 rows, increases its diagonal instead.
+/// Returns a positive definite matrix near a symmetric matrix. A clearly positive definite matrix stays unchanged.
+/// Otherwise, eigenvalues become their magnitudes or, with more than 200 rows, the diagonal is increased.
 Eigen::MatrixXd make_positive(const Eigen::MatrixXd& symmetric);
 
 class NewtonSystem {
@@ -75,8 +74,8 @@ class NewtonSystem {
     Eigen::VectorXd r2;
   };
 
-  /// A solution of A d = r₁ + Jᵀ τ on the wires. d has x and y of each vertex in turn. Off the wires, d has
-  /// intermediate values, from which finish() computes the solution. finish() also accepts sums of several d.
+  /// A solution of A d = r₁ + Jᵀ τ on the wires, with x and y of each vertex in turn. finish() computes d at the other
+  /// vertices. It also accepts sums of several d.
   struct Solution {
     Eigen::VectorXd d;
     Eigen::VectorXd tensions;     // τ

@@ -7,10 +7,8 @@
 
 namespace wirewarp {
 
-/// Minimizes from the shape of an earlier stage. Sews all slits that are shut in this shape, because the set of shapes
-/// with exact lengths is not smooth where a slit is shut (newton/open_slits.h). The first step can fail to reach exact
-/// lengths. If the stage forbids flips and the start has none, the method of multipliers is then tried
-/// (newton/injective_start.h).
+/// Minimizes from the shape of an earlier stage. Sews slits that are shut in this shape, where the set of exact shapes
+/// is not smooth. If flips are forbidden, tries injective_start() after a failure.
 Solution minimize_next(Problem& problem, const Stage& stage, const Shape& start, const Control& control);
 
 }  // namespace wirewarp

@@ -46,8 +46,8 @@ class Problem {
   /// Returns the free ARAP flattening. Throws Stopped and FactorizationFailed.
   const Positions2& free_map(const StopToken& stop);
 
-  /// Return c and f of a stage. layout: one row per chart vertex; determines the scale of errors in rotation, and which
-  /// parts of the outline are near each other. May be empty if the stage fixes no rotation and forbids no overlaps.
+  /// Return c and f of a stage. layout: one row per chart vertex. It may be empty if the stage fixes no rotation and
+  /// forbids no overlaps.
   LengthConstraints constraints(const Stage& stage, const Positions2& layout = {}) const;
   FairShapeError objective(const Stage& stage, const Positions2& layout = {}) const;
 

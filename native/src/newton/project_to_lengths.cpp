@@ -20,9 +20,8 @@ struct Projected {
   Eigen::VectorXd residual;   // c
 };
 
-/// Reduces the strain of springs ρ along the edges by Gauss-Newton steps. If several steps minimize the linearized
-/// strain, takes the step that is shortest in the metric H. With d eliminated, a quadratic program in Δh remains. It
-/// keeps h + Δh within the tolerances.
+/// Minimizes the strain of springs ρ along the edges by Gauss-Newton steps, which are shortest in the metric H. With d
+/// eliminated, a quadratic program in Δh keeps h within its tolerances.
 class Projection {
  public:
   Projection(const Problem& problem, const Positions2& uv, const StopToken& stop)

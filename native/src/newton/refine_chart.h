@@ -11,12 +11,14 @@
 
 namespace wirewarp {
 
-/// Finds the least distorted shape of a chart. The slits of a chart are sewn at first (newton/open_slits.h). If
-/// options.makes_injective is set and the shape is flipped or overlaps itself, searches for an injective shape instead
-/// (newton/injective_shape.h). If there is a fabric, minimizes its energy next (newton/refine_cloth.h). If no start
-/// leads to exact lengths, returns the last shape that was tried. The status is then cancelled if the caller stopped,
-/// infeasible if any start was infeasible, and singular otherwise. The token is polled in the stages "start" and
-/// "shape".
+/// Finds the least distorted shape of a chart with exact lengths. For a fabric, finds the shape with the least energy.
+/// The shape is injective if options.makes_injective is set and an injective shape is found. The token is polled in the
+/// stages "start" and "shape".
+///
+/// If no start leads to exact lengths, returns the last shape that was tried, with one of these statuses:
+/// - cancelled: the caller stopped
+/// - infeasible: any start was infeasible
+/// - singular: otherwise
 Solution refine_chart(Problem& problem, const InternalOptions& options, const Control& control);
 
 /// Finds the least distorted shape of a chart with a budget of options.max_factorizations.

@@ -76,9 +76,8 @@ Solution ClothRefinement::minimize_in_direction(const Shape& start) {
   return held;
 }
 
-/// Returns the derivative of f over the area with respect to the fixed angle. The constraint is n·d = 0, and d connects
-/// the two vertices of the pair. If n turns by dθ, then n·d changes by |d| dθ. The multiplier is the derivative of f
-/// with respect to n·d.
+/// Returns the derivative of f over the area with respect to the fixed angle. The multiplier is the derivative with
+/// respect to n·d, which changes by |d| dθ if n turns by dθ.
 double ClothRefinement::slope_of(const Shape& shape) const {
   const double length = (shape.uv.row(pair_[1]) - shape.uv.row(pair_[0])).norm();
   return shape.multipliers[shape.multipliers.size() - 1] * length / problem_.area();

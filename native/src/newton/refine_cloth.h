@@ -26,10 +26,8 @@ inline GrainRow hold_direction(const VertexPair& pair, const Positions2& uv) {
 /// Returns a constraint that keeps the chart from rotating.
 GrainRow hold_upright(const Chart& chart, const Positions2& uv, const Options& options);
 
-/// Turns an exact solution, found without a fabric, upright: x is along the weft. Refines the solution for
-/// options.cloth unless it is flipped. The last multiplier belongs to the constraint on the direction. Keeps the
-/// upright shape if the caller stops, if the budget is spent, or if the piece would overlap itself. The fabric's
-/// stretch is applied later (newton/solve/stretch_charts.h).
+/// Turns an exact solution upright, and refines it for options.cloth. Keeps the upright shape if it is flipped or
+/// refining fails. A refined shape has one more multiplier, for the fixed direction.
 void refine_cloth(Problem& problem, const InternalOptions& options, const Control& control, Solution& solution);
 
 }  // namespace wirewarp

@@ -54,8 +54,8 @@ Shape combine_starts(const CombinedCharts& combined, const std::vector<CoupledCh
   return all;
 }
 
-/// Returns the largest residual of the first-order conditions, dimensionless. Forces at vertices are divided by the
-/// root of the area. Pulls on elastic lengths are divided by the area. A pull against a bound does not count.
+/// Returns the largest residual of the first-order conditions, without pulls against bounds. Forces at vertices are
+/// divided by the root of the area, and pulls on elastic lengths by the area.
 double projected_gradient(const Problem& problem, const Stage& stage, const Shape& shape) {
   const LengthConstraints constraints = problem.constraints(stage, shape.uv);
   Positions2 gradient;

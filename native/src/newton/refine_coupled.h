@@ -24,8 +24,8 @@ struct CoupledChart {
   Shape start;
 };
 
-/// Minimizes from the starts. stage: must not have lengths, because each chart has its own lengths. Returns a solution
-/// without multipliers for each chart. Either all solutions are exact, or no solution is.
+/// Returns a solution without multipliers for each chart; either all or none are exact. stage: must not have lengths,
+/// because each chart has its own lengths.
 std::vector<Solution> refine_coupled(const std::vector<CoupledChart>& charts, double fairness, const Stage& stage,
                                      const Control& control);
 

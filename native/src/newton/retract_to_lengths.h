@@ -6,9 +6,8 @@
 
 namespace wirewarp {
 
-/// Moves uv to exact lengths by chord steps with the current factor. Each step is the least change in the metric of the
-/// factor, and must reduce the error by at least a tenth. If exact lengths are not reached, because uv is too far from
-/// the linearization or the caller stops, returns false and does not change uv.
+/// Moves uv to exact lengths by least changes in the metric of the current factor. Returns false, and does not change
+/// uv, if uv is too far from the linearization or the caller stops.
 bool retract_to_lengths(const LengthConstraints& constraints, const NewtonSystem& system,
                         const Eigen::VectorXd& variation, Positions2& uv, const StopToken& stop = {});
 

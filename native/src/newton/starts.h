@@ -19,9 +19,8 @@ struct Start {
   Injectivity injectivity = Injectivity::none;  // of the layout and of all later iterates
 };
 
-/// Returns the layout of WireWarping: flattens the wires alone by the angles of Eq. (1) on the network of
-/// process_topology(), then places the other vertices (paper II-A). Its lengths are exact, without a factorization for
-/// the whole chart. Returns nullopt if the wires do not close or cannot be joined by helper wires.
+/// Returns the layout of WireWarping (paper II-A), which has exact lengths. It needs no factorization for the whole
+/// chart. Returns nullopt if the wires do not close or helper wires cannot join them.
 std::optional<Shape> flatten_wires_first(Problem& problem, const Control& control);
 
 /// The starts in the order in which they are tried; native/README.md says how often each is successful.

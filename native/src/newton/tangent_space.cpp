@@ -14,8 +14,8 @@ TangentSpace::TangentSpace(const NewtonSystem& system, const LengthConstraints& 
   if (factor_h_.info() != Eigen::Success) throw FactorizationFailed("TangentSpace: S is not positive definite");
 }
 
-/// The solution satisfies G d + Jᵀλ = r_u and -Tᵀλ = r_h, hence S Δh = r_h + Tᵀλ with the λ of Δh = 0. One solve keeps
-/// lengths to about seven digits, which is enough for a direction: a retraction to exact lengths follows.
+/// Solves G d + Jᵀλ = r_u and -Tᵀλ = r_h, hence S Δh = r_h + Tᵀλ with the λ of Δh = 0. Lengths are kept to seven
+/// digits, because a retraction follows.
 Eigen::VectorXd TangentSpace::solve(Eigen::VectorXd& force) const {
   const auto num_free = static_cast<Eigen::Index>(free_.size());
   const Eigen::Index size = force.size() - num_free;

@@ -12,8 +12,10 @@ namespace wirewarp {
 
 class TangentSpace {
  public:
-  /// system: must be factored with a convex H, here called G. The system and the constraints must outlive the space and
-  /// must not change. free: elastic parts that are not at a bound. Throws FactorizationFailed.
+  /// The system and the constraints must outlive the space unchanged. Throws FactorizationFailed.
+  ///
+  /// system: factored with a convex H, here called G
+  /// free: elastic parts that are not at a bound
   TangentSpace(const NewtonSystem& system, const LengthConstraints& constraints, std::vector<int> free);
 
   const std::vector<int>& free() const { return free_; }

@@ -24,9 +24,8 @@ std::vector<int> free_parts(const NewtonState& state) {
   return free;
 }
 
-/// Returns the force of the wires at each vertex, rotated by 90 degrees. At a saddle, the direction of descent may
-/// break a symmetry of the gradient. A basis built from the gradient does not contain this direction. The rotated
-/// forces break the symmetry, so a basis built from them can contain it.
+/// Returns the forces of the wires at the vertices, rotated by 90 degrees. At a saddle, the direction of descent may
+/// break a symmetry of the gradient. The rotated forces break this symmetry, too.
 Positions2 forces_across_symmetry(const NewtonState& state) {
   Positions2 tension = Positions2::Zero(state.now.uv.rows(), 2), turned(tension.rows(), 2);
   state.constraints.add_transposed(state.system->directions(), state.multipliers, tension);

@@ -15,8 +15,8 @@ namespace {
 /// Largest root mean square strain. Coordinates rounded to four digits cause this strain, and Newton steps correct it.
 constexpr double kMostStrain = 1e-4;
 
-/// A side at which a face can be placed. Longer sides come first. Sides of about the same length come in the order in
-/// which they were found. So there are few faces between the first face and any other face.
+/// A side at which a face can be placed. Longer sides come first, because rounding errors at a short side move all
+/// faces beyond it. Similar sides come in the order found.
 struct OpenSide {
   OpenSide(double length, int place, HalfedgeHandle h) : magnitude(std::ilogb(length)), rank(place), half_edge(h) {}
   bool operator<(const OpenSide& other) const {

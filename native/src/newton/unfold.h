@@ -10,8 +10,7 @@
 namespace wirewarp {
 
 /// Returns the layout in which every triangle keeps its shape, one row per chart vertex, scene units. Returns nullopt
-/// if the triangles do not fit together within mean strains of 1e-4. Each triangle is placed beside a neighbor, across
-/// the longest edge available, because rounding errors at a short edge move the faces beyond it most.
+/// if the triangles do not fit together within mean strains of 1e-4.
 std::optional<Shape> unfold(const Chart& chart);
 
 }  // namespace wirewarp

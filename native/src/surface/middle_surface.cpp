@@ -37,7 +37,8 @@ Eigen::Vector3d normal_of(const Positions3& vertices, const Triangles& faces, Ei
 /// vertex, is smaller than this.
 constexpr double kCancels = 1e-6;
 
-/// Returns one unit normal per vertex; zero if the normals around it cancel out.
+/// Returns one unit normal per vertex, weighted by angles; zero if the normals around it cancel out (Thürmer, Wüthrich,
+/// Computing vertex normals from polygonal facets, 1998).
 Positions3 vertex_normals(const FlattenInput& input) {
   Positions3 normals = Positions3::Zero(input.vertices.rows(), 3);
   Eigen::VectorXd angles = Eigen::VectorXd::Zero(input.vertices.rows());

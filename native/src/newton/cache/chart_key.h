@@ -9,10 +9,8 @@
 
 namespace wirewarp {
 
-/// Returns a key of everything that the flat shapes of a coupled group depend on, bit for bit: meshes, outlines, slits,
-/// wire parts, the elastic seams that share a length, the options of the solver, and the fabric without its stretch.
-/// The key uses the numbering within each chart, so that changes elsewhere in the input do not change the key. Errors
-/// also depend on name_key().
+/// Returns a key of everything that the flat shapes of a coupled group depend on, before the fabric's stretch. Changes
+/// elsewhere in the input do not change the key. Errors also depend on name_key().
 std::string solution_key(const std::vector<const Chart*>& group, const Options& options);
 
 /// Returns a key of the input indices of the charts' vertices, faces and wires, and of the names of the wires.

@@ -20,8 +20,8 @@ constexpr double kClearly = 1 + 1e-9;
 constexpr double kSharpestTurn = kPi / 4;  // corners of wires that turn more are not removed
 constexpr double kWorthwhile = 0.02;       // a round that removes a smaller share of the vertices is the last one
 
-/// The faces around a vertex, or on one side of the wire at a wire vertex. They are laid out in the plane with the
-/// vertex at the origin. Face i is between spokes i and i + 1.
+/// The faces around a vertex, or on one side of its wire. They are laid out in the plane with the vertex at the origin.
+/// Face i is between spokes i and i + 1.
 struct Fan {
   std::vector<VertexHandle> rim;  // counter-clockwise; if the rim is closed, its first vertex is also its last
   std::vector<FaceHandle> faces;
@@ -157,9 +157,8 @@ bool Decimation::lay_out_fans(VertexHandle v) {
   return true;
 }
 
-/// Returns the least quality of the faces of the fan after its vertex moves to rim[apex]. The quality is 4√3 · area
-/// over the sum of squared sides. Returns 0 if a face is flipped, has a side that is too long, or has a quality below
-/// `least`.
+/// Returns the least quality, 4√3 area / Σ side², of the new faces after the fan's vertex moves to rim[apex]. Returns 0
+/// if a face is flipped, has too long a side, or has a quality below `least`.
 double Decimation::worst_quality(const Fan& fan, std::size_t apex, double least) const {
   double worst = 1;
   const auto& a = fan.positions[apex];

@@ -30,9 +30,8 @@ struct DecimatedMesh {
   std::vector<CoarsePlace> places;  // for each vertex of the chart; not set for removed vertices on wires
 };
 
-/// Returns the coarser mesh of a chart. network: network of the chart; wire vertices remain on its lines.
-/// edge_length: the target in scene units. No new edge is longer than twice the target. Throws Stopped; the token is
-/// polled before each round over all vertices.
+/// Returns the coarser mesh of a chart, in which wire vertices remain on their lines. edge_length: target in scene
+/// units; new edges have at most twice this length. Throws Stopped.
 DecimatedMesh decimate(const Chart& chart, const HeldNetwork& network, double edge_length, const StopToken& stop = {});
 
 }  // namespace wirewarp

@@ -46,9 +46,8 @@ constexpr double kThin = 0.3;    // largest determinant of a sliver's map; trian
 constexpr double kStill = 0.01;  // shortest move that counts, over the mean edge; smaller values save no Newton step
 constexpr int kMaxSweeps = 100;  // sweeps over the moving vertices; 10 to 30 are usual
 
-/// Unfolds triangles that are flipped or nearly flipped in a prolonged shape. Fine meshes have slivers that are folded
-/// over their neighbors, and a smooth map keeps these folds. Each vertex of a sliver moves to the place where the
-/// triangles around it fit best. Then the neighbors of moved vertices move, too. Vertices of the network do not move.
+/// Unfolds triangles that are flipped or nearly flipped. Fine meshes have slivers that are folded over their neighbors,
+/// and a smooth map keeps these folds. Vertices of the network do not move.
 class Slivers {
  public:
   Slivers(const Chart& chart, const HeldNetwork& network, Positions2& uv)
@@ -83,8 +82,8 @@ class Slivers {
     }
   }
 
-  /// Moves a vertex to the minimum of the shape error for fixed rotations of the triangles around it. This never
-  /// increases the shape error. Returns the distance times the square root of the stiffness at the vertex.
+  /// Moves a vertex to the minimum of the shape error for fixed rotations around it. This never increases the shape
+  /// error. Returns the distance times the square root of the stiffness.
   double move(int v) {
     Eigen::Vector2d gradient(0, 0);
     double stiffness = 0;

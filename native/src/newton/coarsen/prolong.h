@@ -7,13 +7,15 @@
 
 namespace wirewarp {
 
-/// Returns the flat positions of all vertices, one row each, from the flat positions uᵢ of the coarse vertices. Coarse
-/// vertex i is at pᵢ on the surface, and Jᵢ is the mean derivative around it. A vertex p may be off the coarse mesh.
-/// Its place there is q = Σ bᵢ pᵢ, and its flat position is
+/// Returns the flat positions of all vertices, one row each.
 ///
-///   u(p) = Σ bᵢ [uᵢ + ½ Jᵢ (p − pᵢ)] + ½ (Σ bᵢ Jᵢ) (p − q).
+///   pᵢ, uᵢ   positions of coarse vertex i on the surface and in the plane
+///   Jᵢ       mean derivative of the flat map around coarse vertex i
+///   p, q     position of a fine vertex, and its place Σ bᵢ pᵢ on the coarse mesh
 ///
-/// This is exact for affine maps. It is also exact for quadratic maps if p = q and all Jᵢ are exact.
+///   u(p) = Σ bᵢ [uᵢ + ½ Jᵢ (p − pᵢ)] + ½ (Σ bᵢ Jᵢ) (p − q)
+///
+/// u is exact for affine maps, and for quadratic maps if p = q.
 Positions2 interpolate(const Chart& chart, const CoarseChart& coarse, const Positions2& coarse_uv);
 
 /// Returns a start for the fine chart, one row per vertex. Interpolates the positions, then places the wires by their

@@ -56,8 +56,7 @@ WireTurns::WireTurns(const CoarseChart& coarse, const Positions2& uv)
 }
 
 /// Sets the turns of the runs around the vertex at which `first` arrives. Each run turns by the mean rotation of all
-/// runs against the surface, minus its own rotation. If the flat angles around an inner vertex have another sum than
-/// the angles on the surface, the difference is divided equally among the angles.
+/// runs against the surface, minus its own rotation.
 void WireTurns::turn_around(WireHalfEdge first) {
   std::vector<WireHalfEdge> runs;
   std::vector<double> rotations{0};
@@ -73,6 +72,7 @@ void WireTurns::turn_around(WireHalfEdge first) {
   }
   if (runs.empty()) return;
   const auto count = static_cast<double>(runs.size());
+  // The flat angles around an inner vertex may have another sum than on the surface. All angles share the difference.
   const double lack = rotations.size() > runs.size() ? rotations.back() / count : 0;
   rotations.resize(runs.size());
   for (std::size_t i = 0; i < runs.size(); ++i) rotations[i] -= static_cast<double>(i) * lack;

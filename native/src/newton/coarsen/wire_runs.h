@@ -22,8 +22,8 @@ struct WireRun {
   double one_sided[2] = {0, 0};
 };
 
-/// Returns the runs into which the kept vertices divide all wires. Wires must not meet or end at other vertices. The
-/// runs are not unrolled yet. stays: one flag per chart vertex.
+/// Returns the runs, not unrolled, into which the kept vertices divide all wires. Wires may meet or end only at kept
+/// vertices. stays: one flag per chart vertex, true if it is kept.
 std::vector<WireRun> find_wire_runs(const Chart& chart, const WireNetwork& network, const std::vector<char>& stays);
 
 /// Sets all fields of a run from its half-edges. node_at_arrival: result of nodes_at_arrival() for the network.

@@ -28,8 +28,8 @@ FlattenError infeasible_wires(const Chart& chart, const std::vector<Wire>& wires
 FlattenError infeasible_outline(const Chart& chart, const Options& options, std::vector<VertexPair> proposed_seams,
                                 bool ran_out);
 
-/// Returns the error of a chart for which no shape with the lengths of the stretched fabric was found.
-/// is_good_unstretched: whether the shape without the stretch has no flips or overlaps, so that less stretch may help.
+/// Returns the error of a chart without a shape that has the lengths of the stretched fabric. is_good_unstretched:
+/// whether less stretch may help, because the shape without stretch has no flips or overlaps.
 FlattenError infeasible_stretch(const Chart& chart, const Options& options, std::vector<VertexPair> proposed_seams,
                                 bool is_good_unstretched, bool ran_out);
 
@@ -43,8 +43,8 @@ std::optional<FlattenError> elastic_outline(const Chart& chart, const std::vecto
 /// names the small faces.
 FlattenError not_solvable(const Chart& chart);
 
-/// Returns the error of a chart in which rounding errors leave no path for the helper wires of the paper's methods. The
-/// refined method needs no helper wires. The error names the edges of wires and holes.
+/// Returns the error of a chart without a path for the helper wires of the paper's methods. Rounding errors cause this.
+/// The error names the edges of wires and holes.
 FlattenError not_joined(const Chart& chart);
 
 }  // namespace wirewarp

@@ -27,8 +27,8 @@ struct GroupMember {
 
 class GroupSolver {
  public:
-  /// Searches for an injective shape of a chart that is flipped or overlaps itself. During the search, its elastic
-  /// seams are fixed at the common lengths. The solution may be inexact or not injective; the caller checks.
+  /// Searches for an injective shape of a folded chart, whose elastic seams are fixed at the common lengths. The caller
+  /// checks whether the solution is exact and injective.
   using RefineInjective = std::function<Solution(std::size_t member, Budget& budget)>;
 
   struct Outcome {
@@ -41,11 +41,8 @@ class GroupSolver {
   GroupSolver(const std::vector<GroupMember>& group, const Run& run, const StopToken& stop, bool renews_limit,
               RefineInjective refine_injective);
 
-  /// Finds the common lengths and the shapes of all charts. With `alone`, finds the shape of this chart only.
-  ///
-  /// Without `alone`, all charts keep their shapes from before the stage if a chart becomes flipped or overlaps itself,
-  /// and RefineInjective does not help. They keep these shapes only if every chart is nominal (see GroupMember) and was
-  /// good before.
+  /// Finds the common lengths and shapes of all charts, or only the shape of the chart `alone`. Keeps all earlier
+  /// shapes if a chart becomes folded, although all charts are nominal and were good before.
   Outcome solve(std::optional<std::size_t> alone = std::nullopt);
 
   /// Returns the chart as it was before the stage.

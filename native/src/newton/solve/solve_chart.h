@@ -22,9 +22,8 @@ struct Run {
   ProposeSeams propose_seams;  // empty if errors are not shown and therefore need no seams
 };
 
-/// Returns the layout of a chart, or its error. The chart must have faces. budget: for all trials of the chart
-/// together; earlier trials may have spent a part. Errors name Options::max_factorizations instead of the budget,
-/// because the user set this option.
+/// Returns the layout of a chart with faces, or its error. budget: for all trials of the chart together; errors name
+/// Options::max_factorizations instead, which the user set.
 SolvedChart solve_chart(const Chart& chart, const Run& run, Budget& budget, const StopToken& stop);
 
 /// Returns the seams that Run::propose_seams finds, or no seams if Run::propose_seams is empty.

@@ -36,9 +36,8 @@ InternalOptions on_the_way(InternalOptions options) {
   return options;
 }
 
-/// Frees the elastic seams of a group. If no common lengths are found, solves each chart completely at h = ease, and
-/// reports that the seams are fixed. A chart that cannot be solved completely keeps its earlier shape. A chart without
-/// a shape at h = ease gets an error that says why.
+/// Frees the elastic seams of a group. If no common lengths are found, solves each chart alone with its seams fixed at
+/// h = ease. A chart without a shape then gets an error.
 void free_elastic_seams(const std::vector<GroupMember>& group, const Run& run, const StopToken& stop) {
   const StopToken in_shape = stop.in("shape");
   GroupSolver solver(group, run, in_shape, false, [&](std::size_t k, Budget& budget) {

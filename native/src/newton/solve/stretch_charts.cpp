@@ -44,9 +44,8 @@ class StretchedGroup {
     }
   }
 
-  /// Solves a chart that is flipped or overlaps itself without the stretch. variation: h of its elastic seams. ran_out:
-  /// whether the limit of factorizations ended an earlier attempt. Returns whether a shape with the stretched lengths
-  /// was found.
+  /// Solves a chart that is flipped or overlaps itself without the stretch. Returns whether a shape was found.
+  /// variation: h of its elastic seams; ran_out: whether a limit ended an earlier attempt.
   bool solve_faulty(std::size_t k, const std::vector<double>& variation, bool ran_out) {
     if (!refine_faulty(k, variation, ran_out)) {
       explain(k, ran_out);
@@ -114,6 +113,7 @@ class StretchedGroup {
     SolvedChart& one = group_[k].solved;
     const FixedSeams fixed(group_[k].chart, variation);
     Budget budget(run_.options.max_factorizations);
+    // The energy of a fabric is infinite for flipped triangles, so the shape error is minimized first.
     Solution found = refine({}, k, solver_.before(k).uv, budget);
     if (!found.is_exact()) {
       if (const std::optional<Positions2> start = start_from_scratch(k, budget)) {

@@ -13,13 +13,11 @@
 
 namespace wirewarp {
 
-/// Solves all charts with the stretched lengths, and sets these as the charts' target lengths. solved: upright layouts
-/// without the stretch, replaced by the flat layouts. If no common lengths of a group are found, its elastic seams are
-/// fixed at h = ease. If even with fixed seams no shape of a chart is found, it gets an error instead of a layout.
+/// Solves all charts with the stretched lengths, and sets these lengths as the charts' target lengths. solved: upright
+/// layouts without the stretch, replaced by the flat layouts.
 ///
-/// The energy of a fabric is infinite if a triangle is flipped. For a chart that is flipped without the stretch, the
-/// shape error is minimized instead. The same applies to a chart that overlaps itself and cannot be solved with the
-/// fabric's energy. If the result has no flipped triangles, the fabric's energy is minimized next.
+/// - If a group has no common lengths, its elastic seams are fixed at h = ease.
+/// - A chart without a shape gets an error instead of a layout.
 void stretch_charts(Charts& charts, const Run& run, ProgressReport& report, std::vector<SolvedChart>& solved);
 
 }  // namespace wirewarp

@@ -11,13 +11,12 @@
 
 namespace wirewarp {
 
-/// Fills the panel and the Schur complement of a front before its factorization, from the values of a lower triangle
-/// and the Schur complements of the front's children. factor, schurs: panels and Schur complements of all fronts.
+/// Fills the panel and the Schur complement of a front from the values of a lower triangle and the front's children.
+/// factor, schurs: panels and Schur complements of all fronts.
 void assemble_front(const FrontLayout& layout, int node, const double* values, Tile* factor, Tile* schurs);
 
-/// Number of tile multiplications between two calls of the stop token, about a tenth of a second. Each call also
-/// advances the progress bar, so calls are rare. A factorization has no call below 50,000 triangles, and forty calls
-/// for a million triangles.
+/// Number of tile multiplications between two calls of the stop token, about 0.1 s. Calls are rare, because each call
+/// advances the progress bar: forty for a million triangles, none below 50,000.
 constexpr double kWorkPerQuestion = 1e7;
 
 /// Calls eliminate(front) for all fronts, children before parents, in two threads if requested. Returns false

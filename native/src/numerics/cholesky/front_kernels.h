@@ -39,8 +39,8 @@ struct FrontKernels {
   /// immediately at a pivot that is not a positive finite number.
   bool (*factor)(Tile* panel, Tile* schur, int m, int r);
 
-  /// Factors a front of an unsymmetric matrix A = L U. L and Uᵀ have the same shape, so each has a panel and a triangle
-  /// of S. L and U have the same diagonal, the square roots of the pivots.
+  /// Factors a front of an unsymmetric matrix A = L U. L and Uᵀ each have a panel and a triangle of S. Both have the
+  /// same diagonal, the square roots of the pivots.
   bool (*factor_lu)(Tile* lower, Tile* lower_schur, Tile* upper, Tile* upper_schur, int m, int r);
 
   /// Replaces [x₁; x₂] by [L₁₁⁻¹ x₁; x₂ − L₂₁ L₁₁⁻¹ x₁], for one right-hand side, or for four that are stored row by

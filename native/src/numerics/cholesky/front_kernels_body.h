@@ -56,8 +56,8 @@ inline void divide(TileInRegisters& x, const Tile& diagonal) {
   }
 }
 
-/// Subtracts Σ a bᵀ from each of kRows tiles c. Each c has num_tiles tiles a of its own, and all c share num_tiles
-/// tiles b. If a diagonal tile of L is given, then multiplies each c by L⁻ᵀ from the right.
+/// Subtracts Σ a bᵀ from each tile c, with num_tiles tiles a of its own and common tiles b. Then multiplies c by L⁻ᵀ
+/// from the right if a diagonal tile of L is given.
 template <int kRows>
 inline void subtract_product(Tile* const (&c)[kRows], const Tile* const (&a)[kRows], const Tile* b, int num_tiles,
                              const Tile* diagonal) {
@@ -124,9 +124,8 @@ struct FrontTiles {
   Tile* at(int t, int j) const { return j < m ? panel + panel_row(t, m) + j : schur + triangle_size(t - m) + (j - m); }
 };
 
-/// Updates the tiles in rows t to t + kRows - 1 and columns begin to end - 1 of a factor. From each tile of column j,
-/// subtracts the product over the pivots `first` to min(j, last) - 1. Then divides columns before `last` by their
-/// diagonal tiles, which makes these columns final.
+/// Updates a factor's tiles in kRows rows from t on and columns [begin, end) by the pivots [first, last). Columns
+/// before `last` are final afterwards.
 template <int kRows>
 void update_rows(const FrontTiles& front, const FrontTiles& other, int t, int first, int last, int begin, int end) {
   Tile* c[kRows];

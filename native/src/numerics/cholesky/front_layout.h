@@ -66,8 +66,8 @@ struct FrontLayout {
   }
 };
 
-/// Returns the layout. lower: the lower triangle, compressed. keeps_root: whether the last node of the tree is not
-/// eliminated. Throws std::invalid_argument if the tree does not match the matrix.
+/// Returns the layout for a compressed lower triangle. keeps_root: whether the last node of the tree is not eliminated.
+/// Throws std::invalid_argument if the tree does not match the matrix.
 FrontLayout lay_out_fronts(const Eigen::SparseMatrix<double>& lower, const DissectionTree& tree,
                            int unknowns_per_vertex, bool keeps_root = false);
 

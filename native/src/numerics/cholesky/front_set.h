@@ -9,9 +9,8 @@
 
 namespace wirewarp {
 
-/// Fronts to visit, divided for two threads: two shares of independent subtrees with about equal work, and their common
-/// ancestors. Children come before parents. The division does not depend on the number of threads, so that results are
-/// equal to the last bit.
+/// Fronts to visit: two shares of independent subtrees with about equal work, and their common ancestors. Children come
+/// before parents. One thread uses the same shares, for results equal to the last bit.
 struct FrontSet {
   static constexpr std::size_t num_shares = 2;
 

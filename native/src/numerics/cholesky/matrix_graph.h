@@ -7,9 +7,10 @@
 
 namespace wirewarp {
 
-/// Returns the graph of the vertices that a symmetric matrix couples. lower: the lower triangle, compressed, in full
-/// blocks. With k = unknowns_per_vertex, unknowns k v to k v + k - 1 belong to vertex v. A column that contains one
-/// unknown of a vertex must contain all of them.
+/// Returns the graph of the vertices that a symmetric matrix couples.
+///
+/// lower: the lower triangle, compressed, with all entries between coupled vertices
+/// unknowns_per_vertex: k; unknowns k v to k v + k - 1 belong to vertex v
 Graph graph_of(const Eigen::SparseMatrix<double>& lower, int unknowns_per_vertex);
 
 }  // namespace wirewarp

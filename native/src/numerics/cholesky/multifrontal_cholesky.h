@@ -25,21 +25,21 @@ namespace wirewarp {
 
 class MultifrontalCholesky {
  public:
-  /// Analyzes a pattern and allocates all memory that factorize needs. lower: the lower triangle, compressed. With k =
-  /// unknowns_per_vertex, unknowns k v to k v + k - 1 belong to vertex v of the tree's graph. in_threads: whether two
-  /// threads work on independent subtrees. Factor and solutions are then equal to those of one thread to the last bit.
-  /// keeps_root: whether the unknowns of the tree's last node are not eliminated, see schur_complement(). Throws
-  /// std::invalid_argument if the tree does not contain each vertex once or does not separate vertices that are coupled
-  /// in `lower`.
+  /// Analyzes a pattern and allocates all memory that factorize needs. Throws std::invalid_argument if the tree does
+  /// not contain each vertex once or does not separate coupled vertices.
+  ///
+  /// lower: the lower triangle, compressed
+  /// unknowns_per_vertex: k; unknowns k v to k v + k - 1 belong to vertex v of the tree's graph
+  /// in_threads: whether two threads are used; results are equal to the last bit
+  /// keeps_root: whether the tree's last node is not eliminated, see schur_complement()
   MultifrontalCholesky(const Eigen::SparseMatrix<double>& lower, const DissectionTree& tree, int unknowns_per_vertex,
                        bool in_threads = false, const FrontKernels& kernels = fastest_kernels(),
                        bool keeps_root = false);
   MultifrontalCholesky(const MultifrontalCholesky&) = delete;  // not copied: substitution_ refers to layout_
   MultifrontalCholesky& operator=(const MultifrontalCholesky&) = delete;
 
-  /// Factors new values on the same pattern. Returns false, without a factor, if the matrix is not positive definite (a
-  /// pivot is not a positive finite number) or if the caller stops. Throws std::invalid_argument if the number of
-  /// entries differs from the analyzed pattern.
+  /// Factors new values on the same pattern. Returns false, without a factor, if a pivot is not a positive finite
+  /// number or the caller stops. Throws std::invalid_argument if the number of entries differs.
   [[nodiscard]] bool factorize(const Eigen::SparseMatrix<double>& lower, const StopToken& stop = {});
 
   /// Returns the Schur complement of A for the unknowns of the kept root. At these unknowns, forward substitution

@@ -24,9 +24,8 @@ bool have_same_pattern(const SparseMatrix& a, const SparseMatrix& b) {
 
 }  // namespace
 
-/// The entries of A that belong to L, and the transposed entries that belong to U. An entry belongs to L if its row is
-/// eliminated after its column. Both use the pattern of A's lower triangle, so an entry of L above A's diagonal is
-/// stored at its transposed place.
+/// The entries of A that belong to L, and the transposed entries of U. An entry belongs to L if its row is eliminated
+/// after its column. Both have the pattern of A's lower triangle.
 struct MultifrontalLu::Triangles {
   Triangles(const Matrix& a, const Positions2& positions)
       : lower(a.triangularView<Eigen::Lower>()),

@@ -20,10 +20,8 @@ class MultifrontalLu {
  public:
   using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
-  /// Factors a square matrix whose pattern is symmetric. positions: one per row, for nested_dissection(). in_threads:
-  /// as in MultifrontalCholesky. Throws Stopped. Throws FactorizationFailed at a pivot that is not a positive finite
-  /// number: a is then singular, or not a row-diagonally-dominant M-matrix. Throws std::invalid_argument if the pattern
-  /// of a is not symmetric.
+  /// Factors a square matrix with a symmetric pattern. positions: one per row. Throws Stopped, std::invalid_argument
+  /// for other patterns, and FactorizationFailed at a pivot that is not a positive finite number.
   MultifrontalLu(const Matrix& a, const Positions2& positions, bool in_threads = false, const StopToken& stop = {},
                  const FrontKernels& kernels = fastest_kernels());
   MultifrontalLu(const MultifrontalLu&) = delete;  // not copied: substitution_ refers to layout_

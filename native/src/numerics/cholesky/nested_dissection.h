@@ -18,8 +18,8 @@ struct Graph {
   int num_vertices() const { return static_cast<int>(start.size()) - 1; }
 };
 
-/// A tree of sets of vertices. Each vertex belongs to one node. An edge of the graph connects two vertices of one node,
-/// or a vertex of a node with a vertex of an ancestor of this node.
+/// A tree whose nodes are disjoint sets of vertices. An edge of the graph connects vertices of one node, or of a node
+/// and one of its ancestors.
 struct DissectionTree {
   struct Node {
     std::vector<int> vertices;  // at least one
@@ -28,11 +28,8 @@ struct DissectionTree {
   std::vector<Node> nodes;  // in postorder: descendants directly before their ancestor
 };
 
-/// Returns the tree of separators. Bisects each connected part recursively at the median of a coordinate, in the best
-/// of four directions, down to leaves of at most 16 vertices. A separator is the smallest set of vertices that contains
-/// an end of every edge between the halves. positions: one finite row for each vertex, except that the last vertices
-/// may have no row. These last vertices form the root above all other nodes. Poor positions (for example, all equal)
-/// cause more nonzeros in the factor, not errors.
+/// Returns the tree of separators. positions: one finite row per vertex; last vertices without a row form the root
+/// above all other nodes. Poor positions, such as all equal, only cause more nonzeros.
 DissectionTree nested_dissection(const Graph& graph, const Positions2& positions);
 
 }  // namespace wirewarp

@@ -9,8 +9,7 @@ namespace wirewarp {
 /// elimination.
 void partition_subtrees(FrontLayout& layout);
 
-/// Fills Front::schur and schur_tiles. Each share of subtrees has two stacks, and so do the ancestors. A Schur
-/// complement is pushed on one stack, while the Schur complements of the children are popped from the other stack.
+/// Places the Schur complements in memory: fills Front::schur and schur_tiles.
 void place_schur_complements(FrontLayout& layout);
 
 /// Fills shared_vertices and Front::num_own_rows, and replaces the other rows with their indices in shared_vertices.

@@ -8,9 +8,8 @@ namespace wirewarp {
 VertexSeparator::VertexSeparator(const Graph& graph)
     : graph_(graph), partner_(graph.num_vertices(), -1), via_(partner_.size()), seen_(partner_.size(), 0) {}
 
-/// The vertices that a failed search visited cannot be reached by later searches. The visited upper vertices cover all
-/// edges of visited vertices, and the lower vertices that were not visited cover all other edges. Both together are the
-/// separator.
+/// Later searches cannot reach the vertices of a failed search. The upper vertices of failed searches, and all other
+/// lower vertices, cover all edges. They are the separator.
 void VertexSeparator::separate(const std::vector<int>& cut, std::vector<Side>& side) {
   for (int v : cut) {
     if (side[v] != Side::lower_cut || match(v, side)) continue;

@@ -10,9 +10,8 @@ namespace wirewarp {
 /// The role of a vertex when its set is halved. A cut vertex has neighbors in the other half.
 enum class Side : char { outside, lower, lower_cut, upper, upper_cut, separator };
 
-/// Finds the smallest set of vertices that contains an end of every edge across a cut. By König's theorem (D. König,
-/// Graphok és mátrixok, 1931), a maximum matching of these edges has as many edges as the set has vertices, and
-/// determines the set.
+/// Finds the smallest set of vertices that contains an end of every edge across a cut. A maximum matching of these
+/// edges determines the set (König, Graphok és mátrixok, 1931).
 class VertexSeparator {
  public:
   explicit VertexSeparator(const Graph& graph);

@@ -27,11 +27,10 @@ struct BoxMinimum {
   bool converged = false;  // the predicted decrease is at most tolerance * value
 };
 
-/// Minimizes the function from a start in the box. Never returns a value above the value at the start. Throws
-/// std::bad_optional_access if the function is not defined at the start. lower must be below upper, and both must be
-/// finite. tolerance: the search ends if the predicted decrease, divided by the value, is at most this. The function is
-/// called at most max_evaluations times. hessian: positive definite estimate at the start; the default is a multiple of
-/// the identity.
+/// Minimizes a function in a box with finite bounds, lower < upper. Throws std::bad_optional_access if the function is
+/// not defined at the start.
+///
+/// hessian: positive definite estimate at the start. Default: a multiple of the identity.
 BoxMinimum minimize_in_box(const BoxFunction& function, const Eigen::VectorXd& lower, const Eigen::VectorXd& upper,
                            const Eigen::VectorXd& start, double tolerance, int max_evaluations,
                            const std::optional<Eigen::MatrixXd>& hessian = {});

@@ -25,6 +25,7 @@ Eigen::VectorXd minimize_quadratic_in_box(const Eigen::VectorXd& g, const Eigen:
       factor.compute(b(free, free));
       factored = free;
     }
+    // If rounding leaves B without a Cholesky factor, the step is a scaled steepest descent step.
     Eigen::VectorXd newton = -slope(free).cwiseQuotient(b.diagonal()(free));
     if (factor.info() == Eigen::Success) newton = factor.solve(-slope(free));
     const double predicted = -slope(free).dot(newton);

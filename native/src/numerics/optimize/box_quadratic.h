@@ -7,8 +7,7 @@
 namespace wirewarp {
 
 /// Returns argmin gᵀd + ½ dᵀBd over lower <= d <= upper, for B positive definite and 0 in the box. After 50 Newton
-/// steps on the free variables, returns the best d so far. If rounding leaves B without a Cholesky factor, steepest
-/// descent steps are used.
+/// steps on the free variables, returns the best d so far.
 Eigen::VectorXd minimize_quadratic_in_box(const Eigen::VectorXd& g, const Eigen::MatrixXd& b,
                                           const Eigen::VectorXd& lower, const Eigen::VectorXd& upper);
 

@@ -3,8 +3,8 @@
 
 namespace wirewarp {
 
-/// Share of the predicted linear decrease that a step must achieve, in all line searches (J. Nocedal, S. J. Wright,
-/// Numerical Optimization, section 3.1).
+/// Share of the predicted linear decrease that a step must achieve, in all line searches (Nocedal, Wright, Numerical
+/// Optimization, section 3.1).
 inline constexpr double kSufficientDecrease = 1e-4;
 
 }  // namespace wirewarp

@@ -87,10 +87,8 @@ double total_turning(const HalfEdgeMesh& mesh, const HalfEdgeChain& loop) {
   return turning;
 }
 
-/// Returns the index of the outer loop: the loop that turns most to the left, which is exact for developable surfaces.
-/// If two loops turn equally, as the ends of a tube do, the longer loop is the outer loop. On a rough surface, a slit
-/// may turn more than the outer loop. Therefore, a slit is the outer loop only if all loops are slits, as in a closed
-/// surface.
+/// Returns the index of the loop that turns most to the left; of equal loops, the longest. On a rough surface, a slit
+/// may turn most, so it counts only if all loops are slits.
 std::size_t find_outer_loop(const Chart& chart, const std::vector<HalfEdgeChain>& loops) {
   constexpr double kSameTurning = 1e-6;  // radians: far above rounding, far below any intended turn
   std::size_t outer = 0;

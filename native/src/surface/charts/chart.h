@@ -15,9 +15,8 @@ namespace wirewarp {
 /// Consecutive half-edges of a chart. On a boundary, these are the half-edges with a face, so the chart is on the left.
 using HalfEdgeChain = std::vector<HalfedgeHandle>;
 
-/// The part of a user's wire between two vertices on seams or boundaries, inside this chart. A run of edges on the
-/// chart's boundary makes parts of kind boundary: one for each side of the run in this chart. All sides of the run
-/// share one h, the relative change of length (see Wire).
+/// A part of a user's wire in this chart, between vertices on seams or boundaries. On a boundary, each side of a run of
+/// edges is a part. All sides share one h (see Wire).
 struct WirePart {
   int wire_index = -1;
   int part = -1;  // index of the part along the whole wire, over all charts

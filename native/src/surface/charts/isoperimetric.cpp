@@ -10,14 +10,12 @@
 namespace wirewarp {
 namespace {
 
-/// Minimum isoperimetric_ratio() p for one loop. A spherical cap with p = 1/4 is three quarters of the sphere: on
-/// average, all lengths inside would shrink to half, more than any fabric allows. A hemisphere (p = 1/2) and padded
-/// cushions (0.4) are still useful.
+/// Minimum isoperimetric_ratio() p for one loop. At 1/4, three quarters of a sphere, all lengths would shrink to half
+/// on average: no fabric allows this. Hemispheres (1/2) and padded cushions (0.4) are still useful.
 constexpr double kRequiredOfDisk = 0.25;
 
-/// Minimum p for several loops. This value accepts a hemisphere with an eyelet (p = 1/2), but not tubes. In our
-/// garments, sleeves and open upper bodies have p from 0.33 to 0.39, legs and whole shirts from 0.07 to 0.16, cut
-/// panels 0.6 and more.
+/// Minimum p for several loops, which accepts a hemisphere with an eyelet (1/2), but not tubes. Garments: sleeves and
+/// open upper bodies 0.33 to 0.39, legs and whole shirts 0.07 to 0.16, cut panels 0.6 and more.
 constexpr double kRequiredOfTube = 0.45;
 
 }  // namespace

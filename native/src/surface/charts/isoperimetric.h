@@ -12,14 +12,16 @@ namespace wirewarp {
 /// Returns, for each boundary loop, the largest length that eases and tolerances allow, scene units.
 std::vector<double> longest_lengths(const Chart& chart);
 
-/// Returns p, the largest possible flat area divided by the 3D area. The outer loop is assumed to be the longest of all
-/// loops, and as long as eases and tolerances allow. If p is above 1, the outline does not force any distortion. A
-/// closed chart has p = 0.
+/// Returns p, the largest possible flat area divided by the 3D area; 0 for a closed chart. The outer loop is assumed to
+/// be the longest loop. If p is above 1, the outline forces no distortion.
 double isoperimetric_ratio(const Chart& chart);
 
-/// Returns the least E (Eq. 4), divided by the 3D area, of a map that reduces the area to the share p: 1 - 2p for p <=
-/// 1/4, with singular values of sum 1; 2 (1 - sqrt p)^2 up to p = 1, with both singular values sqrt p; 0 above. The
-/// function is convex in p, so the optimal map is the same for all triangles (Jensen).
+/// Returns the least E (Eq. 4), divided by the 3D area, of maps that reduce the area to the share p. The function is
+/// convex in p, so the best map is the same for all triangles.
+///
+/// - p <= 1/4: 1 - 2p, with singular values of sum 1
+/// - p <= 1: 2 (1 - sqrt p)^2, with both singular values sqrt p
+/// - p > 1: 0
 double least_shape_error(double share);
 
 /// Returns whether every flat shape of the chart would have far too little area.

@@ -137,8 +137,8 @@ std::optional<SewnChart> sew(const Chart& chart, const std::vector<Slit>& slits)
   const bool is_whole = charts.charts.size() == 1 && !charts.charts[0].error;
   if (!is_whole || static_cast<int>(charts.charts[0].mesh.n_vertices()) != num_vertices) return std::nullopt;
   sewn.chart = std::move(charts.charts[0]);
-  // The two rims of an edge that stays open can become one edge, for example if the outer loop is a slit in a closed
-  // surface. Then a loop is missing, and the slits cannot be sewn.
+  // The rims of an edge that stays open can become one edge, for example on a closed surface. Then a loop is missing,
+  // and the slits cannot be sewn.
   if (sewn.chart.boundary_loops.size() + slits.size() != chart.boundary_loops.size()) return std::nullopt;
   keep_outer_loop(chart, sewn);
   inherit_lengths(chart, sewn.chart);

@@ -29,10 +29,8 @@ struct SewnChart {
 /// Returns the half-edge of the sewn chart for a half-edge of the open chart; not valid if there is none.
 HalfedgeHandle sewn_half_edge(const Chart& chart, const SewnChart& sewn, HalfedgeHandle h);
 
-/// Sews slits. The edges of each slit become rigid wires, after other wire parts and before elastic parts of the
-/// boundary. The outer loop stays the outer loop. Returns nullopt if the sewn surface is not a chart. Also returns
-/// nullopt if both rims of a slit of one edge stay open, but would become one edge, because their ends coincide in the
-/// sewn surface.
+/// Sews slits. Their edges become rigid wires, listed before the elastic parts of the boundary. Returns nullopt if the
+/// sewn surface is not a chart, or if rims that stay open become one edge.
 std::optional<SewnChart> sew(const Chart& chart, const std::vector<Slit>& slits);
 
 }  // namespace wirewarp

@@ -14,9 +14,8 @@ struct Run {
   bool is_outline;
 };
 
-/// Splits the vertices of a wire into runs. The list of a closed wire is rotated first, to begin at the lowest vertex
-/// at which a run starts, so that the runs do not depend on the start of the list. A run also ends at a vertex where
-/// the wire passes to another chart that touches the previous chart only at this vertex.
+/// Splits the vertices of a wire into runs. First rotates the list of a closed wire to the lowest vertex at which a run
+/// begins, so that its start does not matter.
 std::vector<Run> split_into_runs(std::vector<int>& vertices, const EdgeTable& edges, const SurfaceCut& cut,
                                  const Outline& outline) {
   const bool is_closed = vertices.front() == vertices.back();
@@ -32,6 +31,7 @@ std::vector<Run> split_into_runs(std::vector<int>& vertices, const EdgeTable& ed
     const int v = vertices[i];
     if (is_outline(before) != is_outline(i)) return true;
     if (is_outline(i)) return outline.is_junction[v] != 0;
+    // A run also begins where the wire passes to a chart that touches the previous chart only at this vertex.
     return outline.is_on_outline[v] != 0 || fan_at(before, v) != fan_at(i, v);
   };
   if (is_closed) {

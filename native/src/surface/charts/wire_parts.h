@@ -12,11 +12,8 @@ namespace wirewarp {
 /// Returns the kind of a wire with this tolerance, if the wire is inside a chart.
 WireKind kind_of(double tolerance);
 
-/// Splits each wire into parts at every vertex on a seam or boundary, and where it passes to a chart that touches the
-/// previous chart only at a vertex. Adds the parts, and the target lengths of their eases, to their charts. A run of a
-/// wire along the outline becomes a part of kind boundary for each of its sides, and ends at the outline's junctions.
-/// The parts of a closed wire do not depend on where its list starts. Returns for each wire whether all of it is on the
-/// outline.
+/// Adds the parts of all wires and the target lengths of their eases to the charts. The start of a closed wire's list
+/// does not matter. Returns per wire whether it is wholly on the outline.
 std::vector<char> assign_wire_parts(const FlattenInput& input, const EdgeTable& edges, const SurfaceCut& cut,
                                     const Outline& outline, const std::vector<HalfedgeHandle>& half_edge_of_side,
                                     std::vector<Chart>& charts);

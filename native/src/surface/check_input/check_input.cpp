@@ -124,8 +124,8 @@ void check_eases(const FlattenInput& input, const EdgeTable& edges) {
   throw FlattenError(ErrorCode::side_in_two_eases, ErrorArguments{}, {{}, twice, {}});
 }
 
-/// Meshes with up to this many parts are accepted. Models with intentionally separate parts have at most a few hundred
-/// parts. A file with separate faces has one part per face, and its result would be useless and slow.
+/// Meshes with up to this many parts are accepted. Intentional parts are at most a few hundred. A file with separate
+/// faces has one part per face, and its result would be useless and slow.
 constexpr int kManyParts = 1000;
 
 /// Parts with at most this many triangles on average count as single faces (a hexagon has four triangles).

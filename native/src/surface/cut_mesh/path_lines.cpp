@@ -11,8 +11,8 @@
 namespace wirewarp {
 namespace {
 
-/// A line passes through a site, or crosses another line there, if the site is nearer than this share of `snap`. Sites
-/// are `snap` apart, so with a share of one half, the nearest site is unique.
+/// A line passes through a site, or crosses a line there, if the site is nearer than this share of `snap`. With one
+/// half, the nearest site is unique, because sites are `snap` apart.
 constexpr double kCloseBy = 0.5;
 
 /// Maximum number of divisions in one face. Sites are `snap` apart, so even dense scribbles need far fewer.

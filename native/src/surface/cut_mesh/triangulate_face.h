@@ -17,9 +17,8 @@ using FacePoint = Eigen::Vector2d;
 /// Returns twice the area of a triangle, positive if it is counter-clockwise.
 inline double doubled_area(const FacePoint& a, const FacePoint& b, const FacePoint& c) { return cross(b - a, c - a); }
 
-/// Three points count as collinear if their doubled_area() is less than this in magnitude. The doubled area of the
-/// whole face is 1. Callers keep points at least 0.0001 apart. The doubled area of three such points is at least 1e-8,
-/// unless they are collinear except for rounding errors.
+/// Three points count as collinear if |doubled_area()| is below this. Points are at least 0.0001 apart in a face with
+/// the doubled area 1. So three points that are not collinear have at least 1e-8.
 inline constexpr double kInLine = 1e-12;
 
 /// Returns whether two segments cross at an inner point of both. Returns false if an end of one segment is on the line

@@ -12,8 +12,8 @@
 namespace wirewarp {
 namespace {
 
-/// Time of the flow, in squares of the mean edge length. Crane et al. use 1. With 4, the heat at the far end of a mesh
-/// with a million triangles is still above the smallest double.
+/// Time of the flow, in squares of the mean edge length. Crane, Weischedel and Wardetzky use 1. With 4, the heat at the
+/// far end of a million triangles is above the smallest double.
 constexpr double kTime = 4;
 
 /// The Laplacian L is singular. Therefore, this factor times the areas at vertices, divided by their mean, is added to

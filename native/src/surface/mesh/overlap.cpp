@@ -122,9 +122,8 @@ std::vector<int> find_overlapping_faces(const Triangles& faces, const std::vecto
   const double rounding = 8 * std::numeric_limits<double>::epsilon() * uv.cwiseAbs().maxCoeff();
   const double depth = relative_depth * size + rounding;
 
-  // Without flips, the number of faces over a point changes only across boundary edges and is larger on their left. A
-  // region that is covered twice ends at some boundary edge, and the face on the left of that edge overlaps another
-  // face. Therefore, if no boundary face overlaps any face, there is no overlap. This test visits every face once.
+  // Without flips, a region that is covered twice ends at a boundary edge whose face overlaps another face. Therefore,
+  // if no boundary face overlaps, no face does. This test visits every face once.
   const std::vector<int> boundary = indices_of(on_boundary);
   if (!any_not_positive(faces, uv) && !any_too_thin(boundary, faces, uv, depth) &&
       !any(overlaps_with(boundary, faces, uv, depth, stop))) {

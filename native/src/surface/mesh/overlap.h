@@ -14,14 +14,14 @@ namespace wirewarp {
 /// below the precision of scissors.
 inline constexpr double kRelativeOverlapDepth = 1e-9;
 
-/// Returns the faces that overlap another face of the same piece by positive area, in increasing order.
+/// Returns the faces that overlap another face of the same piece, in increasing order. Throws Stopped.
 ///
-/// faces: m by 3, rows of uv, consistently oriented. on_boundary: one flag per face, true if it has a boundary edge.
-/// uv: n by 2, finite, scene units.
+/// faces: m by 3, rows of uv, consistently oriented
+/// on_boundary: one flag per face, true if it has a boundary edge
+/// uv: n by 2, finite, scene units
+/// relative_depth: largest penetration that does not count as overlap, divided by the diagonal of the piece
 ///
-/// Two faces overlap if they penetrate each other by more than relative_depth times the diagonal of the piece (plus
-/// rounding of the coordinates). Faces that touch do not overlap, nor do the two sides of a slit or dart that closes
-/// exactly. In the worst case, a crumpled piece, the time grows with the square of the number of faces. Throws Stopped.
+/// Touching faces do not overlap. For a crumpled piece, the time grows with the square of the number of faces.
 std::vector<int> find_overlapping_faces(const Triangles& faces, const std::vector<bool>& on_boundary,
                                         const Positions2& uv, double relative_depth = kRelativeOverlapDepth,
                                         const StopToken& stop = {});

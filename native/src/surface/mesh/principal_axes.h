@@ -7,9 +7,8 @@
 
 namespace wirewarp {
 
-/// Returns the directions of least, middle and largest spread of a surface, as columns. spread: the sum of x xᵀ over
-/// points x relative to the center. If several directions have equal spread, as in a ball or a cube, the first face
-/// decides, so that the axes rotate with the surface.
+/// Returns the directions of least, middle and largest spread of a surface, as columns. Among equal spreads, as in a
+/// ball, the first face decides. spread: Σ x xᵀ over points x relative to the center.
 Eigen::Matrix3d principal_axes(const HalfEdgeMesh& mesh, Eigen::Matrix3d spread);
 
 }  // namespace wirewarp

@@ -5,8 +5,8 @@
 
 namespace wirewarp {
 
-/// Returns the coordinates of the points in the two directions of largest spread, one row per point. Points that are
-/// near each other in space stay near each other. Use this layout before a flat shape exists.
+/// Returns the coordinates of the points in the two directions of largest spread, one row per point. Points near each
+/// other stay near each other, which is enough for elimination orders.
 Positions2 project_to_principal_plane(const Positions3& points);
 
 }  // namespace wirewarp

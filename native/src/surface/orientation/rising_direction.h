@@ -5,9 +5,8 @@
 
 namespace wirewarp {
 
-/// Returns the direction in the layout uv that best matches a direction in space: the gradient of the surface's height
-/// along `up`, averaged over the layout's area. The direction is not normalized. It is zero if the piece is level, that
-/// is, if the mean slope is below 1%, as for a flat lid or a whole dome.
+/// Returns the mean gradient of the surface's height along `up`, in the layout uv. Returns zero if the mean slope is
+/// below 1%, as for a flat lid or a dome. The direction is not normalized.
 Eigen::Vector2d rising_direction(const Chart& chart, const Positions2& uv, const Eigen::Vector3d& up);
 
 }  // namespace wirewarp

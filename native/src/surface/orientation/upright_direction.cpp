@@ -24,8 +24,7 @@ constexpr double kSameSize = 1e-6;
 constexpr double kShortChord = 0.1;
 
 /// Returns the long side of the smallest rectangle around the points. One side of the rectangle is on a side of the
-/// convex hull. Rotating calipers (G. Toussaint, 1983) find the corners of the hull on the other sides of the
-/// rectangle.
+/// convex hull, and rotating calipers (Toussaint, 1983) find the others.
 Eigen::Vector2d long_side_of_smallest_box(const std::vector<Eigen::Vector2d>& points) {
   const std::vector<Eigen::Vector2d> hull = convex_hull(points);
   double best_area = std::numeric_limits<double>::infinity();
@@ -65,6 +64,8 @@ bool is_open(const std::vector<Eigen::Vector2d>& points) {
   return (points.back() - points.front()).norm() >= kShortChord * length;
 }
 
+/// Returns the chord of a chain. If the chain is nearly closed, returns the long side of the smallest box around the
+/// chain.
 Eigen::Vector2d direction_of(const Chart& chart, const HalfEdgeChain& chain, const Positions2& uv) {
   const std::vector<Eigen::Vector2d> points = points_along(chart, chain, uv);
   const Eigen::Vector2d chord = points.back() - points.front();
