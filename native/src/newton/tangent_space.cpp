@@ -15,7 +15,7 @@ TangentSpace::TangentSpace(const NewtonSystem& system, const LengthConstraints& 
 }
 
 /// Solves G d + Jᵀλ = r_u and -Tᵀλ = r_h, hence S Δh = r_h + Tᵀλ with the λ of Δh = 0. Lengths are kept to seven
-/// digits, because a retraction follows.
+/// digits. This is enough before a retraction.
 Eigen::VectorXd TangentSpace::solve(Eigen::VectorXd& force) const {
   const auto num_free = static_cast<Eigen::Index>(free_.size());
   const Eigen::Index size = force.size() - num_free;

@@ -16,7 +16,7 @@ namespace {
 constexpr double kMostStrain = 1e-4;
 
 /// A side at which a face can be placed. Longer sides come first, because rounding errors at a short side move all
-/// faces beyond it. Similar sides come in the order found.
+/// faces beyond it. Sides of similar length come in the order found.
 struct OpenSide {
   OpenSide(double length, int place, HalfedgeHandle h) : magnitude(std::ilogb(length)), rank(place), half_edge(h) {}
   bool operator<(const OpenSide& other) const {

@@ -9,7 +9,7 @@
 
 namespace wirewarp {
 
-/// Returns a key of everything that the flat shapes of a coupled group depend on, before the fabric's stretch. Changes
+/// Returns a key of everything that the flat shapes of a coupled group depend on, except the fabric's stretch. Changes
 /// elsewhere in the input do not change the key. Errors also depend on name_key().
 std::string solution_key(const std::vector<const Chart*>& group, const Options& options);
 

@@ -15,7 +15,7 @@ namespace wirewarp {
 ///
 ///   u(p) = Σ bᵢ [uᵢ + ½ Jᵢ (p − pᵢ)] + ½ (Σ bᵢ Jᵢ) (p − q)
 ///
-/// u is exact for affine maps, and for quadratic maps if p = q.
+/// u is exact for affine maps, and for quadratic maps if p = q and all Jᵢ are exact.
 Positions2 interpolate(const Chart& chart, const CoarseChart& coarse, const Positions2& coarse_uv);
 
 /// Returns a start for the fine chart, one row per vertex. Interpolates the positions, then places the wires by their

@@ -27,8 +27,8 @@ struct GroupMember {
 
 class GroupSolver {
  public:
-  /// Searches for an injective shape of a folded chart, whose elastic seams are fixed at the common lengths. The caller
-  /// checks whether the solution is exact and injective.
+  /// Searches for an injective shape of a chart that is flipped or overlaps itself. Its elastic seams are fixed at the
+  /// common lengths. The caller checks the solution.
   using RefineInjective = std::function<Solution(std::size_t member, Budget& budget)>;
 
   struct Outcome {
@@ -41,8 +41,8 @@ class GroupSolver {
   GroupSolver(const std::vector<GroupMember>& group, const Run& run, const StopToken& stop, bool renews_limit,
               RefineInjective refine_injective);
 
-  /// Finds the common lengths and shapes of all charts, or only the shape of the chart `alone`. Keeps all earlier
-  /// shapes if a chart becomes folded, although all charts are nominal and were good before.
+  /// Finds the common lengths and shapes of all charts, or only the shape of the chart `alone`. If a chart becomes
+  /// flipped or overlaps itself, keeps all earlier shapes if these were good and all charts nominal.
   Outcome solve(std::optional<std::size_t> alone = std::nullopt);
 
   /// Returns the chart as it was before the stage.

@@ -28,8 +28,8 @@ struct DissectionTree {
   std::vector<Node> nodes;  // in postorder: descendants directly before their ancestor
 };
 
-/// Returns the tree of separators. positions: one finite row per vertex; last vertices without a row form the root
-/// above all other nodes. Poor positions, such as all equal, only cause more nonzeros.
+/// Returns the tree of separators. positions: one finite row per vertex; the last vertices may have no row, and then
+/// form the root above all other nodes. Poor positions only cause more nonzeros.
 DissectionTree nested_dissection(const Graph& graph, const Positions2& positions);
 
 }  // namespace wirewarp

@@ -8,8 +8,8 @@ namespace wirewarp {
 VertexSeparator::VertexSeparator(const Graph& graph)
     : graph_(graph), partner_(graph.num_vertices(), -1), via_(partner_.size()), seen_(partner_.size(), 0) {}
 
-/// Later searches cannot reach the vertices of a failed search. The upper vertices of failed searches, and all other
-/// lower vertices, cover all edges. They are the separator.
+/// Later searches cannot reach the vertices of a failed search. The upper vertices of failed searches, and the lower
+/// vertices that no failed search visited, cover all edges. They are the separator.
 void VertexSeparator::separate(const std::vector<int>& cut, std::vector<Side>& side) {
   for (int v : cut) {
     if (side[v] != Side::lower_cut || match(v, side)) continue;

@@ -13,7 +13,7 @@ namespace wirewarp {
 std::vector<double> longest_lengths(const Chart& chart);
 
 /// Returns p, the largest possible flat area divided by the 3D area; 0 for a closed chart. The outer loop is assumed to
-/// be the longest loop. If p is above 1, the outline forces no distortion.
+/// be the longest of longest_lengths(). If p is above 1, the outline forces no distortion.
 double isoperimetric_ratio(const Chart& chart);
 
 /// Returns the least E (Eq. 4), divided by the 3D area, of maps that reduce the area to the share p. The function is
