@@ -41,8 +41,11 @@ class GroupSolver {
   GroupSolver(const std::vector<GroupMember>& group, const Run& run, const StopToken& stop, bool renews_limit,
               RefineInjective refine_injective);
 
-  /// Finds the common lengths and shapes of all charts, or only the shape of the chart `alone`. If a chart becomes
-  /// flipped or overlaps itself, keeps all earlier shapes if these were good and all charts nominal.
+  /// Finds the common lengths and shapes of all charts, or only the shape of the chart `alone`. Keeps all earlier
+  /// shapes if two conditions hold:
+  ///
+  /// - A chart becomes flipped or overlaps itself, and RefineInjective does not help.
+  /// - Every chart is nominal and was good before.
   Outcome solve(std::optional<std::size_t> alone = std::nullopt);
 
   /// Returns the chart as it was before the stage.

@@ -35,8 +35,9 @@ inline void fetch_ahead(const Tile* tile) {
     __builtin_prefetch(ahead + byte, 0, kIntoSecondLevel);
 }
 
-/// Adds L_tj ∘ x_t to sums_j, for kRows row tiles t from `first` on and columns [begin, end). ∘ multiplies each column
-/// of L_tj by x_t, entry by entry. The sum of column i is then entry i of L_tjᵀ x_t.
+/// Adds L_tj ∘ x_t to sums_j, for kRows row tiles t from `first` on and columns [begin, end).
+///
+/// ∘: multiplies each column of L_tj by x_t, entry by entry. The sum of column i is then entry i of L_tjᵀ x_t.
 template <int kRows>
 inline void add_products(const Tile* panel, int m, int first, int begin, int end, const double* x, Tile* sums) {
   const Tile* l[kRows];

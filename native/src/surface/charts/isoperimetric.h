@@ -12,8 +12,8 @@ namespace wirewarp {
 /// Returns, for each boundary loop, the largest length that eases and tolerances allow, scene units.
 std::vector<double> longest_lengths(const Chart& chart);
 
-/// Returns p, the largest possible flat area divided by the 3D area; 0 for a closed chart. The outer loop is assumed to
-/// be the longest of longest_lengths(). If p is above 1, the outline forces no distortion.
+/// Returns p, the largest possible flat area divided by the 3D area; 0 for a closed chart. The outer loop has the
+/// largest of longest_lengths(). If p is above 1, the outline forces no distortion.
 double isoperimetric_ratio(const Chart& chart);
 
 /// Returns the least E (Eq. 4), divided by the 3D area, of maps that reduce the area to the share p. The function is

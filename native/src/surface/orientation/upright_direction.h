@@ -19,8 +19,8 @@ Eigen::Vector2d upright_direction(const Chart& chart, const Positions2& uv, cons
 /// Rotates a layout so that up becomes +y, and moves its lower-left corner to the origin.
 void stand_upright(Positions2& uv, const Eigen::Vector2d& up);
 
-/// Returns two vertices of an upright layout that define its rotation. For Orientation::wire, these are the ends of the
-/// upright chain, if it is open. Otherwise, they are the lowest and highest vertex of the outline.
+/// Returns two vertices of an upright layout that define its rotation: for Orientation::wire, the ends of an open
+/// upright chain. Otherwise, they are the lowest and highest vertex of the outline.
 VertexPair upright_pair(const Chart& chart, const Positions2& uv, const Options& options);
 
 }  // namespace wirewarp
