@@ -119,9 +119,11 @@ class Record : public py::class_<T> {
         doc_of(own(name), enumeration, names));
   }
 
-  /// Adds a field. get(record, owner) returns its value, and owner is the Python object of the record. set(record,
-  /// value) restores the value from a pickle. doc: the documentation, needed if the header has no member with this
-  /// name.
+  /// Adds a field.
+  ///
+  /// - get(record, owner): returns its value; owner is the record's Python object
+  /// - set(record, value): restores the value from a pickle
+  /// - doc: needed if the header has no member with this name
   template <class Get, class Set>
   Record& field(const char* name, Get get, Set set, const std::string& doc = "") {
     const std::string text = doc.empty() ? doc_of(own(name)) : doc;

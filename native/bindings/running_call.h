@@ -20,9 +20,8 @@ class RunningWork {
   RunningWork& operator=(const RunningWork&) = delete;
 };
 
-/// A call during which the GIL may be released: by the call itself, or by numpy or __array__() while arguments are
-/// read. Functions and constructors of the module use this class as their py::call_guard. Its constructor and
-/// destructor need the GIL.
+/// A call during which the GIL may be released, even while arguments are read. Functions and constructors of the module
+/// use this class as their py::call_guard. Its constructor and destructor need the GIL.
 class RunningCall {
  public:
   /// Does not return in a daemon thread once Python is ending.

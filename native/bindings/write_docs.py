@@ -3,9 +3,7 @@
 
 Usage: python write_docs.py OUTPUT HEADER...
 
-The text of a struct or enum is the `///` comment above it. The text of a field or enumerator is the `///` comment above
-it, or the `//` comment after it with the lines that continue it. The keys of the table are "Struct", "Struct.field" and
-"Enum.0", "Enum.1", ...
+Keys are "Struct", "Struct.field" and "Enum.0", "Enum.1", ...
 """
 
 import re
@@ -19,7 +17,10 @@ ENUMERATOR = re.compile(r"  (\w+),(?: +// (.*))?")
 
 
 def comments(header: str) -> Iterator[tuple[str, str]]:
-    """Yield (name, comment) of each struct, field and enumerator with a comment."""
+    """Yield (name, comment) of each struct, enum, field and enumerator with a comment.
+
+    The comment is the `///` comment above, or the `//` comment after a field or enumerator and its continuation.
+    """
     above, owner, last, is_enum, count = [], "", "", False, 0
     found: dict[str, list[str]] = {}
     for line in header.splitlines():

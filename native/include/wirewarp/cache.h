@@ -9,12 +9,15 @@ namespace wirewarp {
 
 struct CachedCharts;
 
-/// Keeps the charts of the last run of flatten() with this cache. The next run reuses the shape of a chart if its
-/// geometry, order of vertices and faces, outline, wires, tolerances and solver options are the same, bit for bit.
-/// Except for the seconds, the result equals that of a run without a cache. Failed charts are kept, and canceled charts
-/// are not. For a cloth with stretch, the cache keeps the shapes without the stretch, and the stretched shapes are
-/// solved again. The cache needs about as much memory as the pieces. Several threads may use one cache at the same
-/// time. The cache then contains the charts of the run that ended last.
+/// Keeps the charts of the last run of flatten() with this cache. The next run solves only charts that have changed.
+///
+/// - A chart is reused if its geometry, numbering, outline, wires, tolerances and solver options are equal, bit for
+///   bit.
+/// - Except for the seconds, the result equals that of a run without a cache.
+/// - Failed charts are kept. Canceled charts are not kept.
+/// - For a cloth with stretch, charts are kept without the stretch, and the stretched shapes are solved again.
+/// - The cache needs about as much memory as the pieces.
+/// - Several threads may use one cache at the same time. It then keeps the charts of the run that ended last.
 class Cache {
  public:
   Cache();

@@ -8,13 +8,17 @@
 
 namespace wirewarp {
 
-/// A fabric with a weft (x, across) and a warp (y, along the grain). Its energy per area of the flat piece is
+/// A fabric with a weft (x, across) and a warp (y, along the grain).
+///
+/// - f: worn length of a thread divided by its flat length
+/// - γ: angle by which weft and warp differ from a right angle
+///
+/// The energy per area of the flat piece is
 ///
 ///   weft (f_weft − 1)² + warp (f_warp − 1)² + shear (f_weft f_warp sin γ)²
 ///
-/// where f is the worn length of a thread divided by its flat length, and γ is the angle by which weft and warp differ
-/// from a right angle. The shape depends only on the ratios of the stiffnesses. With weft 1, warp 1 and shear ½, the
-/// energy of small strains equals the isotropic energy of a run without a cloth.
+/// The shape depends only on the ratios of the stiffnesses. For small strains, weft 1, warp 1 and shear ½ mean the
+/// isotropic energy of a run without a cloth.
 struct Cloth {
   double weft = 1;     // stiffness of the threads across the grain; positive
   double warp = 1;     // stiffness of the threads along the grain; positive
@@ -26,9 +30,11 @@ struct Cloth {
   static constexpr double least_squeeze = 0.01;
   static constexpr double most_squeeze = 100;
 
-  /// Negative ease: relative stretch of the cloth when worn, along weft and warp. 0.2 is 20%. The energy measures the
-  /// deviation from the worn state. An edge of the flat piece is shorter by the stretch in the direction of the edge.
-  /// All sides of a seam become shorter by the same factor. Dimensionless, in [-0.5, 4].
+  /// Negative ease: relative stretch when worn, along weft and warp, where 0.2 is 20%. In [-0.5, 4].
+  ///
+  /// - An edge of the flat piece is shorter by the stretch in its direction.
+  /// - All sides of a seam become shorter by the same factor.
+  /// - The energy measures the deviation from the worn state.
   std::array<double, 2> stretch = {0, 0};
   static constexpr double least_stretch = -0.5;
   static constexpr double most_stretch = 4;

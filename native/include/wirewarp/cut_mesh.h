@@ -27,22 +27,30 @@ struct CutMesh {
   CutSources sources;
 };
 
-/// Divides triangles so that paths become edges. The surface does not change: each new vertex is on an edge or in a
-/// triangle of the input, and vertices keep their numbers. Faces keep their orientation, and a manifold mesh remains a
-/// manifold. Paths may cross, touch or follow each other, and may follow edges. A crossing becomes a vertex.
+/// Divides triangles so that paths become edges. The surface does not change.
 ///
-/// To avoid slivers, points move in three cases. A point moves to an edge if the barycentric coordinate of the opposite
-/// corner is less than `snap`. A point on an edge moves to an end if the weight of the other end is less than `snap`. A
-/// point moves to another point if all their coordinates differ by less than `snap`. A line that passes a point within
-/// half of `snap` leads through this point.
+/// - New vertices are on edges or in triangles of the input. Vertices keep their numbers.
+/// - Faces keep their orientation, and a manifold mesh remains a manifold.
+/// - Paths may cross, touch or follow each other, and may follow edges. A crossing becomes a vertex.
 ///
-/// snap is from 0.0001 to 0.25. With snap 0.05 and edges of 10 mm, a line moves by 1 mm at most. If a straight line
-/// crosses a triangle, the heights of the parts are at least snap (1 - snap) times the height of the triangle. Lines
-/// that meet at small angles leave smaller parts. If a snapped line is cut into the mesh again, it does not move.
+/// To avoid slivers, points move in three cases:
 ///
-/// Throws empty_mesh, vertex_out_of_range, non_finite_coordinates or repeated_vertex_in_face for a faulty mesh. Throws
-/// invalid_option if snap is out of its range, or if a path is not on the mesh. Also throws invalid_option if two
-/// consecutive points of a path have no common triangle, or if all its points snap together.
+/// - to an edge, if the barycentric coordinate of the opposite corner is less than snap
+/// - from an edge to its end, if the weight of the other end is less than snap
+/// - to another point, if all their coordinates differ by less than snap
+///
+/// A line that passes a point within half of snap leads through this point. A snapped line does not move if it is cut
+/// into the mesh again.
+///
+/// snap is from 0.0001 to 0.25. With snap 0.05 and edges of 10 mm, a line moves by 1 mm at most. If one straight line
+/// crosses a triangle, its parts are at least snap (1 - snap) times as high as it. Lines that meet at small angles
+/// leave smaller parts.
+///
+/// Throws:
+///
+/// - empty_mesh, vertex_out_of_range, non_finite_coordinates or repeated_vertex_in_face for a faulty mesh
+/// - invalid_option if snap is out of its range, or if a path is not on the mesh
+/// - invalid_option if consecutive points of a path have no common triangle, or if all its points snap together
 CutMesh cut_mesh(const Positions3& vertices, const Triangles& faces, const std::vector<SurfacePath>& paths,
                  double snap = 0.05);
 

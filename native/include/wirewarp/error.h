@@ -89,8 +89,8 @@ struct ErrorElements {
   std::vector<ProposedTolerance> proposed_tolerances{};  // one per contradicting wire; empty without a proposal
 };
 
-/// Invalid input, or a piece that cannot be flattened. For users of the library, what() says in English what the fault
-/// is, where it is and how to fix it. A program for other users makes its own text from code, arguments and elements.
+/// Invalid input, or a piece that cannot be flattened. what() is an English sentence with fault, place and remedy.
+/// Other programs can make their own texts from code, arguments and elements.
 class FlattenError : public std::runtime_error {
  public:
   /// Makes an error and its sentence from the arguments. with_layout: see has_layout.

@@ -16,9 +16,8 @@
 
 namespace wirewarp {
 
-/// A measuring line: a chain of mesh edges. Its flat length is (1 + h) l with |h - ease| <= tolerance, where l is its
-/// length on the surface. Along a seam or outline, the wire sets the length of its section of the seam or outline,
-/// equally on all sides.
+/// A measuring line along mesh edges, with the length l on the surface. Its flat length is (1 + h) l
+/// with |h - ease| <= tolerance. Along a seam or outline, it sets the length of all sides.
 struct Wire {
   std::vector<int> vertices;  // (n,) each joined to the next by an edge; a closed wire repeats its first vertex
   double tolerance = 0;       // dimensionless; 0: rigid; finite: elastic; infinity: free, with any length
@@ -51,24 +50,29 @@ struct FlattenInput {
 
 class Cache;
 
-/// Called with the stage ("charts", "start", "shape", "wires", "interior", "lengths", "measure") and the fraction of
-/// the run in [0, 1], at regular intervals of work, whatever the number and size of the pieces. Returning false cancels
-/// the pieces that are not flat yet. In the first stage, "charts", and in the last stage, "measure", returning false
-/// cancels all pieces. Pieces are solved on several cores, but only the thread that called flatten() makes this call.
+/// Called at regular intervals of work, in the thread that called flatten(). Returning false cancels pieces.
+///
+/// - stage: "charts", "start", "shape", "wires", "interior", "lengths" or "measure"; "cuts" in a search for cuts
+/// - fraction: share of the run, in [0, 1]
+/// - false in the stage "charts" or "measure" cancels all pieces
+/// - false in another stage cancels the pieces that are not flat yet
 using Progress = std::function<bool(const std::string& stage, double fraction)>;
 
-/// Flattens every chart of the input and packs the pieces without overlap. Front faces have positive area. Throws
-/// FlattenError if the input is not a mesh with seams and wires, or if an option is out of range. If a chart cannot be
-/// flattened, its Piece contains the FlattenError, and the other pieces are not affected. With a cache
-/// (wirewarp/cache.h), charts that have not changed since the last run with this cache are not solved again. Several
-/// threads may call this function at the same time.
+/// Flattens every chart of the input and packs the pieces without overlap. Front faces have positive area.
+///
+/// - Throws FlattenError if an option is out of range, or if the input is not a mesh with seams and wires.
+/// - If a chart cannot be flattened, its Piece contains the FlattenError. The other pieces are not affected.
+/// - With a cache, charts that have not changed since its last run are not solved again.
+/// - Several threads may call this function at the same time.
 FlattenResult flatten(const FlattenInput& input, const Options& options = {}, const Progress& progress = {},
                       Cache* cache = nullptr);
 
-/// Measures and checks a flattening that was made elsewhere, by the same rules as flatten(). corner_uv, in scene units,
-/// is neither packed nor scaled, and is returned unchanged. A chart with a corner that is not finite, or not below 1e60
-/// in magnitude, has the error no_layout. A chart in which a vertex has several flat positions is torn, and has the
-/// error uv_discontinuous. Nothing is solved: a million triangles take about a second.
+/// Measures and checks a flattening that was made elsewhere, by the same rules as flatten().
+///
+/// - corner_uv: in scene units. The result contains it unchanged, neither packed nor scaled.
+/// - Error no_layout: a corner of the chart is not finite, or not below 1e60 in magnitude.
+/// - Error uv_discontinuous: a vertex of the chart has several flat positions.
+/// - Nothing is solved: a million triangles take about a second.
 FlattenResult measure(const FlattenInput& input, const CornerUv& corner_uv);
 
 }  // namespace wirewarp

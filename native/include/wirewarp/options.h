@@ -64,24 +64,25 @@ struct Options {
   static constexpr double most_fairness = 10;
 
   /// For the refined method: maximum number of Newton factorizations for a piece, >= 1. A piece that reaches this
-  /// number keeps its current shape. All starts and stages count: a coarser mesh, closed slits and elastic seams. A
-  /// factorization of pieces coupled by elastic seams counts for each of these pieces. The search for contradicting
-  /// wires has its own limits.
+  /// number keeps its current shape.
   ///
-  /// For a fabric that is stretched when worn, each piece is solved without the stretch first. The count starts again:
+  /// - All starts and stages count: a coarser mesh, closed slits and elastic seams.
+  /// - A factorization of pieces coupled by elastic seams counts for each of these pieces.
+  /// - The search for contradicting wires has its own limits.
+  ///
+  /// For a fabric that is stretched when worn, pieces are solved without the stretch first. The count starts again:
   ///
   /// - for the solution with the stretch
   /// - for each coupled piece alone, if no stretched shapes with common lengths are found
   /// - for each piece that is flipped or overlaps itself in its solution without the stretch
   int max_factorizations = 200;
 
-  /// For the refined method: fabric that the pieces are cut from, with x along its weft and y along its warp. None: an
-  /// isotropic material, Eq. (4). Each piece is first turned as Options::orientation says. While it is solved, the line
-  /// between two of its vertices keeps its direction, except for Orientation::best.
+  /// For the refined method: the fabric, with x along its weft and y along its warp; none: isotropic, Eq. (4). Pieces
+  /// keep the direction of Options::orientation while they are solved, except for Orientation::best.
   std::optional<Cloth> cloth;
 
-  /// Thickness of the material in scene units, finite and at least 0. Bent material keeps its length in the middle of
-  /// its thickness. Therefore, the middle surface is flattened, and all lengths and areas refer to the middle surface.
+  /// Thickness of the material in scene units, finite and at least 0. The middle surface is flattened, because bent
+  /// material keeps its length there. All lengths and areas refer to it.
   double thickness = 0;
 
   Surface surface = Surface::inside;  // surface of the thick material that the input represents
@@ -89,9 +90,8 @@ struct Options {
   PieceLayout layout = PieceLayout::packed;     // how the pieces are placed
   Orientation orientation = Orientation::wire;  // direction that is up in each piece
 
-  /// For Orientation::wire and grain: index of the wire that is upright in the pieces that it crosses, in
-  /// [-1, number of wires). For -1, and in pieces that this wire does not cross, Orientation::wire uses the piece's
-  /// first wire.
+  /// For Orientation::wire and grain: index of the wire that is upright in pieces that it crosses. In [-1, number of
+  /// wires). In other pieces, Orientation::wire uses the piece's first wire.
   int grain = -1;
 
   /// Angle of the chain that Orientation::wire or grain uses, from +y, counterclockwise, in radians, in [-π, π]. With a

@@ -70,8 +70,8 @@ struct SeamReport {
                         // for fewer than two such sides
 };
 
-/// Distortion of a piece (paper IV-A), on the triangles and edges of the input. Without a layout, only area_3d is
-/// known. All other numbers are NaN, and the lists of edges and of faulty faces are empty.
+/// Distortion of a piece (paper IV-A), on the triangles and edges of the input. Without a layout, all numbers except
+/// area_3d are NaN, and the lists of edges and faulty faces are empty.
 struct Metrics {
   double arap_energy = 0;             // Eq. (4) divided by the 3D area
   Eigen::VectorXd face_arap;          // (q,) Eq. (6), one per face; sums to arap_energy * area_3d
@@ -113,19 +113,18 @@ struct PieceReport {
   int gradient_evaluations = 0;  // gradients of the shape error with respect to the lengths of wires
 
   /// Factorizations of the interior placement and free flattening. Refined: factorizations of the Newton systems of all
-  /// starts, including those of a coarser mesh and of the piece with closed slits, as Options::max_factorizations
-  /// counts them.
+  /// starts, as Options::max_factorizations counts them.
   int factorizations = 0;
 
-  /// Largest gap of a wire loop, divided by the loop's length. Refined: largest relative error of an edge's length,
-  /// where 1e-5 times the square root of the piece's area is added to each length. NaN: no shape was found, or nothing
-  /// was solved.
+  /// Largest gap of a wire loop, divided by the loop's length. Refined: largest error of an edge's length, divided by
+  /// this length plus 1e-5 √area of the piece. NaN without a shape, and for measure().
   double constraint_residual = std::numeric_limits<double>::quiet_NaN();
 
-  /// Largest entry of the projected gradient at the end. For Eq. (1), weights are scaled so that nodes of mean length
-  /// have weight 1. NaN for Inner::least_norm. Refined: gradient of f + λᵀc for all pieces coupled by elastic seams.
-  /// Entries for vertices are divided by the square root of the 3D area, and entries for h by the 3D area. At bounds,
-  /// only the part that points inside counts. NaN if no gradient was computed.
+  /// Largest entry of the projected gradient at the end, dimensionless. NaN if no gradient was computed.
+  ///
+  /// - Paper's methods: for weights of 1 at nodes of mean length. NaN for Inner::least_norm.
+  /// - Refined: of the Lagrangian of pieces coupled by elastic seams, divided by √area for vertices and by area for h.
+  ///   NaN for a piece that is not coupled.
   double projected_gradient = std::numeric_limits<double>::quiet_NaN();
 
   /// Refined: arap_energy, or cloth_energy with a cloth, plus the angle term and the barriers against flipped triangles

@@ -40,9 +40,8 @@ Cores quota_of_group(const Folder& group) {
                cores_of(text_of(group / "cpu.cfs_quota_us") + " " + text_of(group / "cpu.cfs_period_us")));
 }
 
-/// Returns the smallest quota of a group and of the groups above it, up to the folder where the tree is mounted. In a
-/// container, the mounted folder can be the group itself. The path of the group below this folder is then missing,
-/// which counts as no quota.
+/// Returns the smallest quota of a group and of the groups above it, up to the mounted folder. In a container, this
+/// folder may be the group itself, without the group's path below it.
 Cores quota_in_tree(const Folder& mount, Folder group) {
   Cores least = quota_of_group(mount);
   for (; group.has_relative_path(); group = group.parent_path()) {

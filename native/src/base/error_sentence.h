@@ -8,8 +8,8 @@
 
 namespace wirewarp {
 
-/// Returns the sentence for a code with its arguments and elements: fault, place, remedy. Throws std::out_of_range if
-/// an argument that the code needs is missing, and std::bad_variant_access if an argument has the wrong type.
+/// Returns the sentence for a code: fault, place, remedy. Throws std::out_of_range if an argument of the code is
+/// missing, and std::bad_variant_access if an argument has the wrong type.
 std::string error_sentence(ErrorCode code, const ErrorArguments& arguments, const ErrorElements& elements);
 
 }  // namespace wirewarp

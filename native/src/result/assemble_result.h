@@ -10,8 +10,8 @@
 
 namespace wirewarp {
 
-/// Measures every chart that has a layout. options.mirror: whether the layouts are mirrored; they are measured as seen
-/// from outside in any case. options.cloth: adds the fabric's energy. Throws Stopped.
+/// Measures every chart that has a layout, as seen from outside even if options.mirror says that layouts are mirrored.
+/// With options.cloth, adds the fabric's energy. Throws Stopped.
 FlattenResult assemble_result(const FlattenInput& input, const Charts& charts, std::vector<SolvedChart> solved_charts,
                               const Options& options, const StopToken& stop = {});
 

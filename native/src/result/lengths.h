@@ -21,15 +21,13 @@ std::vector<BoundaryReport> measure_boundaries(const Chart& chart, const Positio
 std::vector<SeamReport> measure_seams(const FlattenInput& input, const Charts& charts,
                                       const std::vector<Piece>& pieces);
 
-/// Returns one report per wire of the input, over all its parts in all pieces. Every edge counts once; an edge along a
-/// seam counts with its side in the first piece. A wire that runs only along seams or boundaries has the kind boundary.
-/// length_2d, variation and max_edge_error are NaN if a part of the wire has no layout. pieces: as for measure_seams().
+/// Returns one report per wire of the input, over its parts in all pieces. Each edge counts once, with its side in the
+/// first piece. Flat figures are NaN if a part has no layout.
 std::vector<WireReport> measure_whole_wires(const FlattenInput& input, const Charts& charts,
                                             const std::vector<Piece>& pieces);
 
-/// Returns the length variation h, one per wire part, that fits a layout from any program. For rigid parts, h is the
-/// ease. For other parts, it is the relative change of the total length over all sides in the chart, clamped to the
-/// tolerance around the ease.
+/// Returns the length variation h of each wire part that fits a layout from any program. Rigid parts have their ease.
+/// Other parts have the change of their total length, clamped to the tolerance.
 std::vector<double> fit_variation(const Chart& chart, const Positions2& uv);
 
 }  // namespace wirewarp

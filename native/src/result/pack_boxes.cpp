@@ -27,8 +27,8 @@ struct Packing {
   double extent = 0;  // larger side of the box around all boxes
 };
 
-/// Returns the height at which a box rests with its left side on step i; infinite if it leaves the strip. The box may
-/// extend beyond a step by `overhang`, because its width includes the gap.
+/// Returns the height at which a box rests with its left side on step i; infinite if it leaves the strip. overhang:
+/// allowed width beyond a step, because `width` includes the gap.
 double resting_height(const std::vector<Step>& skyline, std::size_t i, double width, double overhang) {
   double y = 0;
   double remaining = width;
@@ -92,8 +92,8 @@ Positions2 pack_boxes(const Positions2& sizes, double gap, const StopToken& stop
   const auto height = [&](Eigen::Index box) { return slack > 0 ? std::round(sizes(box, 1) / slack) : 0.0; };
   std::stable_sort(order.begin(), order.end(), [&](Eigen::Index a, Eigen::Index b) { return height(a) > height(b); });
 
-  // The loop tries several strip widths and keeps the packing nearest to a square. The widths are 0.8 to 1.55 times the
-  // side of a square with the area of all boxes, including `gap`, but at least the width of the widest box.
+  // Strips are 0.8 to 1.55 times as wide as `side`, but at least as wide as the widest box. The packing nearest to a
+  // square is kept.
   constexpr int kStrips = 16;
   WorkMeter work(stop);
   Packing best;

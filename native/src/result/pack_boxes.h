@@ -6,10 +6,11 @@
 
 namespace wirewarp {
 
-/// Places axis-parallel boxes without overlap, so that the box around them is nearly square. sizes: n by 2, width and
-/// height, not negative. gap: space between boxes, exact to a millionth of the side of a square with the area of all
-/// boxes. Returns the lower-left corners of the boxes, n by 2; the lowest and the leftmost coordinate are 0. The result
-/// does not depend on rounding errors of the sizes. Throws Stopped.
+/// Places axis-parallel boxes without overlap, so that the box around them is nearly square. Throws Stopped.
+///
+/// - Returns the lower-left corners of the boxes, n by 2. The lowest and the leftmost coordinate are 0.
+/// - sizes: n by 2, width and height, not negative. Their rounding errors do not change the result.
+/// - gap: space between boxes, exact to 1e-6 √area of all boxes
 Positions2 pack_boxes(const Positions2& sizes, double gap, const StopToken& stop = {});
 
 /// Places boxes side by side from left to right in their order, all at y = 0. Returns their lower-left corners, n by 2.

@@ -7,12 +7,8 @@
 
 namespace wirewarp {
 
-/// Rotates each layout so that its upright_direction() is +y, mirrors it if requested, and places the pieces' bounding
-/// boxes by Options::layout without overlap, with the lower-left corner at the origin.
-///
-/// layouts: one per chart, with one row per chart vertex in scene units; a layout without rows is skipped. options:
-/// uses layout, orientation, grain, grain_angle, up, gap, mirror and cloth. Rotation and translation change each
-/// coordinate by a few rounding errors. Throws Stopped.
+/// Turns layouts upright, except those of a fabric, mirrors them if requested, and places them by Options::layout from
+/// the origin on. layouts: one row per chart vertex, scene units; skipped if empty. Throws Stopped.
 std::vector<Positions2> pack_pieces(const std::vector<Chart>& charts, std::vector<Positions2> layouts,
                                     const Options& options, const StopToken& stop = {});
 

@@ -56,6 +56,8 @@ std::vector<int> order_elimination(const Eq1& eq1, const WireNetwork& network) {
     if (!std::exchange(is_ordered[e], 1)) order.push_back(e);
   };
   const std::vector<LoopPair> loops = loops_of_edges(eq1);
+  // On each line between two crossings of wires, all edges except one come first. Eliminating such an edge fills in
+  // only entries for its neighbors and for the loops on its two sides.
   for (int loop = 0; loop < num_loops(eq1); ++loop) {
     const std::vector<int>& edges = eq1.loop_edges(loop);
     for (std::size_t i = 0; i + 1 < edges.size(); ++i) {

@@ -8,9 +8,8 @@
 namespace wirewarp {
 namespace {
 
-/// Returns the weight of each node. A weight of 1/ℓ for a node of length ℓ turns the sum of Eq. (1) into ∫ Δκ² ds. This
-/// integral does not depend on the places of the vertices. The weights are scaled so that a node of mean length has
-/// weight 1.
+/// Returns node weights in proportion to 1/ℓ, where ℓ is the length of a node. The sum of Eq. (1) is then ∫ Δκ² ds,
+/// wherever the vertices are.
 Eigen::VectorXd node_weights(const WireNetwork& network, NodeWeight node_weight) {
   const auto num_nodes = static_cast<Eigen::Index>(network.nodes.size());
   Eigen::VectorXd weights = Eigen::VectorXd::Ones(num_nodes);
@@ -54,11 +53,8 @@ Eigen::VectorXd lay_out_headings(const WireNetwork& network, const Eigen::Vector
   return headings;
 }
 
-/// Returns a vector that depends on the shape of the network, not on its numbering. The first term is
-/// l (a - m) / l_max for an edge of length l. Here, l_max is the largest length. The mean surface angle at the edge's
-/// nodes is a, and the mean of a over the length of the network is m. This term is equal on mirror-image edges. The
-/// second term adds the surface angle of each node on the edge before the node, and subtracts it on the edge after the
-/// node. This breaks the mirror symmetry.
+/// Returns one number per edge that depends on the shape of the network, but not on its numbering. The term of `angle`
+/// is equal on mirror-image edges. The term `torque` breaks the mirror symmetry.
 Eigen::VectorXd edges_by_angle(const WireNetwork& network) {
   const auto num_edges = static_cast<Eigen::Index>(network.edges.size());
   Eigen::VectorXd angle = Eigen::VectorXd::Zero(num_edges);

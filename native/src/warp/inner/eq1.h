@@ -36,9 +36,8 @@ class Eq1 {
   /// Returns the wire edges in the closure rows 2 loop and 2 loop + 1.
   const std::vector<int>& loop_edges(int loop) const { return loops_[static_cast<std::size_t>(loop)].edges; }
 
-  /// Returns a change of headings, #edges, that no symmetry of the network maps to itself, and that does not depend on
-  /// the numbering. A step along this change selects one of two mirror-image solutions: edges at wide surface angles
-  /// turn against edges at narrow surface angles.
+  /// Returns a change of headings, #edges, that selects one of two mirror-image solutions. No symmetry of the network
+  /// maps it to itself, and it does not depend on the numbering.
   const Eigen::VectorXd& symmetry_breaker() const { return symmetry_breaker_; }
 
   /// Returns φ, #edges: the heading in radians of each wire edge's half-edge 0.

@@ -47,9 +47,8 @@ void InnerProblem::linearize(const InnerSolution& solution, const Eigen::VectorX
               eq1_.closure_jacobian(solution.psi, lengths));
 }
 
-/// A minimum satisfies ∇F + Jᵀλ = 0 and c = 0. The derivative of this minimum with respect to the lengths satisfies K
-/// [dψ; dλ] = -[∂(Jᵀλ)/∂l; ∂c/∂l] dl, where K is the matrix of the optimality system. c is linear in the lengths, so
-/// ∂c/∂l dl is c for the lengths dl.
+/// Solves K [dψ; dλ] = -[∂(Jᵀλ)/∂l; ∂c/∂l] dl, the derivative of the optimality system ∇F + Jᵀλ = 0, c = 0.
+/// c is linear in l, so ∂c/∂l dl is c for the lengths dl.
 Eigen::VectorXd InnerProblem::change_of_headings(const InnerSolution& solution,
                                                  const Eigen::VectorXd& change_of_lengths) const {
   const Eigen::VectorXd by_lengths = eq1_.closure_by_headings_and_lengths(solution.psi, solution.multipliers);
@@ -65,10 +64,7 @@ Eigen::VectorXd InnerProblem::total_derivative(const InnerSolution& solution, co
          eq1_.closure_by_lengths(solution.psi, adjoint.multipliers);
 }
 
-/// Closes the loops by the paper's least-norm steps: the smallest weighted change of the current angles that closes the
-/// linearized loops. A step is shortened if edges would turn too far or the gap would not shrink. If the gap hardly
-/// shrinks, a wire must bend to fit between its ends, but symmetry keeps it straight. The linearized loops do not
-/// contain this bend, so the wire is bent once, in the direction of lowest curvature. Afterwards, kkt_ contains the
+/// Closes the loops by the paper's least-norm steps, and returns whether they are closed. Afterwards, kkt_ contains the
 /// factor of the last step, or of the start if no loop was open.
 bool InnerProblem::close_loops(const Eigen::VectorXd& lengths, Eigen::VectorXd& psi) {
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(eq1_.num_edges());
@@ -85,6 +81,8 @@ bool InnerProblem::close_loops(const Eigen::VectorXd& lengths, Eigen::VectorXd& 
     while (!(share_left(t) < 1 - 1e-3 * t) && t > kSmallestStep) t /= 2;
     const bool is_held = t < longest || (t == 1 && share_left(t) > kStalledRatio);
     if (is_held && !has_bent) {
+      // A wire must bend to fit between its ends, but symmetry keeps it straight. The linearized loops do not contain
+      // this bend.
       double share = 0.5;
       factor_downhill(eq1_.closure_hessian(psi, lengths, closing.multipliers), jacobian, share);
       psi += kBend * inverse_iteration(eq1_.symmetry_breaker());
@@ -120,9 +118,7 @@ bool InnerProblem::restore(const Eigen::VectorXd& lengths, Eigen::VectorXd& psi)
 }
 
 /// Factors the system with a share of the closures' curvature for which the step goes downhill. Tries 1, `share`, half
-/// of `share`, and 0, with which the step always goes downhill. Returns whether the full curvature was used. If it was
-/// not, changes `share` for the next call: increases `share` if the step with this share goes downhill, otherwise
-/// halves it.
+/// of `share`, and 0. Returns whether 1 was used; otherwise adapts `share` for the next call.
 bool InnerProblem::factor_downhill(const Eigen::VectorXd& closure_hessian, const Eigen::SparseMatrix<double>& jacobian,
                                    double& share) {
   if (kkt_.factor(eq1_.laplacian(), closure_hessian, jacobian)) return true;
@@ -137,9 +133,8 @@ bool InnerProblem::factor_downhill(const Eigen::VectorXd& closure_hessian, const
   return false;
 }
 
-/// Returns a change of headings that keeps the loops closed, with largest entry 1: a few steps of inverse iteration
-/// towards the eigenvector of the smallest eigenvalue of the factored matrix. Starting at the network's
-/// symmetry_breaker makes the result independent of the numbering if two mirror images exist.
+/// Returns a change of headings near the eigenvector of the smallest eigenvalue, with largest entry 1, that keeps the
+/// loops closed. turn: start of the iteration, which must not depend on the numbering.
 Eigen::VectorXd InnerProblem::inverse_iteration(Eigen::VectorXd turn) const {
   constexpr int kIterations = 4;  // any descent direction is enough, so few digits of the eigenvector are needed
   const Eigen::VectorXd no_gap = Eigen::VectorXd::Zero(eq1_.num_closures());
@@ -165,20 +160,19 @@ bool InnerProblem::move(const Eigen::VectorXd& lengths, const Eigen::VectorXd& d
   return true;
 }
 
-/// Leaves a saddle along a direction of negative curvature, to either side, if the predicted gain is above at_least.
-/// The prediction uses the full curvature of the Lagrangian, even if the factor contains only a share. Near the saddle,
-/// the inverse iteration continues until it finds such a direction, because in a symmetric network the symmetry_breaker
-/// may contain little of this direction. Without this function and the bend in close_loops(), 2 of 1,000 random
-/// networks with a good shape fail.
+/// Leaves a saddle if the predicted gain is above at_least. Returns whether psi has changed. Without this function and
+/// the bend in close_loops(), 2 of 1,000 random networks with a good shape fail.
 bool InnerProblem::leave_saddle(const Eigen::VectorXd& lengths, const Eigen::VectorXd& closure_hessian, double at_least,
                                 Eigen::VectorXd& psi, double& value) const {
   constexpr int kMaxSearches = 10;  // each takes a few substitutions
   constexpr double kClose = 0.01;   // near a saddle, at_least is below this share of the value
+  // In a symmetric network, the start may contain little of a direction of negative curvature.
   const int searches = at_least < kClose * value ? kMaxSearches : 1;
   Eigen::VectorXd turn = eq1_.symmetry_breaker();
   double fall = 0;
   for (int i = 0; i < searches && !(fall > 0); ++i) {
     turn = inverse_iteration(turn);
+    // Even if the factor contains only a share of the curvature, the prediction uses the full curvature.
     fall = -turn.dot(eq1_.laplacian() * turn + closure_hessian.cwiseProduct(turn));
   }
   for (double t = kBend; fall * t * t > at_least && t > kSmallestStep; t /= 2) {
@@ -188,16 +182,15 @@ bool InnerProblem::leave_saddle(const Eigen::VectorXd& lengths, const Eigen::Vec
   return false;
 }
 
-/// Minimizes Eq. (1) by feasible sequential quadratic programming with the exact Hessian of the Lagrangian: all loops
-/// stay closed in every iterate. The iteration ends if the projected gradient vanishes and the inertia proves a
-/// minimum. From a saddle, it continues along a direction of negative curvature. The first multipliers come from the
-/// factor that closed the loops.
+/// Minimizes Eq. (1) by feasible sequential quadratic programming: all loops stay closed in every iterate. Returns
+/// whether the projected gradient vanishes and the inertia proves a minimum.
 bool InnerProblem::minimize(const Eigen::VectorXd& lengths, InnerSolution& solution) {
   Eigen::VectorXd& psi = solution.psi;
   Eigen::VectorXd& multipliers = solution.multipliers;
   const Eigen::VectorXd no_gap = Eigen::VectorXd::Zero(eq1_.num_closures());
   double curvature_share = 0.5;
   double value = eq1_.angle_variation(psi);
+  // Here, kkt_ still contains the factor that closed the loops.
   multipliers = kkt_.solve(-eq1_.gradient(psi), no_gap).multipliers;
   for (int i = 0; i < kMaxSteps; ++i) {
     const Eigen::VectorXd gradient = eq1_.gradient(psi);

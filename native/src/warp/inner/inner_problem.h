@@ -33,8 +33,8 @@ class InnerProblem {
   /// all loops close (Inner::least_norm). lengths: positive, scene units, #wire edges.
   InnerSolution solve(const Eigen::VectorXd& lengths, Inner inner);
 
-  /// Returns the local minimum of Eq. (1) for these lengths. Starts from the solution for other lengths. If there are
-  /// several minima, the result is on the same branch as `from`. This takes few factorizations.
+  /// Returns the local minimum of Eq. (1) for these lengths on the branch of `from`, a solution for other lengths. This
+  /// takes few factorizations.
   InnerSolution follow(const InnerSolution& from, const Eigen::VectorXd& lengths);
 
   /// Factors the optimality system at a minimum. Afterwards, change_of_headings() and total_derivative() take one solve

@@ -9,9 +9,8 @@
 namespace wirewarp {
 namespace {
 
-/// δ divided by the scale of its closure. If closures are linearly dependent, such as x or y of a slit of one edge, a
-/// pivot consists of rounding errors, about 1e-16 of the scale. δ then determines the sign of this pivot. solve()
-/// removes the effect of δ by iterative refinement.
+/// δ divided by the scale of its closure. Linearly dependent closures (x or y of a slit of one edge) have a pivot of
+/// rounding errors, about 1e-16 of the scale. δ decides its sign.
 constexpr double kRegularization = 1e-13;
 
 }  // namespace
@@ -31,8 +30,8 @@ bool KktSystem::factor(const Eigen::SparseMatrix<double>& laplacian, const Eigen
   stop_.check();
   const Eigen::VectorXd weight = laplacian.diagonal();
   const double mean_diagonal = weight.mean();
-  // loop_scale is the scale of J W⁻¹ Jᵀ, where W is the diagonal of the Laplacian. x and y of a loop have the same
-  // scale, because for a slit along an axis, the entries of x or y are only rounding errors.
+  // Scale of J W⁻¹ Jᵀ, where W is the Laplacian's diagonal. x and y of a loop have a common scale, because for a slit
+  // along an axis, one of them has only rounding errors.
   Eigen::VectorXd loop_scale = Eigen::VectorXd::Zero(num_closures_ / 2);
   const Eigen::VectorXi& position = order_.indices();
   std::vector<Eigen::Triplet<double>> entries;

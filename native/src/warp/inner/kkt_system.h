@@ -21,7 +21,7 @@ class KktSystem {
   KktSystem(const Eq1& eq1, const WireNetwork& network, StopToken stop = {});
 
   /// Factors the matrix. Returns false if L + D is not positive definite on the null space of J (wrong inertia). The
-  /// step may then go uphill. Increments num_factorizations.
+  /// step may then go uphill.
   bool factor(const Eigen::SparseMatrix<double>& laplacian, const Eigen::VectorXd& diagonal,
               const Eigen::SparseMatrix<double>& jacobian);
 

@@ -8,11 +8,13 @@
 
 namespace wirewarp {
 
-/// Returns the planar angles closest to the surface angles (least Σ w (θ − α)²) that satisfy
-///   Σ θ = (n − 2) π over the n nodes of each wire-patch,
-///   Σ θ = 2 π around each network vertex inside the chart,
-///   Σ θ = (m + 2) π around each hole of m vertices.
-/// weights: one per node. The result is in radians, one per node.
+/// Returns one planar angle θ per node, in radians, with the least Σ w (θ − α)² and these sums:
+///
+/// - wire-patch of n nodes: (n − 2) π
+/// - network vertex inside the chart: 2 π
+/// - hole of m vertices: (m + 2) π
+///
+/// α: surface angles; w: weights.
 Eigen::VectorXd project_on_angle_sums(const WireNetwork& network, const Eigen::VectorXd& weights);
 
 }  // namespace wirewarp

@@ -5,8 +5,8 @@
 
 namespace wirewarp {
 
-/// Computes the positions of the network's vertices from headings and lengths, along a spanning tree of the wires. The
-/// tree prefers short edges, so that the rounding error of a loop's gap is at the longest edge of the loop.
+/// Places the network's vertices by headings and lengths, along a spanning tree of the wires. The tree prefers short
+/// edges, so that the rounding error of a loop is at its longest edge.
 class WireLayout {
  public:
   WireLayout(const Chart& chart, const WireNetwork& network);

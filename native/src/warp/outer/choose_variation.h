@@ -28,19 +28,16 @@ struct VariationBounds {
   std::vector<int> elastic_parts() const;
 };
 
-/// Returns the bounds |h| <= tolerance for elastic parts, and -0.99 <= h <= 100 for super-elastic parts. With
-/// WireWarping, the user's wires are rigid, and only the helper wires of the method are free. With Inner::least_norm, h
-/// is 0 everywhere, because the least-norm solution has no gradient with respect to h.
+/// Returns the bounds |h| <= tolerance, limited to -0.99 <= h <= 100. h is 0 with Inner::least_norm, and for wires of
+/// the user with Method::wirewarping.
 VariationBounds variation_bounds(const Chart& chart, const Options& options);
 
-/// Returns h0, the start of the search: the lengths of a free ARAP flattening, clamped to the bounds. h0 is 0 if ψ(0)
-/// is better or an isometry, or if no part is elastic. shape.inner is not feasible if neither start leads to a shape.
+/// Returns the start h0: the lengths of a free ARAP flattening, clamped to the bounds. h0 is 0 if ψ(0) is better or an
+/// isometry. Without a shape, shape.inner is not feasible.
 OuterSolution start_variation(const Chart& chart, Warp& warp, const VariationBounds& bounds);
 
-/// Returns the length variations with the least shape error within the bounds, found from h0. If Eq. (1) has several
-/// minima, the wire angles stay on the branch of h0, so that E does not jump. The result is h0, not converged, if the
-/// angles at h0 are not a minimum of Eq. (1), because E has no gradient there. The warp's token is also checked before
-/// each evaluation.
+/// Returns the h with the least shape error within the bounds, on h0's branch of minima of Eq. (1). Returns h0, not
+/// converged, if its angles are not a minimum.
 OuterSolution choose_variation(const Chart& chart, Warp& warp, const VariationBounds& bounds);
 
 }  // namespace wirewarp

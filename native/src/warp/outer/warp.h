@@ -22,8 +22,8 @@ struct WarpedShape {
 /// All functions throw Stopped and FactorizationFailed.
 class Warp {
  public:
-  /// chart and network must outlive the warp. network: every wire-patch is a disk (see process_topology). stop: checked
-  /// before each step and factorization of Eq. (1).
+  /// chart and network must outlive the warp. Every wire-patch of the network must be a disk (see process_topology).
+  /// stop: checked before each step and factorization.
   Warp(const Chart& chart, const WireNetwork& network, NodeWeight node_weight, Inner inner, const StopToken& stop = {});
 
   /// Returns ψ(h). variation: h > -1, one per wire part of the chart; boundaries keep their length.
@@ -36,15 +36,12 @@ class Warp {
   /// Returns E of Eq. (4), divided by the chart's 3D area.
   double shape_error(const WarpedShape& shape) const;
 
-  /// Returns the gradient of E with respect to h, one entry per wire part, at a minimum of Eq. (1). Applies the
-  /// adjoints of interior placement, layout and Eq. (1). For any number of wires, this takes one factorization of the
-  /// inner problem and one transposed solve of the placement.
+  /// Returns the gradient of E with respect to h, one entry per wire part, at a minimum of Eq. (1). Takes one
+  /// factorization for any number of wires.
   Eigen::VectorXd gradient(const WarpedShape& shape);
 
-  /// Returns the Gauss-Newton Hessian of E with respect to h of some wire parts, at a minimum of Eq. (1). The Hessian
-  /// does not contain the curvature of ψ. 1e-4 of the mean curvature is added to the diagonal, so that the Hessian is
-  /// positive definite. This takes one factorization of the inner problem and, for each part, two solves of the inner
-  /// problem and two of the placement.
+  /// Returns the Gauss-Newton Hessian of E, made positive definite, for some wire parts at a minimum of Eq. (1). Takes
+  /// one factorization, and four solves for each part.
   Eigen::MatrixXd gauss_newton_hessian(const WarpedShape& shape, const std::vector<int>& parts);
 
   const StopToken& stop() const { return inner_problem_.stop(); }

@@ -10,13 +10,12 @@
 
 namespace wirewarp {
 
-/// Moves crossings near a vertex to the vertex, so that the path cuts off no sliver. The path must pass each triangle
-/// at most once. reach: share of an edge within which a crossing snaps to an end, below 1/2.
+/// Moves crossings near a vertex to the vertex, to avoid slivers. The path must pass each triangle at most once. reach:
+/// share of an edge within which a crossing snaps to an end, below 1/2.
 MeshPath snap_to_vertices(const HalfEdgeMesh& mesh, const MeshPath& path, double reach);
 
-/// Snaps a path with reach 0.1, and ends it at the first wire vertex that it reaches. If the path reaches a wire edge,
-/// it ends at the nearer end of that edge. Returns nullopt if the path does not end on a wire, or if the path is
-/// already an edge of a wire.
+/// Snaps a path, and ends it at a vertex of the first wire that it reaches. Returns nullopt if it does not reach a
+/// wire, or is an edge of a wire.
 std::optional<MeshPath> snap_to_wires(const HalfEdgeMesh& mesh, const WireMask& wires, const MeshPath& path);
 
 /// Splits the edges that a snapped path crosses, and returns the path as a chain of half-edges.

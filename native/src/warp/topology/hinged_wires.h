@@ -5,9 +5,8 @@
 
 namespace wirewarp {
 
-/// Extends every wire that ends inside the chart by a helper wire: straight to the first wire or boundary in its way
-/// (paper III-A), or along the shortest path to another wire or boundary if the straight line winds around the surface.
-/// Throws UnjoinedWires if there is no path.
+/// Extends every wire that ends inside the chart by a helper wire to another wire or boundary (paper III-A). Throws
+/// UnjoinedWires if there is no path.
 void extend_hinged_wires(SplitChart& split, WorkMeter& work);
 
 }  // namespace wirewarp

@@ -85,6 +85,8 @@ std::size_t vertex_at_distance(const WireLoop& loop, std::size_t from, double di
   return nearest;
 }
 
+/// Joins a loop to others by four paths. The first, the shortest path, is omitted if a wire already leads to another
+/// loop. The others begin at 1/2, 1/4 and 3/4 of the loop.
 void join_loop(SplitChart& split, const std::vector<WireLoop>& loops, const WireLoop& loop) {
   std::vector<char> is_target(split.chart.mesh.n_vertices(), 0);
   for (const WireLoop& other : loops) {

@@ -18,10 +18,8 @@ struct WireLoop {
 /// must have no tails.
 std::vector<WireLoop> find_separate_loops(const WireNetwork& network);
 
-/// Joins loops by helper wires until every region has exactly one loop. Each loop gets four helper wires: the shortest
-/// path to another loop (unless a wire already leads to another loop), then the shortest paths from the vertices at one
-/// half, one quarter and three quarters of the loop (paper III-B). Throws UnjoinedWires if loops form a ring with one
-/// region on both sides, or if no path joins them.
+/// Joins loops by helper wires until every region has exactly one loop (paper III-B). Throws UnjoinedWires if no path
+/// joins loops, or if they form a ring with one region on both sides.
 void join_separate_loops(SplitChart& split, WorkMeter& work);
 
 }  // namespace wirewarp

@@ -14,17 +14,14 @@ std::vector<VertexHandle> shortest_edge_path(const HalfEdgeMesh& mesh, const Wir
                                              const std::vector<VertexHandle>& sources,
                                              const std::vector<char>& is_target);
 
-/// Returns a locally shortest path between the ends of edge_path. The search starts with the shortest path in the strip
-/// of triangles beside edge_path. It moves the path to the other side of a vertex if this makes the path shorter. The
-/// path stays a quarter of an edge away from wires.
+/// Returns a locally shortest path between the ends of edge_path. The path stays a quarter of an edge away from wires.
 MeshPath straighten(const HalfEdgeMesh& mesh, const WireMask& wires, const std::vector<VertexHandle>& edge_path);
 
 /// Returns a locally shortest path between the ends of edge_path, within the triangles that touch edge_path.
 MeshPath straighten_nearby(const HalfEdgeMesh& mesh, const WireMask& wires, const std::vector<VertexHandle>& edge_path);
 
-/// Adds a helper wire along the straightened shortest path from any source to the nearest target, and returns it.
-/// Splits edges if wires leave no room for a path. Throws UnjoinedWires if no target is in a region of a source, or if
-/// the straightened path ends elsewhere.
+/// Adds and returns a helper wire along the straightened shortest path from any source to the nearest target. Splits
+/// edges if wires leave no room. Throws UnjoinedWires if no path is found.
 HalfEdgeChain join_by_shortest_path(SplitChart& split, const std::vector<VertexHandle>& sources,
                                     std::vector<char> is_target);
 

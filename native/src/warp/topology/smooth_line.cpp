@@ -87,6 +87,7 @@ MeshPath smooth_line(const HalfEdgeMesh& mesh, const WireMask& lines, const std:
   const MeshPath straight =
       nearness == Nearness::touching ? straighten_nearby(mesh, lines, path) : straighten(mesh, lines, path);
   MeshPath line = snap_to_vertices(mesh, straight, kReach);
+  // Moving a crossing to a vertex bends the line, so the sections between vertices are straightened again.
   for (std::ptrdiff_t before = 0; num_vertices(line) > before;) {
     before = num_vertices(line);
     line = snap_to_vertices(mesh, straight_between_vertices(mesh, lines, line), kReach);

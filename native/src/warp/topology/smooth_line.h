@@ -13,8 +13,7 @@ enum class Nearness {
   anywhere,  // anywhere on the surface: the geodesic to which the path shrinks
 };
 
-/// Returns the shortest line that has the same ends as a path and crosses no other lines. Moving a crossing to a vertex
-/// bends the line, so the sections between vertices are straightened again until no further crossing moves.
+/// Returns the shortest line that has the same ends as a path and crosses no other lines.
 MeshPath smooth_line(const HalfEdgeMesh& mesh, const WireMask& lines, const std::vector<VertexHandle>& path,
                      Nearness nearness);
 

@@ -26,8 +26,8 @@ struct StraightLine {
   MeshPath between;  // crossed edges, and the vertex in the way
 };
 
-/// Walks straight on a mesh. Directions at a vertex are vectors in the plane of the vertex: its first half-edge is
-/// along the real axis, and all angles at the vertex are scaled to a total of 2 pi.
+/// Walks straight on a mesh. In the plane of a vertex, its first half-edge is along the real axis. Angles at the vertex
+/// are scaled to a total of 2 pi.
 class StraightWalk {
  public:
   /// barriers: edges that are not crossed, one flag per edge. References are kept.

@@ -10,10 +10,8 @@
 
 namespace wirewarp {
 
-/// Follows the straightest geodesic that leaves the start of `reference` at `angle` radians counter-clockwise from
-/// `reference`. The path ends at the first vertex or edge of a wire or boundary. Returns nullopt if the geodesic comes
-/// back to a triangle or vertex that it has passed, so a path has at most as many points as the mesh has faces and
-/// vertices. If the start is on the outline, the angle must lead into one of its faces.
+/// Follows the straightest geodesic from the start of `reference` to the first wire or boundary. Returns nullopt if it
+/// comes back to a triangle or vertex. angle: radians counter-clockwise from `reference`, into a face.
 std::optional<MeshPath> trace_straightest(const HalfEdgeMesh& mesh, const WireMask& wires, HalfedgeHandle reference,
                                           double angle);
 
