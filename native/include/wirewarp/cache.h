@@ -11,7 +11,7 @@ struct CachedCharts;
 
 /// Keeps the charts of the last run of flatten() with this cache. The next run solves only charts that have changed.
 ///
-/// - A chart is reused if its geometry, numbering, outline, wires, tolerances and solver options are equal, bit for
+/// - A chart is reused if its geometry, numbering, outline, wires, tolerances and solver options are equal in every
 ///   bit.
 /// - Except for the seconds, the result equals that of a run without a cache.
 /// - Failed charts are kept. Canceled charts are not kept.

@@ -43,8 +43,8 @@ struct CutMesh {
 /// into the mesh again.
 ///
 /// snap is from 0.0001 to 0.25. With snap 0.05 and edges of 10 mm, a line moves by 1 mm at most. If one straight line
-/// crosses a triangle, its parts are at least snap (1 - snap) times as high as it. Lines that meet at small angles
-/// leave smaller parts.
+/// crosses a triangle, its parts are at least snap (1 - snap) times as high as the triangle. Lines that meet at small
+/// angles leave smaller parts.
 ///
 /// Throws:
 ///

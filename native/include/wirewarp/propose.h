@@ -107,8 +107,9 @@ std::vector<DartProposal> propose_darts(const FlattenInput& input, const Options
 /// - Lines do not cross wires or edges of no_seam and no_crossing.
 /// - The first set may leave more than the accepted strain. A set may leave less strain than an earlier set.
 /// - A closed piece is first divided at its necks and along planes through its parts. Such sets have at most 30 pieces.
-///   The input must not have wires, eases and thickness, and the piece must have necks or no long sharp edges.
-/// - If no such set has at most 12 wide enough pieces and the accepted strain (default 20%), sets along edges follow.
+///   This step needs an input without wires, eases and thickness, and a piece with necks or without long sharp edges.
+/// - If no such set has at most 12 wide enough pieces and the accepted strain (default 20%), sets along edges are
+///   added.
 ///
 /// If progress returns false, returns the sets found by then. Some may not be smooth yet. Throws the errors of
 /// propose_darts(), but cancelled only if no set was found.
