@@ -25,21 +25,21 @@ using Plan = std::vector<DartProposal> (*)(const FlattenInput&, const Options&, 
 constexpr const char* kDartsDoc =
     R"(Returns darts that lower the stretch that a flat piece needs, sorted by the stretch that they leave in the model.
 
-Each dart leads from the outline to a point inside, along smooth chains of edges, and does not cross wires. All figures
-come from flatten() with the edges of the dart as seams: flatten(..., seams=[*seams, *proposal.edges]). strain is the
-stretch in the report of this run, for the worst of the num_pieces parts. If a dart helps only together with its mirror
-image, strain_with_twin is below strain_before. Darts that leave a strain of 100% or more are not returned.
+- A dart leads from the outline to a point inside, along smooth chains of edges, and does not cross wires.
+- All figures come from flatten(..., seams=[*seams, *proposal.edges]), for the worst of the num_pieces parts.
+- If a dart helps only together with its mirror image, strain_with_twin is below strain_before.
+- Darts that leave a strain of 100% or more are not returned.
 
 piece: index of the piece to cut in the result of flatten(); None: the piece with the best cut.
 count: maximum number of proposals, with mirror images counted once.
 strain: accepted strain; None for 0.005. Pieces with at most this strain (DartProposal.strain) are ignored.
 longest: maximum length of a cut on the surface, scene units; None for any length.
 no_seam: (k, 2) vertex pairs, edges along which no cut may run.
-smooth: True for darts that are smooth lines across triangles without corners. They are straight unless a bend gains
-    clearly more. The best dart along edges is added if it leaves at least 5% less strain than all smooth darts. A
-    smooth dart has no edges. To make edges, call vertices, faces, edges, sources = cut_mesh(vertices, faces,
-    proposal.paths). The figures are those of flatten(vertices, faces, seams=[*seams, *edges]). Around the tip of a
-    smooth dart, the mean strain is at most 3%, or the strain of the piece without the dart if that is larger.
+smooth: True for smooth lines across triangles, as paths without edges. They are straight unless a bend gains clearly
+    more. The mean strain around the tip is at most 3%, or the strain of the uncut piece if larger. The best dart along
+    edges is added if it leaves at least 5% less strain than all smooth darts. To make edges, call vertices, faces,
+    edges, sources = cut_mesh(vertices, faces, proposal.paths). The figures are those of flatten(vertices, faces,
+    seams=[*seams, *edges]).
 no_crossing: (k, 2) vertex pairs, edges that no smooth dart may cross or touch. Darts along edges may touch them.
 progress: called as progress("cuts", fraction). Returning False cancels the search and raises FlattenError "cancelled".
 The other arguments are those of flatten().
@@ -49,31 +49,33 @@ piece. Raises FlattenError "no_proposal" if the piece is flat already, has no ro
 cut.)";
 
 constexpr const char* kSeamsDoc =
-    R"(Returns seams across a piece, from outline to outline, that lower the stretch that the piece needs.
+    R"(Returns seams across a piece that lower the stretch that it needs, or cut sets for a piece that lacks seams.
 
-Arguments, figures and errors are those of propose_darts().
+Arguments, figures and errors are those of propose_darts(). Seams across one piece follow edges, even with smooth.
 
-A piece may have no flat shape because it lacks seams: it is closed (a ball), has handles, or its outline is too short
-(a tube). A flat shape with a strain of 1 or more counts as no flat shape, unless the piece has wires inside. For a
-piece that lacks seams, each proposal is a cut set: seams and darts with which all parts have a flat shape. If no piece
-is requested, the largest piece that lacks seams is cut. The first set brings every part to the accepted strain (None
-for 0.05), unless more than forty cuts with their mirror images would be needed. Each later set is shorter and leaves
-more strain. Sets are symmetric if the piece is symmetric, and may cross wires.
+A piece lacks seams in three cases. If no piece is requested, the largest piece that lacks seams is cut.
 
-For a set, edges has one line after the other, energy is the energy of all parts, and strain is the strain of the worst
-part. energy_before and strain_before are infinite. longest limits the length of the whole set. Two pieces are not
-joined if the joined piece would cover less than 60% of its convex hull, and a smaller share of its hull than each of
-the two.
+- It is closed (a ball), has handles, or has an outline that is too short (a tube).
+- Its flat shape is flipped or overlaps itself.
+- It has no wires inside, and no shape with its lengths and a strain below 1 was found.
+
+A cut set consists of seams and darts with which all parts have a flat shape:
+
+- The first set brings every part to the accepted strain (None for 0.05), or has forty cuts and their mirror images.
+- Each later set is shorter and leaves more strain.
+- Sets are symmetric if the piece is symmetric, and may cross wires.
+- No joined piece covers less than 45% of its convex hull, unless one of its two pieces covers as little.
+- edges has one line after the other, energy is the energy of all parts, and strain is the strain of the worst part.
+- energy_before and strain_before are infinite.
+- longest limits the length of the whole set.
 
 narrowest: least width of the flat pieces of a cut set, scene units; 0 for any width. Two pieces are not joined if the
     joined piece would be narrower than this, unless one of the two is equally narrow. Use a little more than twice the
     allowance: see pattern.piece_width() and pattern.has_room().
-smooth: True for sets of smooth lines, which turn by less than 30 degrees at each vertex between their ends. Lines keep
-    some bends, or stay on edges, if smoother lines would meet, would make more pieces narrower than narrowest, or would
-    more than double the strain. The strain also stays within a limit: the accepted strain, doubled until the limit is
-    at least the strain of the set along edges. A set keeps all its edges if more than half of its bends would remain.
-    Smooth sets have paths and no edges, as in propose_darts(). The sets keep the order that they have along edges, so a
-    smooth set may leave less strain than an earlier set. Seams across one piece always follow edges.
+smooth: True for cut sets of smooth lines, as paths without edges. Lines turn by less than 30 degrees at each vertex
+    between their ends. They keep bends, or stay on edges, if smoother lines would meet, need too much strain, or make
+    pieces narrow. A smooth set may leave less strain than an earlier set. Closed pieces without wires, eases and
+    thickness are first divided into their parts, such as a head and limbs.
 no_crossing: (k, 2) vertex pairs, edges that no smooth line may cross. Smooth lines do not cross wires and edges of
     no_seam either.
 
@@ -114,19 +116,19 @@ constexpr const char* kStartPlanDoc =
 constexpr const char* kSimplifyDoc =
     R"(Leaves out seams that a model can do without: fewer and larger pieces with little more stretch.
 
-Sections of seams, or parts of them, are removed one by one, the longest first. Removing a section joins the pieces
-beside it. A section is removed only if flatten() finds a flat shape of the joined piece with at most the given strain,
-or with at most the strain that the worst of the pieces beside the section has with the given seams. If a part of the
-model between the remaining seams is symmetric, mirrored sections in this part are removed together.
+Sections of seams are removed one by one, the longest first, and then parts of sections:
+
+- Removing a section joins the pieces beside it. The joined piece must have a flat shape with at most the given strain.
+  The strain that the worst of these pieces has with the given seams is allowed, too.
+- In a symmetric part of the model between the remaining seams, mirrored sections are removed together.
+- Seams with an ease on one side and seams with three sides or more remain.
+- Seams of a part that has no flat shape for other reasons than missing seams, such as a Moebius strip, remain.
 
 seams: the seams of a user or of any unwrapping tool, in the form that flatten() accepts.
 strain: accepted strain (DartProposal.strain); 0.05 for 5%.
 progress: called as progress("cuts", fraction). If it returns False, the search ends with the seams that remain by then,
     and was_stopped is True. FlattenError "cancelled" is raised only before the model with the given seams is flat.
 The other arguments are those of flatten(). Every figure comes from flatten(..., seams=proposal.edges).
-
-Seams with an ease on one side and seams with three sides or more remain. So do the seams of a part of the model that
-has no flat shape for other reasons than missing seams, such as a Moebius strip.
 
 Raises the errors of flatten().)";
 

@@ -33,8 +33,8 @@ py::tuple run_straighten(const py::object& vertices, const py::object& faces, co
 constexpr const char* kStraightenDoc =
     R"(Returns the shortest line through the triangles that touch a path of edges, with the same ends. Use it for darts.
 
-path: vertices, each joined to the next by an edge that is not on a seam or outline. A future seam must not be among the
-    seams yet.
+path: different vertices, each joined to the next by an edge that is not on a seam or outline. A future seam must not
+    be among the seams yet.
 seams, wires: as in flatten(). The line meets them at the same vertices as the path.
 
 Returns (edges, t), one row for each point of the line, including its ends: edges (k, 2) vertices, t (k,) numbers. The
@@ -42,8 +42,8 @@ point is vertices[edges[i, 0]] + t[i] (vertices[edges[i, 1]] - vertices[edges[i,
 line would cross an edge closer to an end, it passes through this end. If a point is a vertex, its row of edges has
 this vertex twice, and t is 0.
 
-Raises the errors of flatten() for the mesh, and FlattenError "invalid_option", which names the pair of vertices, if
-path does not follow edges.)";
+Raises the errors of flatten() for the mesh, and FlattenError "invalid_option" if path passes a vertex twice or does not
+follow edges. This error names the vertices.)";
 
 }  // namespace
 

@@ -32,11 +32,12 @@ constexpr int kMostDepth = 3;
 /// no better.
 constexpr int kMostJudged = 3;
 
-/// The price of a cut is its length over √area, plus this factor times its distortion over area. Totals for 43 models:
-/// - 3: length 86, distortion 3.5
-/// - 10: length 97, distortion 0.9
-/// - 30: length 100, distortion 0.6
-/// - 100: length 103, distortion 0.5
+/// The price of a cut is its length over √area, plus this factor times its distortion over area. 43 models have these
+/// totals:
+/// - factor 3: length 86, distortion 3.5
+/// - factor 10: length 97, distortion 0.9
+/// - factor 30: length 100, distortion 0.6
+/// - factor 100: length 103, distortion 0.5
 constexpr double kPriceOfDistortion = 10;
 
 /// Two prices, or two shares of the area, count as equal if they differ by less than this value. Free maps have errors
