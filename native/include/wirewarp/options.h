@@ -46,9 +46,9 @@ enum class Orientation {
 
 /// Surface of a thick material that the input represents.
 enum class Surface {
-  inside,   // the inner surface: the material is in front of the front faces, as on a body
+  inside,   // the inner surface, like a body's: the material is on the side of the normals
   middle,   // the middle surface: half of the material is on each side
-  outside,  // the outer surface: the material is behind the front faces
+  outside,  // the outer surface: the material is on the side away from the normals
 };
 
 /// How to flatten. A value out of its range throws FlattenError (invalid_option).

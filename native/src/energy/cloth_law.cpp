@@ -27,7 +27,7 @@ Eigen::Matrix4d jacobian(const Eigen::Matrix2d& map, const ClothLaw::Invariants&
   return rows;
 }
 
-/// The energy of a thread, stiffness (r − D)²/D. Its reach r is p or q.
+/// The energy of a thread, stiffness (r − D)²/D, with its reach r, which is p or q, and the determinant D.
 struct Thread {
   Thread(double thread_stiffness, double squeeze, double reach, double determinant)
       : stiffness(reach < determinant ? thread_stiffness * squeeze : thread_stiffness), ratio(reach / determinant) {}

@@ -30,8 +30,8 @@ constexpr double kRegularization = 1e-12;
 
 class GlobalStep {
  public:
-  /// Doubles one diagonal entry of K. This fixes the vertex of the entry at 0, because the entries of a gradient sum to
-  /// 0. positions: any layout; determines the elimination order.
+  /// Doubles a diagonal entry of K, because K is singular. This only fixes one vertex at 0, because entries of a
+  /// gradient sum to 0. positions: any layout; determines the elimination order.
   GlobalStep(Eigen::SparseMatrix<double> hessian, const Positions2& positions, const StopToken& stop)
       : cholesky_(hessian, nested_dissection(graph_of(hessian, 1), positions), 1, has_second_core()) {
     hessian.coeffRef(0, 0) *= 2;

@@ -19,8 +19,8 @@ namespace wirewarp {
 template <class Factor, std::size_t kSize>
 class QuadraticForm {
  public:
-  /// Any two vertices of a term have a common face, except perhaps the last two, which may be equal. list_pairs() lists
-  /// only the last two, because the caller lists the edges of all faces.
+  /// Any two vertices of a term have a common face, except perhaps the last two. The caller lists the edges of all
+  /// faces, so list_pairs() lists only the last two vertices. They may be equal.
   struct Term {
     std::array<int, kSize> vertices;
     std::array<Factor, kSize> factors;

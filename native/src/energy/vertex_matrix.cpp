@@ -13,8 +13,8 @@ struct Columns {
   std::vector<int> row;    // increasing in each column
 };
 
-/// Returns the larger vertex of each pair once, grouped by the smaller vertex. Uses buckets, which is faster than
-/// sorting all pairs. Omits pairs of a vertex with itself, whose block is on the diagonal.
+/// Returns, for each vertex, the larger vertices with which it forms pairs, without duplicates. Omits pairs of a vertex
+/// with itself.
 Columns columns_of(int num_vertices, const std::vector<VertexPair>& pairs) {
   std::vector<int> end(num_vertices + 1, 0);
   for (const VertexPair& pair : pairs) ++end[std::min(pair[0], pair[1]) + 1];

@@ -23,8 +23,8 @@ class Budget {
   int left() const { return left_; }
   int spent() const { return spent_; }
 
-  /// Returns whether this number of factorizations may be spent. If not, ran_out() is true from then on. Also asks the
-  /// whole budget, for its own ran_out().
+  /// Returns whether this number of factorizations may be spent. If not, ran_out() is true from then on. The same holds
+  /// for ran_out() of the whole budget.
   bool allows(int factorizations = 1) {
     if (whole_) whole_->allows(factorizations);
     ran_out_ = ran_out_ || left_ < factorizations;

@@ -88,8 +88,7 @@ Tolerances free_wires_that_change(const Chart& chart, const Solution& free) {
   });
 }
 
-/// Finds tolerances with which a chart has a flat shape with all lengths. Each result is proven by a shape, which may
-/// be flipped.
+/// Finds tolerances with which a chart has a flat shape, possibly flipped, that keeps the lengths of outline and wires.
 class ToleranceSearch {
  public:
   /// starts: layouts near exact lengths.

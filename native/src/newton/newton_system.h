@@ -85,7 +85,7 @@ class NewtonSystem {
   /// Substitutes the right-hand side r₁, r₂ forward. r1: one row per chart vertex. r2: one per edge.
   Reduced reduce(const Positions2& r1, const Eigen::VectorXd& r2) const;
 
-  /// Returns d on the wires and λ, with J d = r₂ + T h to nine digits. variation: h.
+  /// Returns d on the wires, and λ. J d = r₂ + T h holds to nine digits. variation: h.
   Solution solve_on_wires(const Reduced& reduced, const Eigen::VectorXd& variation) const;
 
   /// Returns d on the wires and λ for h = 0.

@@ -99,7 +99,7 @@ void RelaxedLengths::make_groups(const HeldNetwork& network) {
   }
 }
 
-/// Returns l r, one per edge; for parts with one edge, only the change beyond the tolerance.
+/// Returns length l times residual r of each edge. For parts with one edge, the residual begins beyond the tolerance.
 Eigen::VectorXd RelaxedLengths::residual(const Iterate& iterate) const {
   const Eigen::VectorXd missing = constraints_.residual(iterate.uv, iterate.variation);
   return missing - missing.cwiseMax(-slack_).cwiseMin(slack_);

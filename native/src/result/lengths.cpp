@@ -225,7 +225,7 @@ std::vector<double> fit_variation(const Chart& chart, const Positions2& uv) {
   struct Lengths {
     double asked = 0, flat = 0;
   };
-  // Each entry has the sums over all sides of a boundary run in the chart. The keys are wire and part.
+  // Sums over all sides of each boundary part in the chart, by wire and part.
   std::map<std::pair<int, int>, Lengths> sides;
   std::vector<Lengths> lengths;
   for (const WirePart& part : chart.wire_parts) {

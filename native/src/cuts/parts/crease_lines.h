@@ -17,7 +17,7 @@
 
 namespace wirewarp {
 
-/// Returns u at each vertex. Lengths are in scene units. Throws FactorizationFailed.
+/// Returns the potential u of a crease at each vertex. Lengths are in scene units. Throws FactorizationFailed.
 /// - distance: distance of each vertex from the limb's tip
 /// - level: distance of the loop from the tip
 /// - length: length of the loop

@@ -255,9 +255,8 @@ CutState SectionMerger::replaced(const CutMask& mask, const Replacement& replace
   return state;
 }
 
-/// Returns symmetric candidates. Candidates beside narrow pieces come first, because narrow pieces can be joined only
-/// while their neighbors have little strain. Drops candidates that were rejected before with the same pieces beside
-/// them.
+/// Returns symmetric candidates, without those that were rejected before beside the same pieces. Candidates beside
+/// narrow pieces come first, because narrow pieces can be joined only while their neighbors have little strain.
 std::vector<CutMask> SectionMerger::list_candidates(bool are_halves) {
   std::vector<HalfEdgeChain> sections;
   for (HalfEdgeChain& whole : sections_of(chart_.mesh, state_.cut)) {

@@ -9,8 +9,8 @@
 
 namespace wirewarp {
 
-/// Returns the mirror image of each vertex if a plane mirrors the chart onto itself; otherwise empty. Prefers the plane
-/// with the greatest length of edges, because cuts may follow these edges. Throws Stopped.
+/// Returns the mirror image of each vertex if a plane mirrors the chart onto itself; otherwise empty. Of several
+/// planes, uses the plane that contains the greatest length of edges, because cuts may follow them. Throws Stopped.
 std::vector<VertexHandle> mirror_image(const Chart& chart, const StopToken& stop);
 
 /// Returns the mirror image of each vertex by the plane with this normal through the mean of all vertices; empty if

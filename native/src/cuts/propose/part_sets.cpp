@@ -159,8 +159,7 @@ class PartSearch {
     const double target = cut_options_.strain.value_or(kTargetStrain);
     std::vector<double> limits = allowed_strains(target, target);
     std::reverse(limits.begin(), limits.end());
-    // The limits are low, because dividing parts for a high strain first leads to worse sets for low strains. With
-    // limits of 80% and 40% before 20%, a koala had no set within 20%.
+    // The first limits are low, too: with limits of 80% and 40% before 20%, a koala had no set within 20%.
     for (double& limit : limits) limit = std::min(limit, std::max(target, kSoftStrain));
     limits.erase(std::unique(limits.begin(), limits.end()), limits.end());
     while (!limits.empty() && limits.back() < kLeastStrain) limits.pop_back();

@@ -235,7 +235,7 @@ std::vector<SurfacePath> SmoothSet::smooth_enough() {
   }
 }
 
-/// Returns the lines without edges, and the lines that meet another line at a point that is not an end of both lines.
+/// Returns the lines without edges, and the lines that meet another line elsewhere than at a common end.
 std::vector<char> SmoothSet::that_touch(const CutMesh& cut) const {
   const std::vector<int>& line_of = cut.sources.edge_paths;
   // Per vertex and line: above 0 if the line passes the vertex, and 0 if the line only begins or ends there.

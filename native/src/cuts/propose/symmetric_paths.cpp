@@ -9,8 +9,8 @@
 namespace wirewarp {
 namespace {
 
-/// Points nearer than this share of a typical edge length count as one place. The share is twice the snap of
-/// cut_mesh(), which may merge nearer points.
+/// Two points count as one place if their distance is below this share of a typical edge length. It is twice the snap
+/// of cut_mesh(), which may merge such points.
 constexpr double kSamePoint = 0.1;
 
 }  // namespace

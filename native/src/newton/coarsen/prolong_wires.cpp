@@ -16,8 +16,8 @@ class WireTurns {
  public:
   WireTurns(const CoarseChart& coarse, const Positions2& uv);
 
-  /// Returns the angles by which the two ends of a run must turn against its chord. All runs around a vertex then turn
-  /// equally.
+  /// Returns the angles between a run's chord and its direction at both ends. With these angles, all runs around a
+  /// vertex turn equally.
   const std::array<double, 2>& at_ends(int run) const { return turns_[run]; }
 
  private:

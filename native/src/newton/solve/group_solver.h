@@ -21,7 +21,7 @@ namespace wirewarp {
 struct GroupMember {
   Chart& chart;
   SolvedChart& solved;    // its layout from the previous stage, upright if there is a fabric
-  bool is_nominal;        // whether the group has elastic seams and this chart can be solved with its seams at h = ease
+  bool is_nominal;        // whether the chart has elastic seams and can be solved with these fixed at h = ease
   TargetLengths lengths;  // used if there is a fabric
 };
 

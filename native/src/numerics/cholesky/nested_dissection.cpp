@@ -106,7 +106,8 @@ class Dissection {
     cover_.separate(cut, side_);
   }
 
-  /// Marks the halves in one direction and the vertices at their cut. Returns the size of the cut.
+  /// Divides the vertices in two halves across a direction. Marks the halves, and the vertices at the cut. Returns the
+  /// size of the cut.
   Cut halve(Iterator begin, Iterator end, const std::array<double, 2>& direction) {
     const auto middle = keys_.begin() + (end - begin) / 2;
     const auto last = std::transform(begin, end, keys_.begin(), [&](int v) {

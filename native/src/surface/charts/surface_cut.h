@@ -23,8 +23,8 @@ struct SurfaceCut {
 /// seams: vertex pairs, each of which must be an edge.
 SurfaceCut cut_along_seams(const Triangles& faces, const EdgeTable& edges, const VertexPairs& seams);
 
-/// Returns the fan of each corner on the uncut surface, where edges on seams also connect corners. If a vertex has two
-/// fans, faces touch only at this vertex.
+/// Returns the fan of each corner on the uncut surface: the faces around a vertex that edges connect, seams included.
+/// At a vertex with two fans, the surface touches itself.
 std::vector<int> fans_of_uncut_surface(const Triangles& faces, const EdgeTable& edges);
 
 }  // namespace wirewarp

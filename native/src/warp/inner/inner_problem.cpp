@@ -81,8 +81,8 @@ bool InnerProblem::close_loops(const Eigen::VectorXd& lengths, Eigen::VectorXd& 
     while (!(share_left(t) < 1 - 1e-3 * t) && t > kSmallestStep) t /= 2;
     const bool is_held = t < longest || (t == 1 && share_left(t) > kStalledRatio);
     if (is_held && !has_bent) {
-      // A wire must bend to fit between its ends, but symmetry keeps it straight. The linearized loops do not contain
-      // this bend.
+      // A wire must bend to fit between its ends, but symmetry keeps it straight: the linearized constraints have no
+      // step that bends it.
       double share = 0.5;
       factor_downhill(eq1_.closure_hessian(psi, lengths, closing.multipliers), jacobian, share);
       psi += kBend * inverse_iteration(eq1_.symmetry_breaker());

@@ -51,7 +51,7 @@ class InnerEdges {
   std::unordered_multimap<int, Copy> copies_;  // keyed by input vertex
 };
 
-/// Returns a mask of the input's wires and the outline of a chart. The chart may have an error.
+/// Returns the edges and vertices of a chart that are on the outline or on wires of the input.
 WireMask lines_of(const Chart& chart, const std::set<VertexPair>& wire_edges) {
   WireMask lines;
   for (const EdgeHandle e : chart.mesh.edges()) {
