@@ -15,11 +15,13 @@ namespace wirewarp {
 namespace {
 
 /// The band around a loop extends this many radii towards the limb's tip and towards the body. If the limb's axis meets
-/// the body at 45 degrees, the whole crease is within two radii.
+/// the body at 45 degrees, the whole crease is within two radii. Towards the tip, one is enough, because lines widen at
+/// the crease.
 constexpr double kTowardsTip = 1, kTowardsBody = 2;
 
 /// The conductance of an edge is halved if its concave curvature times the loop's radius equals kConcave. For much
-/// larger curvatures, the conductance falls with the square of the curvature.
+/// larger curvatures, the conductance falls with the square of the curvature. A fillet with twice the loop's radius has
+/// this curvature, and wider fillets do not look like a crease.
 constexpr double kConcave = 0.5;
 
 /// Number of times that each normal is averaged with the normals of the neighboring vertices. Without averaging, lines

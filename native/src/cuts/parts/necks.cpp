@@ -20,7 +20,8 @@ namespace {
 /// about 1%. A tip differs more from its surroundings.
 constexpr std::size_t kSamples = 40;
 
-/// Shares of √area. The ears of a bear of 30 cm are four times kBetweenTips apart.
+/// Shares of √area. The ears of a bear of 30 cm are 0.24 apart: twice kAroundTip, and four times kBetweenTips. So both
+/// are tips.
 /// - kAroundTip: radius in which no vertex has a larger average distance than the tip
 /// - kBetweenTips: least distance between two tips
 constexpr double kAroundTip = 0.12, kBetweenTips = 0.06;
@@ -29,7 +30,7 @@ constexpr double kAroundTip = 0.12, kBetweenTips = 0.06;
 constexpr std::size_t kMostTips = 24;
 
 /// kLevels: number of distances from a tip at which L / √A (see necks.h) is measured. At a neck, L / √A is the least
-/// value among kAround distances on each side.
+/// value among kAround distances on each side. These are 5% of the greatest distance, so narrower dips are ignored.
 constexpr int kLevels = 120, kAround = 6;
 
 /// Least and largest area of the part at a tip, as a share of the surface's area. A bear's ear has the share 0.024, and
@@ -42,13 +43,14 @@ constexpr double kSmallest = 0.006, kLargest = 0.55;
 constexpr double kShort = 2.4, kShortIfLarge = 1.5, kLarge = 0.25;
 
 /// Beyond a neck, L grows by the factor kWidens before the area grows by the factor kSoon. This is necessary, but not
-/// sufficient: on a cone, L grows by 1.34 while the area grows by 1.8.
+/// sufficient: L is constant on a cylinder, but on a cone it grows by 1.34 while the area grows by 1.8.
 constexpr double kWidens = 1.12, kSoon = 1.8;
 
 /// Relation of two parts by their common area:
 /// - the same: above the share kSame of their union
 /// - nested: above the share kNested of the smaller part
 /// - disjoint: below the share kDisjoint of the smaller part
+/// kNested and kDisjoint allow 3% for faces at the loops, which are inside or outside as a whole.
 constexpr double kSame = 0.6, kNested = 0.97, kDisjoint = 0.03;
 
 /// Two parts have the same neck if more than this share of the surface is in exactly one of them. The neck then

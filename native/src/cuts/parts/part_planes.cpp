@@ -16,14 +16,16 @@ namespace {
 /// because the centroid should decide only if all middles are on one line.
 constexpr double kCentroid = 0.1;
 
-/// Planes count as the same if the cosine of the angle between their normals is above this value.
+/// Planes count as the same if the cosine of the angle between their normals is above this value. Two planes at this
+/// angle, 11 degrees, have only 6% of a ball between them.
 constexpr double kSameNormal = 0.98;
 
 /// Parallel planes count as the same if their distance is at most this share of √area, a rounding error.
 constexpr double kSamePlace = 1e-9;
 
 /// Normals of length 1 are projected to the mirror plane, so that each plane is symmetric. If the projected normal is
-/// shorter than this value, the normal of the mirror plane replaces it.
+/// shorter than this value, the normal of the mirror plane replaces it. Both normals are then within 17 degrees, and
+/// the projection would more than triple errors of the direction.
 constexpr double kInPlane = 0.3;
 
 /// Returns the sum of area times x xᵀ over all faces, where x is the face's centroid relative to a point.
