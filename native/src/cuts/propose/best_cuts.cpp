@@ -27,7 +27,7 @@ namespace {
 /// do not decide.
 constexpr double kClearlyLarger = 1 + 1e-9;
 
-/// Progress once the sets are found, before they are smoothed.
+/// Progress once the sets are found, before they are smoothed. Rough, because it only affects the bar.
 constexpr double kSearched = 0.7;
 
 /// Progress once the piece is divided into parts. This is the whole time of most searches, but a quarter of the time of

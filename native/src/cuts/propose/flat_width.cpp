@@ -21,7 +21,7 @@ namespace {
 constexpr double kPointsPerRadius = 10;
 
 /// A shape that is more than this many grid points long gets a coarser grid, so that huge shapes do not fill the
-/// memory.
+/// memory. The distances of 1500² points need 18 MB.
 constexpr double kMostPoints = 1500;
 
 /// Shares of the shape's area, as in wirewarp.pattern. Of the parts that disks cover, parts below kScrap are ignored.
@@ -29,8 +29,10 @@ constexpr double kMostPoints = 1500;
 constexpr double kScrap = 0.1, kMostArea = 0.5;
 
 /// kSteps: number of radii that are tried, up to the largest radius. kHalvings: number of bisections between two radii.
+/// The result has an error of 1/128 of the largest radius, far below the error of the grid.
 constexpr int kSteps = 8, kHalvings = 4;
 
+/// Share of a grid step or radius, far above rounding errors, so that grid points on a border count as inside.
 constexpr double kRounding = 1e-9;
 
 /// Points of a flat shape on a regular grid, with the distance of each point to the outline.

@@ -20,7 +20,7 @@ namespace {
 /// lines of the set keep their zigzags.
 constexpr double kFineGrowth = 2;
 
-/// Strains that differ by less than this factor count as equal.
+/// Strains that differ by less than this factor count as equal, because shapes are exact only to about 1e-6.
 constexpr double kRoundedFigure = 1 + 1e-6;
 
 }  // namespace

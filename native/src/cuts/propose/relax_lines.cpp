@@ -13,7 +13,7 @@ namespace wirewarp {
 namespace {
 
 /// If a line follows edges, each edge has moved points at the shares kShares of its length. If a line crosses
-/// triangles, it has kPointsPerEdge moved points per edge length.
+/// triangles, it has kPointsPerEdge moved points per edge length. In both cases, points are half an edge length apart.
 constexpr double kShares[] = {0.25, 0.75};
 constexpr double kPointsPerEdge = 2;
 

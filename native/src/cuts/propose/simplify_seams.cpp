@@ -22,7 +22,7 @@
 namespace wirewarp {
 namespace {
 
-/// Progress (0 to 1) when the input is flattened with all its seams.
+/// Progress (0 to 1) when the input is flattened with all its seams. Rough, because it only affects the bar.
 constexpr double kFlattened = 0.1;
 
 /// A part of the model between the seams that must stay, in canonical order.

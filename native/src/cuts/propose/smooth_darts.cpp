@@ -23,7 +23,7 @@ namespace {
 constexpr double kElbow = kPi / 12;
 
 /// - kBend: a bend is visible if it makes a line longer by this share, and moves its middle by a tenth of its length
-/// - kGainOfBends: a bent line must leave less strain by at least this share, because it is harder to sew
+/// - kGainOfBends: a bent line is harder to sew, so it must leave less strain by this share, as for kWorthElbows
 constexpr double kBend = 0.02, kGainOfBends = 0.05;
 
 /// First and last distance by which the ends of a line are moved, over √area. They are half the distance between
@@ -35,7 +35,7 @@ constexpr double kFirstMove = 0.1, kLastMove = 0.05;
 constexpr std::size_t kMoved = 3;
 
 /// A move of an end must lower the strain by at least this share. A mirrored pair must lower the energy by at least
-/// this share compared with one dart.
+/// this share compared with one dart. The value is that of kLeastStep, for moves on the coarse copy.
 constexpr double kLeastMove = 0.01;
 
 /// A tip puckers if the strain around it exceeds this strain, which every fabric allows, and the strain of the uncut
