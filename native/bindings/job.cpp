@@ -14,7 +14,7 @@
 namespace wirewarp::bindings {
 namespace {
 
-/// Interval at which result() lets Python handle Ctrl-C while it waits.
+/// Interval at which result() lets Python handle Ctrl-C while it waits. Nobody notices a delay of 50 ms.
 constexpr std::chrono::milliseconds kSignalPeriod(50);
 
 }  // namespace

@@ -16,6 +16,7 @@ namespace wirewarp {
 namespace {
 
 /// Flat corners of one vertex count as separate if their distance, divided by the piece's size, is above this.
+/// Single precision and files with six decimals round by less.
 constexpr double kSamePoint = 1e-6;
 
 /// The flat corners of a chart's faces: one position per half-edge with a face, at its start.

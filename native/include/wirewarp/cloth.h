@@ -25,12 +25,13 @@ struct Cloth {
   double shear = 0.5;  // stiffness against shear; positive, small for woven fabrics
 
   /// Cost of compressing a thread divided by the cost of stretching it: above 1 if the material hardly compresses. In
-  /// [0.01, 100].
+  /// [0.01, 100], far beyond the presets, which have 1 to 4.
   double squeeze = 1;
   static constexpr double least_squeeze = 0.01;
   static constexpr double most_squeeze = 100;
 
-  /// Negative ease: relative stretch when worn, along weft and warp, where 0.2 is 20%. In [-0.5, 4].
+  /// Negative ease: relative stretch when worn, along weft and warp, where 0.2 is 20%. In [-0.5, 4]. No
+  /// fabric stretches by more than 1.
   ///
   /// - An edge of the flat piece is shorter by the stretch in its direction.
   /// - All sides of a seam become shorter by the same factor.

@@ -21,6 +21,7 @@ constexpr double kReach = 0.1;
 // The Hessian contains the contacts up to this multiple of d̂, so that it lasts for several steps.
 constexpr double kCovered = 8;
 // Distance over an edge's length. A vertex that passes the edge's end at a smaller distance touches the edge.
+// The distance is far above rounding errors, so that these let no vertex pass.
 constexpr double kAside = 1e-9;
 
 Box2 box_around(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double margin) {

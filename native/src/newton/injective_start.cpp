@@ -13,17 +13,21 @@
 namespace wirewarp {
 namespace {
 
-constexpr double kFirstStiffness = 1;   // first value of ρ l / √area: a wire is as stiff as the surface beside it
-constexpr double kStiffening = 4;       // growth of ρ if an update of λ divides the length errors by less than this
-constexpr double kStiffest = 1e6;       // with a larger ρ, rounding errors make the steps useless
-constexpr double kStiff = 1e4;          // from this ρ on, errors above kHopeless mean contradicting lengths
+constexpr double kFirstStiffness = 1;  // first value of ρ l / √area: a wire is as stiff as the surface beside it
+constexpr double kStiffening = 4;      // growth of ρ if an update of λ divides the length errors by less than this
+constexpr double kStiffest = 1e6;      // with a larger ρ, rounding errors make the steps useless
+// From this ρ on, errors above kHopeless mean contradicting lengths. Such wires pull a hundred times as hard as a
+// strain of 1 in the surface.
+constexpr double kStiff = 1e4;
 constexpr double kHopeless = 1e-2;      // strain that contradicting lengths exceed
 constexpr int kStepsPerMultiplier = 5;  // most steps for one update of λ, because the minimum of Φ need not be exact
-constexpr double kEnough = 1e-2;        // slope over Φ below which the minimum is near enough to update λ
+// Slope over Φ below which the minimum is near enough to update λ, as in NewtonConstants::near_minimum.
+constexpr double kEnough = 1e-2;
 constexpr double kShortestStep = 1e-9;  // after thirty halvings
-constexpr double kInside = 0.9;         // share of the longest injective step that is taken
+// Share of the longest injective step that is taken, because the barrier is infinite at its end.
+constexpr double kInside = 0.9;
 /// Length error below which a retraction to exact lengths is tried. After a failure, the next trial is at a tenth of
-/// the error.
+/// the error. The first step of a retraction leaves about the square of the error, 1e-6.
 constexpr double kRetractable = 1e-3;
 
 class MultiplierMethod {

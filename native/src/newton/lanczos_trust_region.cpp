@@ -10,7 +10,8 @@
 namespace wirewarp {
 namespace {
 
-constexpr double kExhausted = 1e-6;  // off-diagonal entry of T below which the basis spans an invariant space
+// Off-diagonal entry of T below which the basis spans an invariant space. The next vector would have errors of 1e-10.
+constexpr double kExhausted = 1e-6;
 constexpr double kSolved = 0.01;  // residual of H d = -g over |g|; more digits are useless, because the next H is new
 
 /// Returns |r| in the norm dual to G, for z = G⁻¹ r. Throws if the norm is not finite, because comparisons treat NaN as
@@ -80,7 +81,7 @@ ModelStep LanczosTrustRegion::step(double radius) const {
   } else {
     double low = std::max(0.0, -eigenvalues_[0]);
     double high = low + first_ / radius;  // |y| <= Δ at this σ
-    for (int i = 0; i < 60; ++i) {
+    for (int i = 0; i < 60; ++i) {        // a double has 53 bits
       const double middle = (low + high) / 2;
       (solution(middle).norm() > radius ? low : high) = middle;
     }

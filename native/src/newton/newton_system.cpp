@@ -117,6 +117,7 @@ Eigen::MatrixXd make_positive(const Eigen::MatrixXd& symmetric) {
   if (symmetric.rows() > kManyVariations) return shifted(symmetric);
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(symmetric);
   const Eigen::ArrayXd magnitudes = eigen.eigenvalues().cwiseAbs();
+  // The condition number is then at most 1e6, so that solutions keep ten digits.
   const Eigen::VectorXd positive = magnitudes.max(1e-6 * magnitudes.maxCoeff()).matrix();
   return eigen.eigenvectors() * positive.asDiagonal() * eigen.eigenvectors().transpose();
 }

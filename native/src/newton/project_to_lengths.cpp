@@ -10,9 +10,10 @@
 namespace wirewarp {
 namespace {
 
-constexpr int kMaxProjectSteps = 10;               // largest number of steps with one factor
+// Largest number of steps with one factor. Each step halves the strain, so the last one leaves a thousandth.
+constexpr int kMaxProjectSteps = 10;
 constexpr double kShortestProjectStep = 1.0 / 64;  // shorter steps do not reduce the length errors
-constexpr double kSufficientProjectStep = 0.1;     // least decrease of the strain over its predicted decrease
+constexpr double kSufficientProjectStep = 0.1;     // least decrease over its predicted decrease, as accept_ratio
 
 struct Projected {
   Positions2 uv;

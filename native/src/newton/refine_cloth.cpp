@@ -16,10 +16,12 @@
 namespace wirewarp {
 namespace {
 
-constexpr double kSpacing = kPi / 36;   // angle between two compared directions
+// Angle between two compared directions. The energy of small strains has four waves per turn at most, so 18 directions
+// are on each wave.
+constexpr double kSpacing = kPi / 36;
 constexpr std::size_t kBestStarts = 3;  // enough, because the energy of most pieces has one minimum in a quarter turn
 constexpr int kMaxTurns = 15;           // the samples take 3 to 6 turns
-constexpr double kShorter = 4;          // divides the angle of a turn that does not lower the energy
+constexpr double kShorter = 4;  // divides the angle of a turn that fails to lower the energy, as in a line search
 
 /// Returns a layout rotated about the origin, counter-clockwise.
 Positions2 turned(const Positions2& uv, double angle) {

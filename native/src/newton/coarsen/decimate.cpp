@@ -12,8 +12,9 @@
 namespace wirewarp {
 namespace {
 
-constexpr double kLongestEdge = 2;      // longest new edge over the target length
-constexpr double kWorstQuality = 0.25;  // least quality of a new face: an equilateral face has 1, a face without area 0
+constexpr double kLongestEdge = 2;  // longest new edge over the target length
+// Least quality of a new face: an equilateral face has 1, a face without area 0. All angles are then above 8 degrees.
+constexpr double kWorstQuality = 0.25;
 // A choice counts as better only if it is better by this factor. So the rounding errors of a rotated or scaled mesh do
 // not change the choice.
 constexpr double kClearly = 1 + 1e-9;

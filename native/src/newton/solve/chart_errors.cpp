@@ -35,7 +35,7 @@ std::vector<VertexPair> edges_of(const Chart& chart, const std::vector<ProposedT
 
 /// Returns the input faces with heights below a millionth of the greatest height, the smallest first.
 std::vector<int> small_faces(const Chart& chart) {
-  constexpr double kSmall = 1e-6;
+  constexpr double kSmall = 1e-6;  // a micrometer beside faces of a meter, so such a face is a fault
   std::vector<std::pair<double, int>> by_height;
   for (const FaceHandle f : chart.mesh.faces()) {
     double longest = 0;

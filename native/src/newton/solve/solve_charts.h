@@ -11,6 +11,7 @@
 namespace wirewarp {
 
 /// Progress of a run, 0 to 1, after charts were cut, flattened without the fabric's stretch, and flattened with it.
+/// The values are rough, because they only affect the progress bar.
 constexpr double kChartsCut = 0.2, kUnstretched = 0.7, kChartsFlat = 0.9;
 
 /// Solves all charts on all cores: first each chart alone, with its elastic seams fixed at h = ease, then charts with

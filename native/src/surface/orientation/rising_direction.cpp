@@ -9,7 +9,7 @@
 namespace wirewarp {
 
 Eigen::Vector2d rising_direction(const Chart& chart, const Positions2& uv, const Eigen::Vector3d& up) {
-  constexpr double kLevel = 0.01;  // mean slope up to which a piece counts as level
+  constexpr double kLevel = 0.01;  // mean slope up to which a piece counts as level: 0.6 degrees, which nobody sees
   const Eigen::Vector3d unit_up = up.stableNormalized();
   const HalfEdgeMesh::Point origin = chart.mesh.point(VertexHandle(0));
   const auto height = [&](VertexHandle v) {

@@ -10,6 +10,7 @@
 namespace wirewarp {
 namespace {
 
+// Largest angle between two sides of a straight run. An arc with this angle bows by only 1% of its length.
 constexpr double kStraight = 5 * kPi / 180;
 
 // Relative difference up to which lengths count as equal, so that rounding errors do not choose between the sides of a

@@ -20,7 +20,8 @@ namespace {
 // between the sides of a symmetric piece.
 constexpr double kSameSize = 1e-6;
 
-// A chord below this fraction of its chain's length does not define the chain's direction.
+// A chord below this fraction of its chain's length does not define the chain's direction. For
+// example, a circle with a gap of 33 degrees has no direction.
 constexpr double kShortChord = 0.1;
 
 /// Returns the long side of the smallest rectangle around the points. One side of the rectangle is on a side of the

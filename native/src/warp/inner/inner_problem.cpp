@@ -8,7 +8,7 @@
 namespace wirewarp {
 namespace {
 
-constexpr double kClosed = 1e-12;       // largest gap of a closed loop, divided by the loop's length
+constexpr double kClosed = 1e-12;       // largest gap of a closed loop over its length, far below the guaranteed 1e-9
 constexpr double kNearlyClosed = 1e-3;  // largest gap that restore() can close with the present factor
 constexpr double kRounding = 2e-15;     // smallest gap that double precision allows
 constexpr double kStationary = 1e-10;   // largest projected gradient at a minimum; gives E six correct digits
@@ -104,7 +104,7 @@ bool InnerProblem::close_loops(const Eigen::VectorXd& lengths, Eigen::VectorXd& 
 /// Closes the loops after a tangential step, with the present factor. Returns whether all loops are closed.
 bool InnerProblem::restore(const Eigen::VectorXd& lengths, Eigen::VectorXd& psi) const {
   constexpr int kMaxRestorations = 40;  // each takes one solve, which is faster than a new factor
-  constexpr double kWorthwhile = 0.8;   // largest share of the gap that a step may leave
+  constexpr double kWorthwhile = 0.8;   // largest share of the gap that a step may leave; slower steps have stalled
   const Eigen::VectorXd no_gradient = Eigen::VectorXd::Zero(eq1_.num_edges());
   Eigen::VectorXd gap = eq1_.closure(psi, lengths);
   for (int i = 0; i < kMaxRestorations && largest(gap) > kRounding; ++i) {

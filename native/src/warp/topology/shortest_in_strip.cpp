@@ -24,7 +24,7 @@ struct Gate {
 
 std::vector<Gate> unfold(const HalfEdgeMesh& mesh, const WireMask& wires, const Strip& strip) {
   // If an end of a crossed edge is on a wire, the path keeps away from this end by this share of the edge. This leaves
-  // room for triangles between path and wire.
+  // room for triangles between path and wire. The share is above kNearVertex, so the path does not snap to the wire.
   constexpr double kKeptAway = 0.25;
   Planar from = 0;
   Planar to = edge_length(mesh, strip.crossings.front());
