@@ -13,7 +13,7 @@ from ..issues import object_error
 from ..names import Attribute
 from .mesh import read_attribute
 
-DIGITS = 24  # hexadecimal digits of the digest that seals a text
+DIGITS = 24  # hexadecimal digits of the digest that seals a text: 96 bits, which never agree by chance
 
 
 def sealed(data: dict[str, Any]) -> str:

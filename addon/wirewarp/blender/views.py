@@ -9,14 +9,19 @@ import bpy
 import numpy as np
 from mathutils import Quaternion, Vector
 
-LEGEND_WIDTH = 180  # usual width of the legend with its margin, in pixels at interface scale 1
+LEGEND_WIDTH = 180  # pixels at interface scale 1; the usual legend and its margin are 173 wide
 TEXTS_HEIGHT = 50  # height of the names of view and object with their margin, in pixels at interface scale 1
 # At most this share of the view is kept free for legend and texts. A wider legend hides some of the elements shown.
 MOST_COVERED = 0.8
 MARGIN = 1.15  # size of the visible area, as a multiple of the extent of the points
-ONE_SIDE = 0.3  # least length of the mean normal of a surface with a front; around a ring, the normals cancel out
-SEEN = 0.3  # smallest cosine between mean normal and direction to the eye at which the surface counts as visible
+# A surface has a front if its mean normal has at least this length. Around a ring, the normals cancel out. A band
+# around 270 degrees of a cylinder has this length.
+ONE_SIDE = 0.3
+# A surface counts as visible if the cosine of the angle between its mean normal and the direction to the eye is at
+# least this value. Otherwise, it looks less than 30% as wide as from the front.
+SEEN = 0.3
 # If the eye's elevation above flat pieces is below the first angle, the view turns to the second angle.
+# Pieces look a quarter as high as they are at 15 degrees, and two thirds as high at 40 degrees.
 LEAST_ELEVATION, ELEVATION = math.radians(15), math.radians(40)
 _legend_width = 0.0  # width of the legend as last drawn, with its margin, in pixels of the screen
 

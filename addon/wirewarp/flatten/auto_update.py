@@ -122,7 +122,7 @@ def attach() -> Callable[[], None]:
 
 LABEL = "Update Flat Pieces"
 JOINING = "OBJECT_OT_wirewarp_update_{}"  # names of the numbered operators of updating_in
-MOST = 32  # largest number of these operators; an update that needs one more gets its own undo step
+MOST = 32  # more than the kinds of operators in a session; an update that needs one more gets its own undo step
 
 
 class UpdateSteps(FlattenSteps):

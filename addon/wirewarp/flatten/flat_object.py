@@ -38,7 +38,7 @@ from ..state.owners import find_flat_object, flat_name, model_of
 from ..state.record import FlatRecord, write_maps, write_record
 from .places import free_place
 
-MAX_UV_LAYERS = 8
+MAX_UV_LAYERS = 8  # the limit of Blender
 
 
 def check_uv_room(target: bpy.types.Object) -> None:

@@ -29,7 +29,9 @@ from .places import (
 )
 from .read import RunSettings, find_source
 
-GROWN = 1.5  # the view moves to a layout whose length or width has grown by more than this factor
+# The view moves to a layout whose length or width has grown by more than this factor. If it grows less, two thirds of
+# the layout are still in view.
+GROWN = 1.5
 
 
 def write_results(context: bpy.types.Context, outcomes: list[Outcome], settings: RunSettings) -> None:

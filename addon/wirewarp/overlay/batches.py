@@ -16,7 +16,7 @@ from .gather import ColoredTriangles
 from .lines import CORES, RIM, RIM_ALPHA, STYLES
 from .objects import Lines
 
-FAILED_ALPHA = 0.6
+FAILED_ALPHA = 0.6  # opacity of failed areas, through which the shading of the surface is visible
 LINES, TRIANGLES, COLORED = "POLYLINE_UNIFORM_COLOR", "UNIFORM_COLOR", "SMOOTH_COLOR"
 
 

@@ -9,7 +9,7 @@ from ..core import LengthText
 from .chains import WireChain, next_corners
 
 # A surface has an inside if the sum of its area vectors is at most this share of its area. On a closed surface, the sum
-# is zero.
+# is zero. A ball with a hole reaches the limit if 30% of its area is missing.
 ALL_ROUND = 0.3
 INWARD = (
     "Normals point inward, so pieces show their inside. In Edit Mode use Mesh > Normals > Recalculate Outside, then "

@@ -22,10 +22,11 @@ from .limbs import limb_names
 SIDES = (("Right", "Left"), ("Front", "Back"), ("Bottom", "Top"))
 HALVES = (("Right", "Left"), ("Front", "Back"), ("Lower", "Upper"))  # words that distinguish pieces on the same side
 # A piece faces one side if its mean normal has at least this length. Other pieces, such as sleeves, are named after
-# their place.
+# their place. A band around 270 degrees of a cylinder has this length.
 FACES_ONE_WAY = 0.3
 WORD_ORDER = (2, 1, 0)  # order of the axes in a name, such as "Upper Front Left"
 # A piece gets no word if it is closer to the middle between the outermost pieces than this share of their distance.
+# Of four even rows, the middle rows get a word, because they are 0.17 from the middle.
 IN_THE_MIDDLE = 0.13
 BESIDE = 0.05  # share of the model's size; a piece closer to the model's middle, such as a ball, has no side
 ROUNDED = 3  # number of digits of offsets that are compared, because models are seldom exactly symmetric

@@ -35,8 +35,9 @@ from .steps import CanceledError, Steps
 # right side out.
 ROOM = 2.4
 # More pieces are worth the sewing if their stretch is below this share of the stretch of a set with fewer pieces.
+# Smaller gains are not felt in fabric.
 WORTH_PIECES = 0.95
-CORNER = math.cos(math.radians(30))  # a smaller turn of a line counts as a curve, a larger turn as a corner
+CORNER = math.cos(math.radians(30))  # larger turns are corners; a sewist sees smaller turns as a curve
 PAINTED = f' Seams are also not allowed where "{NO_SEAM}" is painted.'
 
 

@@ -121,7 +121,7 @@ def _is_same_shape(base: bpy.types.Mesh, seen: bpy.types.Mesh) -> bool:
     return bool(np.allclose(places, seen_places, rtol=0, atol=ROUNDING * size, equal_nan=True))
 
 
-LARGEST = 1e18  # largest coordinate, in Blender units
+LARGEST = 1e18  # largest coordinate, in Blender units; areas (1e36) stay within single precision (3e38)
 SAMPLE = 5_000  # maximum number of faces whose regions are read, because reading groups vertex by vertex is slow
 NO_REGIONS = {NO_SEAM, "sharp_face"}  # boolean face attributes that do not name a part of a model
 
