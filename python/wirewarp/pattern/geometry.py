@@ -11,9 +11,9 @@ import pyclipper
 GRID = 1e-4  # millimeters; finer than any cutter; 100 m still fit in Clipper's fast integers of 30 bits
 ON_LINE = 1e-3  # millimeters; a point closer to a line counts as on the line; 10 times GRID
 DEPTH = 1e-4  # share of the diagonal of the smaller shape's box; shapes that overlap less deeply only touch
-STEPS, ROUNDS = 8, 3  # numbers of steps and rounds in the search for an innermost point
+STEPS, ROUNDS = 8, 3  # of the search for an innermost point; the last steps are 2% of the shape's size
 SAMPLES = 100  # number of points on the outline from which distances are measured, enough for placing text
-PAIRS = 1_000_000  # number of pairs of points and sides compared at a time, to limit memory
+PAIRS = 1_000_000  # number of pairs of points and sides compared at a time; an array of pairs has 16 MB
 RESOLUTION = 2.0**30  # steps of Clipper's grid across all outlines; up to this size, Clipper is exact and fast
 
 

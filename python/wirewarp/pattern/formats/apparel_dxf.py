@@ -22,7 +22,7 @@ CORNER = math.radians(30)  # radians; a point with a larger turn of the outline 
 TURN_POINT, CURVE_POINT = "2", "3"
 NOTCH_WIDTH = 2.0  # millimeters at the edge of the piece
 TEXT_HEIGHT = 5.0  # millimeters
-CONTROL = 100.0  # millimeters: side of the control square
+CONTROL = 100.0  # millimeters: side of the control square, which any ruler can measure
 
 
 def apparel_dxf(pattern: PatternData, is_aama: bool, control_square: bool) -> Steps[tuple[str, list[str]]]:

@@ -23,7 +23,7 @@ from .read_back import read_svg
 
 SVG, INKSCAPE = "http://www.w3.org/2000/svg", "http://www.inkscape.org/namespaces/inkscape"
 MARGIN = 10.0  # millimeters around the drawing
-DECIMALS = 4  # decimals of the coordinates, which are in millimeters
+DECIMALS = 4  # decimals of the coordinates, which are in millimeters; as fine as GRID of geometry.py
 # This matches all characters that XML 1.0 does not allow.
 NO_CHARACTER = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 

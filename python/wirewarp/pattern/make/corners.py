@@ -16,13 +16,13 @@ import numpy as np
 
 CornerType = Literal["mitre", "right angle", "fold-back", "extend", "step", "round"]
 CORNER_TYPES: tuple[str, ...] = get_args(CornerType)
-MITRE_LIMIT = 2.5  # multiple of the larger width; a corner that extends farther is cut off square
+MITRE_LIMIT = 2.5  # multiple of the larger width; a corner that extends farther (below 47 degrees) is cut off square
 STRAIGHT = 1e-7  # radians; with a smaller turn, the wedge between the widest strips is finer than the grid
 SHARP = math.radians(30)  # radians; a smaller turn can hardly be seen on fabric, so it gets a mitre
 # If the difference of the widths, divided by the sine of the turn, exceeds this multiple of the larger width, a step
 # replaces the mitre.
 STEEP = 1.5
-SAGITTA = 0.02  # millimeters between the chords of a round corner and its arc
+SAGITTA = 0.02  # millimeters between the chords of a round corner and its arc: a dot of a printer with 1200 dpi
 
 
 def corner_path(kind: CornerType, turn: float, a: float, b: float) -> np.ndarray | None:

@@ -17,7 +17,7 @@ from .pieces import Laid
 from .seams import SewnLengths, SewnSide
 
 ON_LINE = 1e-6  # millimeters; a wire ends on a side if its end is this close to a point of the side
-APART = 0.2  # millimeters; places along a seam that are closer count as the same place
+APART = 0.2  # millimeters; closer places along a seam are the same place, found on two of its sides
 BACK = re.compile(r"\bback\b", re.IGNORECASE)
 
 

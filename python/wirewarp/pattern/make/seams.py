@@ -36,7 +36,7 @@ def longer_texts(lengths: Sequence[float], units: UnitSystem) -> list[str]:
 
 
 STRAIGHT = math.radians(1)  # radians; lines across a seam are equally straight if their turns differ by less
-SAME_LENGTH = 0.01  # millimeters; lengths that differ by less count as equal
+SAME_LENGTH = 0.01  # millimeters; lengths that differ by less count as equal, because nobody cuts more exactly
 AT_VERTEX = 1e-6  # millimeters; a place closer to a point of the side counts as this point
 
 

@@ -18,7 +18,7 @@ from .papers import MARGIN, SHEETS, sheet_name
 from .sheet_packing import placed_on_sheets
 
 INSET = 5.0  # millimeters around the pattern, so that no cutting line is on the edge of the printed area
-MOST_SHEETS = 2000
+MOST_SHEETS = 2000  # four packs of paper; a larger pattern probably has the wrong unit
 MOST_PACKED = 60  # largest number of sheets for which packing is tried; with more sheets, it would take seconds
 MOST_WIDTHS = 8  # number of column counts to try with packing; with more, it would take seconds
 TURNS = (0.0, 90.0, 180.0, 270.0)  # degrees; all turns are possible on paper, but right angles look better
