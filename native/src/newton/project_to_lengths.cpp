@@ -10,7 +10,7 @@
 namespace wirewarp {
 namespace {
 
-// Largest number of steps with one factor. Each step halves the strain, so the last one leaves a thousandth.
+// Largest number of steps with one factor. Each step after the first halves the strain, so nine of them leave 1/500.
 constexpr int kMaxProjectSteps = 10;
 constexpr double kShortestProjectStep = 1.0 / 64;  // shorter steps do not reduce the length errors
 constexpr double kSufficientProjectStep = 0.1;     // least decrease over its predicted decrease, as accept_ratio

@@ -11,10 +11,9 @@
 namespace wirewarp {
 namespace {
 
-constexpr double kWeightOfExcess = 10;  // V over the square root of the area; far larger than the forces in wires
-constexpr double kWeightOfUnevenness =
-    100;  // W of wire parts over √area; above V, so that larger tolerances come before free wires
-constexpr double kWeightOfBoundary = 1000;  // W of boundary edges; much larger, so that outlines change last
+constexpr double kWeightOfExcess = 10;       // V over the square root of the area; far larger than the forces in wires
+constexpr double kWeightOfUnevenness = 100;  // W of wire parts over √area; above V, so that tolerances grow first
+constexpr double kWeightOfBoundary = 1000;   // W of boundary edges; much larger, so that outlines change last
 // Share of the tolerance that may be used, so that h stays within the tolerance in spite of smoothing.
 constexpr double kWithinTolerance = 0.99;
 constexpr double kSmoothing[] = {1e-2, 1e-3, 1e-4};  // σ; the last value does not separate strains below 1e-4 from 0

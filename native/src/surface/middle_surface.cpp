@@ -34,7 +34,7 @@ Eigen::Vector3d normal_of(const Positions3& vertices, const Triangles& faces, Ei
 }
 
 /// Normals count as canceled out if the length of their weighted sum, divided by the sum of the angles around the
-/// vertex, is smaller than this. Such sums are rounding errors, for example of coordinates in single precision.
+/// vertex, is smaller than this. Smaller sums are rounding errors.
 constexpr double kCancels = 1e-6;
 
 /// Returns one unit normal per vertex, weighted by angles; zero if the normals around it cancel out (Thürmer, Wüthrich,
