@@ -14,8 +14,9 @@ TangentSpace::TangentSpace(const NewtonSystem& system, const LengthConstraints& 
   if (factor_h_.info() != Eigen::Success) throw FactorizationFailed("TangentSpace: S is not positive definite");
 }
 
-/// Solves G d + Jᵀλ = r_u and -Tᵀλ = r_h, hence S Δh = r_h + Tᵀλ with the λ of Δh = 0. Lengths are kept to seven
-/// digits. This is enough before a retraction.
+/// Solves G d + Jᵀλ = r_u and -Tᵀλ = r_h, where r_u and r_h are the force on the vertices and on the free parts. First
+/// solves S Δh = r_h + Tᵀλ, with the λ of Δh = 0 and the S of newton_system.h. Lengths are kept to seven digits, which
+/// is enough before a retraction.
 Eigen::VectorXd TangentSpace::solve(Eigen::VectorXd& force) const {
   const auto num_free = static_cast<Eigen::Index>(free_.size());
   const Eigen::Index size = force.size() - num_free;

@@ -20,8 +20,8 @@ class TangentSpace {
 
   const std::vector<int>& free() const { return free_; }
 
-  /// Returns the (d, Δh) of the space with G (d, Δh) = r on the space. Removes from the force r its components normal
-  /// to the space.
+  /// Returns the vector (d, Δh) of the space for which r - G (d, Δh) is normal to the space. Removes the components of
+  /// the force r that are normal to the space.
   Eigen::VectorXd solve(Eigen::VectorXd& force) const;
 
   /// Returns a force on the vertices as a vector of the space, with zeros for Δh.
@@ -31,7 +31,7 @@ class TangentSpace {
   const NewtonSystem& system_;
   const LengthConstraints& constraints_;
   std::vector<int> free_;
-  Eigen::LLT<Eigen::MatrixXd> factor_h_;  // factor of S of the free parts
+  Eigen::LLT<Eigen::MatrixXd> factor_h_;  // Cholesky factor of S (newton_system.h) for the free parts
 };
 
 }  // namespace wirewarp

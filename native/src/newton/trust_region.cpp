@@ -25,7 +25,8 @@ std::vector<int> free_parts(const NewtonState& state) {
 }
 
 /// Returns the forces of the wires at the vertices, rotated by 90 degrees. At a saddle, the direction of descent may
-/// break a symmetry of the gradient. The rotated forces break this symmetry, too.
+/// break a symmetry that the gradient has. Then the gradient does not lead to this direction, but the rotated forces
+/// do, because they break the symmetry, too.
 Positions2 forces_across_symmetry(const NewtonState& state) {
   Positions2 tension = Positions2::Zero(state.now.uv.rows(), 2), turned(tension.rows(), 2);
   state.constraints.add_transposed(state.system->directions(), state.multipliers, tension);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The steps of minimize() if the exact Hessian is not positive. Each step minimizes the quadratic model of f + λᵀc
-// within a radius (newton/lanczos_trust_region.h), which begins with the radius of the step before.
+// within a radius (newton/lanczos_trust_region.h). The first radius to try is the radius of the step before.
 #pragma once
 
 #include <functional>

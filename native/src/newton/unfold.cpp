@@ -12,7 +12,8 @@
 namespace wirewarp {
 namespace {
 
-/// Largest root mean square strain. Coordinates rounded to four digits cause this strain, and Newton steps correct it.
+/// Largest root mean square strain of an unfolded chart. Coordinates rounded to four digits cause this strain, and
+/// Newton steps correct it.
 constexpr double kMostStrain = 1e-4;
 
 /// A side at which a face can be placed. Longer sides come first, because rounding errors at a short side move all
@@ -28,8 +29,8 @@ struct OpenSide {
   HalfedgeHandle half_edge;
 };
 
-/// Returns the place of the third vertex of the face on the left of h, measured from the nearer end of h. Both ends
-/// must be placed already.
+/// Returns the place of the third vertex of the face on the left of h, measured from the end of h that is nearer to the
+/// vertex. Both ends must be placed already.
 Eigen::RowVector2d opposite_place(const HalfEdgeMesh& mesh, HalfedgeHandle h, const Positions2& uv) {
   const VertexHandle a = mesh.from_vertex_handle(h), b = mesh.to_vertex_handle(h);
   const VertexHandle c = mesh.to_vertex_handle(mesh.next_halfedge_handle(h));

@@ -87,7 +87,8 @@ Piece assemble_piece(const FlattenInput& input, const Chart& chart, SolvedChart&
 void write_corners(const Piece& piece, CornerUv& corner_uv) {
   for (int f = 0; f < piece.faces.rows(); ++f) {
     for (int k = 0; k < 3; ++k) {
-      // The first half-edge of a chart face starts at the first corner of the input face.
+      // The first half-edge of a chart face starts at the first corner of the input face, so corner k is the same in
+      // both.
       corner_uv.block<1, 2>(piece.source_face[f], 2 * k) = piece.vertices.row(piece.faces(f, k));
     }
   }

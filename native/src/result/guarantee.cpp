@@ -12,7 +12,7 @@
 namespace wirewarp {
 namespace {
 
-constexpr double kRelativeLengthError = 1e-9;  // the documented guarantee
+constexpr double kRelativeLengthError = 1e-9;  // the guarantee in docs/guarantees.md
 
 /// A wire edge with a planar length that breaks the guarantee.
 struct WrongEdge {

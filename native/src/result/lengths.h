@@ -22,12 +22,12 @@ std::vector<SeamReport> measure_seams(const FlattenInput& input, const Charts& c
                                       const std::vector<Piece>& pieces);
 
 /// Returns one report per wire of the input, over its parts in all pieces. Each edge counts once, with its side in the
-/// first piece. Flat figures are NaN if a part has no layout.
+/// first piece that has the edge. Flat figures are NaN if a part has no layout.
 std::vector<WireReport> measure_whole_wires(const FlattenInput& input, const Charts& charts,
                                             const std::vector<Piece>& pieces);
 
-/// Returns the length variation h of each wire part that fits a layout from any program. Rigid parts have their ease.
-/// Other parts have the change of their total length, clamped to the tolerance.
+/// Fits the length variation h of each wire part to a layout from any program. For rigid parts, h is their ease. For
+/// other parts, h is the change of their total length, clamped to the tolerance.
 std::vector<double> fit_variation(const Chart& chart, const Positions2& uv);
 
 }  // namespace wirewarp

@@ -96,7 +96,7 @@ double measure_cloth_energy(const Chart& chart, const Positions2& flat, const Cl
     energy += t.area * law.density(ShapeError::map_of(t, uv).matrix());
     area += t.area;
   }
-  return energy / area / stretched.prod();  // the density is per flat area, which is smaller by the stretch
+  return energy / area / stretched.prod();  // the density is per flat area, and worn areas are larger
 }
 
 std::optional<std::string> warn_of_limits(const Chart& chart, const Metrics& metrics, const Cloth& cloth) {

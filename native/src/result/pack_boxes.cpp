@@ -28,7 +28,7 @@ struct Packing {
 };
 
 /// Returns the height at which a box rests with its left side on step i; infinite if it leaves the strip. overhang:
-/// allowed width beyond a step, because `width` includes the gap.
+/// width of the box that needs no step below it, because `width` includes the gap.
 double resting_height(const std::vector<Step>& skyline, std::size_t i, double width, double overhang) {
   double y = 0;
   double remaining = width;
@@ -92,8 +92,8 @@ Positions2 pack_boxes(const Positions2& sizes, double gap, const StopToken& stop
   const auto height = [&](Eigen::Index box) { return slack > 0 ? std::round(sizes(box, 1) / slack) : 0.0; };
   std::stable_sort(order.begin(), order.end(), [&](Eigen::Index a, Eigen::Index b) { return height(a) > height(b); });
 
-  // Strips are 0.8 to 1.55 times as wide as `side`, but at least as wide as the widest box. The packing nearest to a
-  // square is kept.
+  // Strips are 0.8 to 1.55 times as wide as `side`, but at least as wide as the widest box. The packing whose larger
+  // side is shortest is kept.
   constexpr int kStrips = 16;
   WorkMeter work(stop);
   Packing best;

@@ -7,8 +7,9 @@
 
 namespace wirewarp {
 
-/// Turns layouts upright, except those of a fabric, mirrors them if requested, and places them by Options::layout from
-/// the origin on. layouts: one row per chart vertex, scene units; skipped if empty. Throws Stopped.
+/// Turns layouts upright, unless a fabric is given, because they are upright then. Mirrors them if requested, and
+/// places them by Options::layout, from the origin on. layouts: one row per chart vertex, scene units; skipped if
+/// empty. Throws Stopped.
 std::vector<Positions2> pack_pieces(const std::vector<Chart>& charts, std::vector<Positions2> layouts,
                                     const Options& options, const StopToken& stop = {});
 

@@ -37,8 +37,8 @@ Eigen::Vector3d normal_of(const Positions3& vertices, const Triangles& faces, Ei
 /// vertex, is smaller than this. Smaller sums are rounding errors.
 constexpr double kCancels = 1e-6;
 
-/// Returns one unit normal per vertex, weighted by angles; zero if the normals around it cancel out (Thürmer, Wüthrich,
-/// Computing vertex normals from polygonal facets, 1998).
+/// Returns one unit normal per vertex, weighted by angles; zero if the normals around the vertex cancel out (Thürmer,
+/// Wüthrich, Computing vertex normals from polygonal facets, 1998).
 Positions3 vertex_normals(const FlattenInput& input) {
   Positions3 normals = Positions3::Zero(input.vertices.rows(), 3);
   Eigen::VectorXd angles = Eigen::VectorXd::Zero(input.vertices.rows());
@@ -77,7 +77,7 @@ FlattenInput move_to_middle(const FlattenInput& input, const Options& options) {
       ErrorCode::invalid_option,
       ErrorArguments{{"name", "thickness"},
                      {"value", shortest(options.thickness)},
-                     {"allowed", "be less, or the surface smoother, at " + name_elements("face", turned) +
+                     {"allowed", "be less, or the surface must be smoother, at " + name_elements("face", turned) +
                                      ", where the surface curves too tightly"}},
       {{}, {}, turned});
 }

@@ -12,8 +12,8 @@
 
 namespace wirewarp {
 
-/// Finds seams for a chart that has no good shape without them. Throws Stopped, because an interrupted search would
-/// return other seams.
+/// Finds seams for a chart that has no good shape without them. Throws Stopped if the caller stops, because an
+/// interrupted search would return other seams.
 using ProposeSeams = std::function<std::vector<VertexPair>(const Chart& chart, const StopToken& stop)>;
 
 struct Run {
@@ -22,8 +22,8 @@ struct Run {
   ProposeSeams propose_seams;  // empty if errors are not shown and therefore need no seams
 };
 
-/// Returns the layout of a chart with faces, or its error. budget: for all trials of the chart together; errors name
-/// Options::max_factorizations instead, which the user set.
+/// Returns the layout of a chart with faces, or its error. budget: factorizations left for all trials of the chart
+/// together. Errors do not name this number, but the limit that the user set, Options::max_factorizations.
 SolvedChart solve_chart(const Chart& chart, const Run& run, Budget& budget, const StopToken& stop);
 
 /// Returns the seams that Run::propose_seams finds, or no seams if Run::propose_seams is empty.

@@ -29,15 +29,15 @@ std::vector<std::size_t> largest_first(const std::vector<Chart>& charts) {
   return order;
 }
 
-/// Returns options for shapes that later stages refine. The best direction of a fabric is final, so Orientation::best
-/// needs the exact minimum immediately.
+/// Returns options for shapes that later stages refine. Orientation::best needs the exact minimum immediately, because
+/// later stages keep the direction that it finds.
 InternalOptions on_the_way(InternalOptions options) {
   if (options.orientation != Orientation::best) options.target = options.cloth ? Target::rough : Target::newton_step;
   return options;
 }
 
-/// Frees the elastic seams of a group. If no common lengths are found, solves each chart alone with its seams fixed at
-/// h = ease. A chart without a shape then gets an error.
+/// Frees the elastic seams of a group. If no common lengths are found, solves each chart alone with these seams fixed
+/// at h = ease. A chart without a shape then gets an error.
 void free_elastic_seams(const std::vector<GroupMember>& group, const Run& run, const StopToken& stop) {
   const StopToken in_shape = stop.in("shape");
   GroupSolver solver(group, run, in_shape, false, [&](std::size_t k, Budget& budget) {
@@ -53,7 +53,7 @@ void free_elastic_seams(const std::vector<GroupMember>& group, const Run& run, c
     }
     const FixedSeams fixed(member.chart);
     SolvedChart& solved = member.solved;
-    if (!member.is_nominal) {  // without a shape, solve the chart again to find the error
+    if (!member.is_nominal) {  // no shape was found at h = ease, so find the error
       Budget budget(run.options.max_factorizations);
       budget.spend(solved.report.factorizations);
       solved = in_shape.is_stopped() ? cancelled_chart() : solve_chart(member.chart, run, budget, in_shape);
@@ -200,8 +200,8 @@ class ChartsSolver {
   ChartsProgress progress_;
   std::vector<Group> groups_;
   std::vector<SolvedChart> solved_;
-  std::vector<const Group*> group_of_chart_;  // null: the chart is its own group
-  std::vector<char> is_nominal_;              // whether solved with its elastic seams at h = ease
+  std::vector<const Group*> group_of_chart_;  // null: the chart shares no elastic seams
+  std::vector<char> is_nominal_;              // whether the chart was solved with h = ease
 };
 
 }  // namespace

@@ -44,7 +44,7 @@ class StretchedGroup {
     }
   }
 
-  /// Solves a chart that is flipped or overlaps itself without the stretch. Returns whether a shape was found.
+  /// Solves a chart whose layout without the stretch is flipped or overlaps itself. Returns whether a shape was found.
   /// variation: h of its elastic seams; ran_out: whether a limit ended an earlier attempt.
   bool solve_faulty(std::size_t k, const std::vector<double>& variation, bool ran_out) {
     if (!refine_faulty(k, variation, ran_out)) {
@@ -56,7 +56,7 @@ class StretchedGroup {
   }
 
  private:
-  /// Minimizes from a layout and keeps its rotation.
+  /// Minimizes the energy of the stage from the layout `start`, and keeps the rotation of this layout.
   Solution refine(const Stage& stage, std::size_t k, const Positions2& start, Budget& budget) const {
     const Chart& chart = group_[k].chart;
     TargetLengths lengths = group_[k].lengths;
@@ -143,7 +143,7 @@ class StretchedGroup {
     make_flat(member);
   }
 
-  /// Replaces the layout with an error. The proposed seams help at the stretched lengths.
+  /// Replaces the layout with an error. The error proposes seams for the chart with stretched lengths.
   void explain(std::size_t k, bool ran_out) const {
     Chart stretched = group_[k].chart;
     set_stretched_lengths(group_[k], stretched);
@@ -169,7 +169,7 @@ class StretchedGroup {
     const Chart& chart = member.chart;
     const Eigen::RowVector2d& share = member.lengths.flat_share;
     SolvedChart& one = member.solved;
-    one.report.objective *= share.prod();  // sum over the flat area instead of the stretched area
+    one.report.objective *= share.prod();  // now a sum over the flat area, not the stretched area
     one.uv = one.uv * share.asDiagonal();
     one.network = build_wire_network(chart);
     const std::vector<double> flat = variations_of(chart, length_variation(chart, one.uv));
@@ -184,7 +184,7 @@ class StretchedGroup {
   GroupSolver solver_;
 };
 
-/// Returns h of each wire part of a chart. On elastic seams with other charts, it is the h of the other side.
+/// Returns h of each wire part of a chart. On elastic seams that other charts share, this is the h of the other charts.
 std::vector<double> variation_of_mates(const GroupMember& member, const std::vector<GroupMember>& others) {
   std::vector<double> variation = member.solved.variation;
   for (const GroupMember& other : others) {
@@ -202,8 +202,8 @@ std::vector<double> variation_of_mates(const GroupMember& member, const std::vec
   return variation;
 }
 
-/// Solves a coupled group. The charts in `flipped` are flipped without the stretch. They use the common lengths of the
-/// others.
+/// Solves a coupled group. flipped: charts whose layouts without the stretch are flipped. They use the common lengths
+/// of the others.
 void stretch_group(const std::vector<GroupMember>& others, const std::vector<GroupMember>& flipped, const Run& run,
                    const StopToken& stop) {
   if (!others.empty()) StretchedGroup(others, run, stop).solve();

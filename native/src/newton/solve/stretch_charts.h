@@ -2,7 +2,7 @@
 // The stage for a fabric that is stretched when worn. In the layouts without the stretch, each edge has a direction,
 // which determines how much shorter the edge is when flat (stretched_lengths.h). With these lengths, each coupled group
 // is solved again (group_solver.h), in the plane of the stretched fabric (energy/target_lengths.h). All charts with a
-// layout take part, so that the sides of a seam have one length.
+// layout take part, so that the sides of a seam have equal lengths.
 #pragma once
 
 #include <vector>

@@ -13,12 +13,12 @@
 namespace wirewarp {
 namespace {
 
-// Largest difference between the sides of a seam, over their length, that can be eased in. Larger differences are
-// reported.
+// Largest difference between the sides of a seam, divided by the longer side, that can be eased in. Larger differences
+// are reported.
 constexpr double kReportedDifference = 0.01;
 
-/// Returns the edges whose flat lengths depend on the stretch: edges of the outline and of fixed or elastic wires,
-/// without an ease.
+/// Returns the edges whose flat lengths depend on the stretch: edges without an ease that belong to the outline, or to
+/// fixed or elastic wires.
 std::vector<char> find_stretched_edges(const Chart& chart) {
   std::vector<char> is_stretched(chart.mesh.n_edges(), 0);
   for (const HalfEdgeChain& loop : chart.boundary_loops) {
@@ -31,8 +31,8 @@ std::vector<char> find_stretched_edges(const Chart& chart) {
   return is_stretched;
 }
 
-/// Returns L / l of each edge. This ratio depends on the direction of the edge in the layout, and is 1 for edges
-/// without a stretch.
+/// Returns L / l of each edge. This ratio depends on the direction of the edge in the layout. It is 1 if the flat
+/// length does not depend on the stretch.
 PerEdge ratios_by_direction(const Chart& chart, const Positions2& uv, const Cloth& cloth) {
   const Eigen::RowVector2d share = flat_share(cloth);
   const std::vector<char> is_stretched = find_stretched_edges(chart);
@@ -73,8 +73,8 @@ double length_of_side(const Chart& chart, const HalfEdgeChain& chain, const PerE
   return length;
 }
 
-/// Returns warnings for charts at seams whose sides would have different lengths. ratios: ratios that follow from the
-/// directions alone; empty for a chart without a layout.
+/// Returns, for each chart, warnings about seams whose sides would have different lengths. ratios: from the directions
+/// of edges, before the sides share their mean; empty for a chart without a layout.
 std::vector<std::vector<std::string>> warn_of_sides(const Charts& charts, const std::vector<PerEdge>& ratios) {
   std::vector<std::vector<std::string>> warnings(charts.charts.size());
   for (const Seam& seam : charts.seams) {
@@ -90,10 +90,10 @@ std::vector<std::vector<std::string>> warn_of_sides(const Charts& charts, const 
     if (lengths.size() < 2) continue;
     const auto [least, most] = std::minmax_element(lengths.begin(), lengths.end());
     if (*most - *least <= kReportedDifference * *most) continue;
-    const std::string warning =
-        "The fabric's stretch would make the sides of the seam along " + name_elements("edge", seam.edges) + " " +
-        percent(1 - *most / length_3d) + " to " + percent(1 - *least / length_3d) +
-        " shorter, because they run in different directions. Both sides are cut with the mean length.";
+    const std::string warning = "The sides of the seam along " + name_elements("edge", seam.edges) +
+                                " run in different directions, so the fabric's stretch would make them " +
+                                percent(1 - *most / length_3d) + " to " + percent(1 - *least / length_3d) +
+                                " shorter. All sides are cut with the mean length.";
     for (const Seam::Side& side : seam.sides) {
       std::vector<std::string>& own = warnings[side.chart];
       if (own.empty() || own.back() != warning) own.push_back(warning);

@@ -24,7 +24,7 @@ using PerEdge = std::vector<double>;
 
 struct StretchedLengths {
   std::vector<PerEdge> ratios;                     // L / l, per chart; empty for a chart without a layout
-  std::vector<std::vector<std::string>> warnings;  // per chart: seams whose sides would shrink differently
+  std::vector<std::vector<std::string>> warnings;  // per chart: about seams whose sides would have different lengths
 };
 
 /// Returns the stretched lengths and warnings of all charts. solved: upright layouts without the stretch.

@@ -16,7 +16,7 @@ namespace wirewarp {
 void assemble_front(const FrontLayout& layout, int node, const double* values, Tile* factor, Tile* schurs);
 
 /// Number of tile multiplications between two calls of the stop token, about 0.1 s. Calls are rare, because each call
-/// advances the progress bar: forty for a million triangles, none below 50,000.
+/// advances the progress bar: there are forty calls for a million triangles, and no calls below 50,000 triangles.
 constexpr double kWorkPerQuestion = 1e7;
 
 /// Calls eliminate(front) for all fronts, children before parents, in two threads if requested. Returns false

@@ -33,14 +33,14 @@ static constexpr std::size_t panel_row(int t, int m) {
   return t < m ? triangle_size(t) : triangle_size(m) + static_cast<std::size_t>(t - m) * static_cast<std::size_t>(m);
 }
 
-/// One set of kernels, which allocate nothing and access only their arguments.
+/// The kernels for one kind of processor. They allocate nothing and access only their arguments.
 struct FrontKernels {
   /// Replaces [A₁₁; A₂₁] by [L₁₁; L₂₁] with L₁₁ L₁₁ᵀ = A₁₁, L₂₁ = A₂₁ L₁₁⁻ᵀ, and S by S − L₂₁ L₂₁ᵀ. Returns false
   /// immediately at a pivot that is not a positive finite number.
   bool (*factor)(Tile* panel, Tile* schur, int m, int r);
 
-  /// Factors a front of an unsymmetric matrix A = L U. L and Uᵀ each have a panel and a triangle of S. Both have the
-  /// same diagonal, the square roots of the pivots.
+  /// Factors a front of an unsymmetric matrix A = L U. L and Uᵀ each have a panel and a triangle of S. The diagonals of
+  /// L and Uᵀ are equal: the square roots of the pivots.
   bool (*factor_lu)(Tile* lower, Tile* lower_schur, Tile* upper, Tile* upper_schur, int m, int r);
 
   /// Replaces [x₁; x₂] by [L₁₁⁻¹ x₁; x₂ − L₂₁ L₁₁⁻¹ x₁], for one right-hand side, or for four that are stored row by

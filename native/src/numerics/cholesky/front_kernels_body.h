@@ -56,8 +56,8 @@ inline void divide(TileInRegisters& x, const Tile& diagonal) {
   }
 }
 
-/// Subtracts Σ a bᵀ from each tile c, with num_tiles tiles a of its own and common tiles b. Then multiplies c by L⁻ᵀ
-/// from the right if a diagonal tile of L is given.
+/// Subtracts Σ a bᵀ, a sum over num_tiles tiles, from each tile c. Each c has its own tiles a, and all share the tiles
+/// b. If a diagonal tile of L is given, then multiplies each c by L⁻ᵀ from the right.
 template <int kRows>
 inline void subtract_product(Tile* const (&c)[kRows], const Tile* const (&a)[kRows], const Tile* b, int num_tiles,
                              const Tile* diagonal) {

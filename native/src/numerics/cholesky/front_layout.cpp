@@ -110,7 +110,7 @@ class Builder {
   }
 
   /// Lists the pivots of a front. Then lists, in elimination order, the other vertices that are coupled with the pivots
-  /// or are rows of the children.
+  /// or are rows of the front's children.
   void add_vertices(int node) {
     std::vector<int>& vertices = layout_.vertices;
     for (int v : tree_.nodes[node].vertices) {
@@ -193,7 +193,7 @@ class Builder {
   const int k_;
   FrontLayout layout_;
   std::vector<int> elimination_;  // position of each vertex in the elimination order
-  std::vector<int> entry_start_;  // start of each front in entries_
+  std::vector<int> entry_start_;  // index in entries_ of the first entry of each front
   std::vector<Entry> entries_;
   std::vector<std::vector<int>> children_of_{tree_.nodes.size()};
   std::vector<int> seen_by_;  // last front that visited each vertex

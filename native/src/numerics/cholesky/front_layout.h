@@ -17,8 +17,8 @@ namespace wirewarp {
 struct Front {
   int parent;             // -1 at a root
   int first_vertex;       // index into FrontLayout::vertices
-  int num_pivots;         // number of vertices
-  int num_rows;           // number of vertices
+  int num_pivots;         // number of vertices that are pivots
+  int num_rows;           // number of vertices in rows below the pivots
   int num_own_rows;       // number of leading rows whose vertices are pivots of fronts in the same share of subtrees
   int pivot_tiles;        // m: number of row tiles of pivots
   int row_tiles;          // r: number of row tiles below the pivots
@@ -45,8 +45,8 @@ struct FrontLayout {
   int unknowns_per_vertex;
   Eigen::Index num_unknowns;
   std::vector<Front> fronts;        // in postorder, then an entry that marks the end
-  std::vector<int> vertices;        // pivots, then rows, of each front, both in elimination order; rows after the first
-                                    // num_own_rows are indices into shared_vertices
+  std::vector<int> vertices;        // per front: its pivots, then its rows, both in elimination order; the rows after the
+                                    // first num_own_rows are indices into shared_vertices
   std::vector<int> rows_in_parent;  // for each unknown in the rows of each front: its row in the parent's front
   std::vector<int> children;        // children of each front
   std::vector<MatrixEntry> entries;
@@ -57,7 +57,7 @@ struct FrontLayout {
   int kept_root = -1;     // front that is assembled but not eliminated; -1: none
 
   FrontSet all_fronts;               // fronts to eliminate
-  std::vector<int> shared_vertices;  // pivots of the ancestors of all_fronts and of the kept root
+  std::vector<int> shared_vertices;  // pivots of all_fronts.ancestors and of the kept root
 
   /// Returns the row of the first unknown of the vertex at position `place` in a front. Padding counts as rows.
   int row_of(const Front& front, int place) const {

@@ -10,7 +10,7 @@
 namespace wirewarp {
 
 /// Fronts to visit: two shares of independent subtrees with about equal work, and their common ancestors. Children come
-/// before parents. One thread uses the same shares, for results equal to the last bit.
+/// before parents. A single thread uses the same shares, so that its results are equal to the last bit.
 struct FrontSet {
   static constexpr std::size_t num_shares = 2;
 

@@ -30,7 +30,7 @@ class MultifrontalCholesky {
   ///
   /// lower: the lower triangle, compressed
   /// unknowns_per_vertex: k; unknowns k v to k v + k - 1 belong to vertex v of the tree's graph
-  /// in_threads: whether two threads are used; results are equal to the last bit
+  /// in_threads: whether two threads are used, which does not change any bit of the results
   /// keeps_root: whether the tree's last node is not eliminated, see schur_complement()
   MultifrontalCholesky(const Eigen::SparseMatrix<double>& lower, const DissectionTree& tree, int unknowns_per_vertex,
                        bool in_threads = false, const FrontKernels& kernels = fastest_kernels(),

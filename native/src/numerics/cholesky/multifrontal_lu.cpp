@@ -25,7 +25,7 @@ bool have_same_pattern(const SparseMatrix& a, const SparseMatrix& b) {
 }  // namespace
 
 /// The entries of A that belong to L, and the transposed entries of U. An entry belongs to L if its row is eliminated
-/// after its column. Both have the pattern of A's lower triangle.
+/// after its column. `lower` and `upper` have the pattern of A's lower triangle.
 struct MultifrontalLu::Triangles {
   Triangles(const Matrix& a, const Positions2& positions)
       : lower(a.triangularView<Eigen::Lower>()),

@@ -27,7 +27,7 @@ class MultifrontalLu {
   MultifrontalLu(const MultifrontalLu&) = delete;  // not copied: substitution_ refers to layout_
   MultifrontalLu& operator=(const MultifrontalLu&) = delete;
 
-  /// Replaces b by A⁻¹ b. b: one row per row of A. Both columns are solved in one sweep.
+  /// Replaces b by A⁻¹ b. b: one row per row of A. Both columns of b are solved in one sweep.
   void solve(Positions2& b) const { substitute(lower_, upper_, b); }
 
   /// Replaces b by A⁻ᵀ b, with Aᵀ = Uᵀ Lᵀ.

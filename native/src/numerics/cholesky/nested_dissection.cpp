@@ -16,7 +16,7 @@ namespace {
 constexpr std::ptrdiff_t kLeafSize = 16;
 
 // Directions in which a set of vertices is halved: x, y and the two diagonals, because meshes have no preferred
-// direction. With x and y alone, runs on an axis-parallel sheet are not faster.
+// direction. Even on an axis-parallel sheet, runs with x and y alone are not faster.
 constexpr std::array<std::array<double, 2>, 4> kDirections = {{{1, 0}, {0, 1}, {1, 1}, {1, -1}}};
 
 class Dissection {

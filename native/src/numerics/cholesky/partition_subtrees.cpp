@@ -91,7 +91,8 @@ void partition_subtrees(FrontLayout& layout) {
 
 namespace {
 
-/// Places Schur complements on two stacks, for even and odd depth in the tree, in the order of elimination.
+/// Places Schur complements on two stacks, for even and odd depth in the tree, in the order of elimination. A front and
+/// its children are on different stacks, so the space of the children can be reused after the front is placed.
 class SchurStacks {
  public:
   SchurStacks(FrontLayout& layout, const std::vector<int>& depth) : layout_(layout), depth_(depth) {}

@@ -5,14 +5,15 @@
 
 namespace wirewarp {
 
-/// Fills all_fronts with subtrees of about equal work. Splits heavy subtrees at their roots if this shortens the
-/// elimination.
+/// Fills all_fronts with two shares of subtrees, which have about equal work. Splits heavy subtrees at their roots if
+/// this shortens the elimination.
 void partition_subtrees(FrontLayout& layout);
 
 /// Places the Schur complements in memory: fills Front::schur and schur_tiles.
 void place_schur_complements(FrontLayout& layout);
 
-/// Fills shared_vertices and Front::num_own_rows, and replaces the other rows with their indices in shared_vertices.
+/// Fills shared_vertices and Front::num_own_rows. Replaces the rows after the own rows with indices into
+/// shared_vertices.
 void list_shared_vertices(FrontLayout& layout);
 
 }  // namespace wirewarp

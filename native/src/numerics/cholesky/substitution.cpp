@@ -25,8 +25,8 @@ class FrontRows {
   double* numbers() const { return x_[0].entries; }
   Tile* sums() const { return sums_.get(); }  // work space of the kernels
 
-  /// Copies the rows of a front. own: pivots and own rows, one row per unknown of a vertex. shared: the rows of shared
-  /// vertices.
+  /// Copies the rows of a front: its pivots and own rows from `own`, which has one row per unknown, and its other rows
+  /// from `shared`, which has only the unknowns of shared vertices.
   void gather(const Front& front, const Columns& own, const Columns& shared) const {
     std::fill_n(numbers(), kColumns * kTile * (front.pivot_tiles + front.row_tiles), 0.0);
     const int num_own = front.num_pivots + front.num_own_rows;
@@ -45,7 +45,7 @@ class FrontRows {
   }
 
  private:
-  /// Calls function(number in x_, number in columns) for the vertices of a front from begin to end.
+  /// Calls function(number in x_, number in columns) for the vertices begin to end - 1 of a front.
   template <typename AllColumns, typename Function>
   void for_each(const Front& front, int begin, int end, AllColumns& columns, const Function& function) const {
     const int k = layout_.unknowns_per_vertex;

@@ -9,7 +9,7 @@ VertexSeparator::VertexSeparator(const Graph& graph)
     : graph_(graph), partner_(graph.num_vertices(), -1), via_(partner_.size()), seen_(partner_.size(), 0) {}
 
 /// Later searches cannot reach the vertices of a failed search. The upper vertices of failed searches, and the lower
-/// vertices that no failed search visited, cover all edges. They are the separator.
+/// vertices that no failed search visited, cover all edges across the cut. Both kinds of vertices form the separator.
 void VertexSeparator::separate(const std::vector<int>& cut, std::vector<Side>& side) {
   for (int v : cut) {
     if (side[v] != Side::lower_cut || match(v, side)) continue;
@@ -23,8 +23,8 @@ void VertexSeparator::separate(const std::vector<int>& cut, std::vector<Side>& s
   }
 }
 
-/// Searches breadth first for an augmenting path. It leads from a lower vertex to an upper vertex without a partner,
-/// alternately along edges outside and inside the matching. Augments the matching along this path.
+/// Searches breadth first for an augmenting path. Such a path leads from a lower vertex to an upper vertex without a
+/// partner, alternately along edges outside and inside the matching. Augments the matching along this path.
 bool VertexSeparator::match(int vertex, const std::vector<Side>& side) {
   ++search_;
   lower_met_ = {vertex};

@@ -31,7 +31,7 @@ BoxMinimum minimize_in_box(const BoxFunction& function, const Eigen::VectorXd& l
                            const Eigen::VectorXd& start, double tolerance, int max_evaluations,
                            const std::optional<Eigen::MatrixXd>& hessian) {
   constexpr double kFirstStep = 0.02;     // largest entry of the first steepest descent step
-  constexpr double kSmallestStep = 1e-5;  // after seventeen halvings
+  constexpr double kSmallestStep = 1e-5;  // share of a direction; reached after at most 17 reductions
   BoxMinimum best;
   best.x = start;
   ValueAndGradient here = function(start).value();

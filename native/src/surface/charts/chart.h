@@ -71,13 +71,13 @@ inline double length_ratio(const Chart& chart, HalfedgeHandle h) {
 /// the faces of the parent.
 void inherit_lengths(const Chart& parent, Chart& chart);
 
-/// Returns the ends of a half-edge in the input.
+/// Returns the input vertices at the ends of a half-edge.
 inline VertexPair source_ends(const Chart& chart, HalfedgeHandle h) {
   return {chart.source_vertex[chart.mesh.from_vertex_handle(h).idx()],
           chart.source_vertex[chart.mesh.to_vertex_handle(h).idx()]};
 }
 
-/// Returns the ends of an edge in the input, the smaller index first.
+/// Returns the input vertices at the ends of an edge, the smaller index first.
 inline VertexPair source_edge(const Chart& chart, HalfedgeHandle h) { return sorted(source_ends(chart, h)); }
 
 /// Returns whether a wire runs inside the chart, not only along its outline.

@@ -13,7 +13,8 @@ namespace {
 /// A triangle counts as having zero area if its height over the longest side is below this fraction of that side.
 constexpr double kFlatness = 1e-12;
 
-/// A side that is shorter than this, scene units, counts as a point, because squared areas would underflow.
+/// A triangle also counts as having zero area if its longest side is below this, scene units: squared areas would
+/// underflow.
 constexpr double kShortest = 1e-60;
 
 struct Faults {
@@ -57,7 +58,8 @@ void find_edge_faults(const FlattenInput& input, const EdgeTable& edges, const S
   for (int e = 0; e < edges.num_edges(); ++e) {
     const int num_sides = edges.num_sides(e);
     if (num_sides < 2) continue;
-    // Two faces with the same three vertices share three edges, so only the edge between the two smallest is checked.
+    // Two faces with the same three vertices share three edges, so only the edge between their two smallest vertices is
+    // checked.
     for (int j = 1; j < num_sides; ++j) {
       const int third = opposite_vertex(input.faces, edges.side(e, j));
       if (third < edges.vertices(e)[1]) continue;

@@ -7,11 +7,11 @@
 
 namespace wirewarp {
 
-/// Returns the charts of a checked input, numbered by their lowest face. A chart with a fault contains its error.
+/// Returns the charts of a checked input, in the order of their first faces. A chart with a fault contains its error.
 /// Throws Stopped.
 Charts cut_into_charts(const FlattenInput& input, const EdgeTable& edges, const StopToken& stop = {});
 
-/// Returns all charts without their meshes. Each chart contains only its faces and this error.
+/// Returns all charts without their meshes. Each chart contains only its faces and `error`.
 Charts list_charts(const FlattenInput& input, const EdgeTable& edges, const FlattenError& error);
 
 }  // namespace wirewarp

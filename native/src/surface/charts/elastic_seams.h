@@ -21,7 +21,7 @@ class FixedSeams {
  public:
   explicit FixedSeams(Chart& chart) : FixedSeams(chart, eases_of(chart)) {}
 
-  /// variation: h of the seams, one per wire part. The other constructor uses the eases.
+  /// variation: h of the seams, one per wire part. The constructor without `variation` uses the eases.
   FixedSeams(Chart& chart, const std::vector<double>& variation);
 
   FixedSeams(const FixedSeams&) = delete;

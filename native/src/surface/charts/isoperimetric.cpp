@@ -10,12 +10,14 @@
 namespace wirewarp {
 namespace {
 
-/// Minimum isoperimetric_ratio() p for one loop. At 1/4, three quarters of a sphere, all lengths would shrink to half
-/// on average: no fabric allows this. Hemispheres (1/2) and padded cushions (0.4) are still useful.
+/// Minimum p of a chart with one loop (see isoperimetric_ratio()). For three quarters of a sphere, p is 1/4: all
+/// lengths would shrink to half on average, which no fabric allows. Hemispheres (1/2) and padded cushions (0.4) are
+/// still useful.
 constexpr double kRequiredOfDisk = 0.25;
 
-/// Minimum p for several loops, which accepts a hemisphere with an eyelet (1/2), but not tubes. Garments: sleeves and
-/// open upper bodies 0.33 to 0.39, legs and whole shirts 0.07 to 0.16, cut panels 0.6 and more.
+/// Minimum p of a chart with several loops. It accepts a hemisphere with an eyelet (1/2), but not tubes. In garments, p
+/// is 0.33 to 0.39 for sleeves and open upper bodies, 0.07 to 0.16 for legs and whole shirts, and at least 0.6 for cut
+/// panels.
 constexpr double kRequiredOfTube = 0.45;
 
 }  // namespace

@@ -10,8 +10,9 @@ namespace wirewarp {
 
 struct SurfaceCut {
   std::vector<char> is_seam;       // per edge: marked as a seam, and with at least two sides
-  std::vector<int> chart_of_face;  // per face: index of its chart; charts are numbered by their lowest face
-  /// For each corner 3 f + k: its fan. A fan consists of the corners at one vertex that edges without a seam connect.
+  std::vector<int> chart_of_face;  // per face: index of its chart; charts are in the order of their first faces
+  /// For each corner 3 f + k of a face f: its fan. The corners of a fan are at one vertex, and edges without a seam
+  /// connect them.
   std::vector<int> fan_of_corner;
   int num_charts = 0;
   int num_fans = 0;
@@ -23,8 +24,8 @@ struct SurfaceCut {
 /// seams: vertex pairs, each of which must be an edge.
 SurfaceCut cut_along_seams(const Triangles& faces, const EdgeTable& edges, const VertexPairs& seams);
 
-/// Returns the fan of each corner on the uncut surface: the faces around a vertex that edges connect, seams included.
-/// At a vertex with two fans, the surface touches itself.
+/// Returns the fan of each corner on the uncut surface, on which seam edges connect corners, too. At a vertex with two
+/// fans, the surface touches itself.
 std::vector<int> fans_of_uncut_surface(const Triangles& faces, const EdgeTable& edges);
 
 }  // namespace wirewarp

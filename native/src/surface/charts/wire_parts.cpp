@@ -15,7 +15,7 @@ struct Run {
 };
 
 /// Splits the vertices of a wire into runs. First rotates the list of a closed wire to the lowest vertex at which a run
-/// begins, so that its start does not matter.
+/// begins, so that the runs do not depend on the start of the list.
 std::vector<Run> split_into_runs(std::vector<int>& vertices, const EdgeTable& edges, const SurfaceCut& cut,
                                  const Outline& outline) {
   const bool is_closed = vertices.front() == vertices.back();
@@ -76,7 +76,8 @@ HalfEdgeChain follow_run(const std::vector<int>& vertices, const Run& run, int f
   return chain;
 }
 
-/// Multiplies a target length. Does nothing for ratio 1, so that a chart whose targets are its 3D lengths has no list.
+/// Multiplies a target length. Does nothing for ratio 1, so that length_ratio stays empty in charts that keep all
+/// lengths.
 void multiply_length(Chart& chart, HalfedgeHandle h, double ratio) {
   if (ratio == 1) return;
   chart.length_ratio.resize(chart.mesh.n_edges(), 1);

@@ -12,8 +12,8 @@ namespace wirewarp {
 /// Returns the kind of a wire with this tolerance, if the wire is inside a chart.
 WireKind kind_of(double tolerance);
 
-/// Adds the parts of all wires and the target lengths of their eases to the charts. The parts do not depend on a closed
-/// wire's start. Returns per wire whether it is wholly on the outline.
+/// Adds the parts of all wires to the charts, and multiplies target lengths by the eases of the wires. The parts do not
+/// depend on where the list of a closed wire starts. Returns per wire whether it is wholly on the outline.
 std::vector<char> assign_wire_parts(const FlattenInput& input, const EdgeTable& edges, const SurfaceCut& cut,
                                     const Outline& outline, const std::vector<HalfedgeHandle>& half_edge_of_side,
                                     std::vector<Chart>& charts);

@@ -7,7 +7,7 @@
 
 namespace wirewarp {
 
-/// Coordinates must be below this limit in magnitude, scene units, because larger squared areas would overflow.
+/// Coordinates must be below this limit in magnitude, scene units. Otherwise, squared areas would overflow.
 constexpr double kCoordinateLimit = 1e60;
 
 /// Throws invalid_option unless every option is in its documented range for an input with num_wires wires.

@@ -95,7 +95,7 @@ class MeshCut {
   std::vector<std::vector<int>> drawn_;  // sites of each path; consecutive sites differ
 };
 
-/// Returns a face with both sites inside or on its border; -1 if there is none.
+/// Returns a face with both sites inside or on its border, `preferred` if possible; -1 if there is no such face.
 int MeshCut::common_face(int a, int b, int preferred) const {
   const std::vector<int> first = sites_.faces_at(a), second = sites_.faces_at(b);
   std::vector<int> common;

@@ -58,7 +58,7 @@ bool PathLines::is_between(int face, int site, const Line& line) const {
   return std::max((c - a).norm(), (b - c).norm()) < (b - a).norm();
 }
 
-/// Returns a site inside a face or on its border to which a line passes close by; -1 if there is none.
+/// Returns a site inside a face or on its border that the line nearly passes through; -1 if there is none.
 int PathLines::site_close_by(int face, const Line& line) const {
   const FacePoint a = point(face, line[0]), b = point(face, line[1]);
   for (const int site : sites_.of_face(face)) {

@@ -133,7 +133,7 @@ int corner_before(const Triangle& triangle, int a, int b) {
 struct Flip {
   std::size_t first, second;
   Triangle one, other;
-  double gain = 0;  // increase of the smaller of the two heights
+  double gain = 0;  // increase of the smaller height of the two triangles
 };
 
 /// Finds the flip with the largest gain, so that the result does not depend on the numbering. Returns whether there is

@@ -18,7 +18,7 @@ using FacePoint = Eigen::Vector2d;
 inline double doubled_area(const FacePoint& a, const FacePoint& b, const FacePoint& c) { return cross(b - a, c - a); }
 
 /// Three points count as collinear if |doubled_area()| is below this. Points are at least 0.0001 apart in a face with
-/// the doubled area 1. So three points that are not collinear have at least 1e-8.
+/// the doubled area 1. So if three points are not collinear, their doubled area is at least 1e-8.
 inline constexpr double kInLine = 1e-12;
 
 /// Returns whether two segments cross at an inner point of both. Returns false if an end of one segment is on the line

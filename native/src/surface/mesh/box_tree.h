@@ -21,7 +21,7 @@ class BoxTree {
   }
 
  private:
-  static constexpr int kLeafSize = 4;  // so few boxes are faster to test one by one
+  static constexpr int kLeafSize = 4;  // up to this many boxes are faster to test one by one
 
   void build(const std::vector<Box2>& boxes, int node, int first, int last);
 

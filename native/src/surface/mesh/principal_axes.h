@@ -7,8 +7,8 @@
 
 namespace wirewarp {
 
-/// Returns the directions of least, middle and largest spread of a surface, as columns. Among equal spreads, as in a
-/// ball, the first face decides. spread: Σ x xᵀ over points x relative to the center.
+/// Returns the directions of least, middle and largest spread of a surface, as columns. If spreads are equal, as in a
+/// ball, the first face determines the directions. spread: Σ x xᵀ over points x relative to the center.
 Eigen::Matrix3d principal_axes(const HalfEdgeMesh& mesh, Eigen::Matrix3d spread);
 
 }  // namespace wirewarp

@@ -3,7 +3,7 @@
 // corners (paper II-A, Fig. 2).
 //
 //   Υ          WireNetwork
-//   P_p        patches[p], the loop of its boundary walked with the patch on the left
+//   P_p        patches[p]; its boundary is a loop with the patch on the left
 //   q_i        nodes[i], one corner of one wire-patch
 //   Γ_p(b)     patches[p].loops[..][b].node
 //   α_i        nodes[i].surface_angle
@@ -40,7 +40,7 @@ struct WireNode {
   WireHalfEdge in;           // arrives at the vertex; the patch is on its left
   WireHalfEdge out;          // leaves the vertex; the patch is on its left
   double surface_angle = 0;  // α, radians
-  double length = 0;         // ℓ, mean length of both edges
+  double length = 0;         // ℓ, mean length of the edges `in` and `out`
   bool is_tail = false;      // in and out are the same edge: the vertex has no other wire edge
 };
 

@@ -8,8 +8,8 @@
 namespace wirewarp {
 namespace {
 
-/// Returns node weights in proportion to 1/ℓ, where ℓ is the length of a node. The sum of Eq. (1) is then ∫ Δκ² ds,
-/// wherever the vertices are.
+/// Returns node weights in proportion to 1/ℓ, where ℓ is the length of a node. The sum of Eq. (1) is then ∫ Δκ² ds (Δκ:
+/// change of curvature), however the vertices are spaced.
 Eigen::VectorXd node_weights(const WireNetwork& network, NodeWeight node_weight) {
   const auto num_nodes = static_cast<Eigen::Index>(network.nodes.size());
   Eigen::VectorXd weights = Eigen::VectorXd::Ones(num_nodes);

@@ -37,7 +37,7 @@ class Eq1 {
   const std::vector<int>& loop_edges(int loop) const { return loops_[static_cast<std::size_t>(loop)].edges; }
 
   /// Returns a change of headings, #edges, that selects one of two mirror-image solutions. No symmetry of the network
-  /// maps it to itself, and it does not depend on the numbering.
+  /// maps this change to itself. The change does not depend on the numbering.
   const Eigen::VectorXd& symmetry_breaker() const { return symmetry_breaker_; }
 
   /// Returns φ, #edges: the heading in radians of each wire edge's half-edge 0.

@@ -13,7 +13,7 @@ constexpr double kNearlyClosed = 1e-3;  // largest gap that restore() can close 
 constexpr double kRounding = 2e-15;     // smallest gap that double precision allows
 constexpr double kStationary = 1e-10;   // largest projected gradient at a minimum; gives E six correct digits
 constexpr int kMaxSteps = 100;          // 3 to 16 are usual
-constexpr double kSmallestStep = 1e-6;  // a full step is halved about twenty times at most
+constexpr double kSmallestStep = 1e-6;  // a full step is halved at most twenty times
 constexpr double kBend = 0.3;  // radians at the edge that turns most; after such a step, the loops can still be closed
 constexpr double kLongestTurn = 2;  // radians between two edges; for larger turns the gap is not linear in the headings
 constexpr double kStalledRatio = 0.4;  // a full step that leaves a larger share of the gap is blocked by symmetry
@@ -47,7 +47,8 @@ void InnerProblem::linearize(const InnerSolution& solution, const Eigen::VectorX
               eq1_.closure_jacobian(solution.psi, lengths));
 }
 
-/// Solves K [dψ; dλ] = -[∂(Jᵀλ)/∂l; ∂c/∂l] dl, the derivative of the optimality system ∇F + Jᵀλ = 0, c = 0.
+/// Solves K [dψ; dλ] = -[∂(Jᵀλ)/∂l; ∂c/∂l] dl, the derivative of the optimality system ∇F + Jᵀλ = 0, c = 0. K is the
+/// matrix that linearize() has factored.
 /// c is linear in l, so ∂c/∂l dl is c for the lengths dl.
 Eigen::VectorXd InnerProblem::change_of_headings(const InnerSolution& solution,
                                                  const Eigen::VectorXd& change_of_lengths) const {
@@ -117,8 +118,8 @@ bool InnerProblem::restore(const Eigen::VectorXd& lengths, Eigen::VectorXd& psi)
   return largest(gap) < kClosed;
 }
 
-/// Factors the system with a share of the closures' curvature for which the step goes downhill. Tries 1, `share`, half
-/// of `share`, and 0. Returns whether 1 was used; otherwise adapts `share` for the next call.
+/// Factors the system with a share of the closures' curvature for which the step goes downhill. Tries the shares 1,
+/// `share`, half of `share`, and 0. Returns whether the share 1 was used; otherwise adapts `share` for the next call.
 bool InnerProblem::factor_downhill(const Eigen::VectorXd& closure_hessian, const Eigen::SparseMatrix<double>& jacobian,
                                    double& share) {
   if (kkt_.factor(eq1_.laplacian(), closure_hessian, jacobian)) return true;
@@ -166,7 +167,8 @@ bool InnerProblem::leave_saddle(const Eigen::VectorXd& lengths, const Eigen::Vec
                                 Eigen::VectorXd& psi, double& value) const {
   constexpr int kMaxSearches = 10;  // each takes a few substitutions
   constexpr double kClose = 0.01;   // near a saddle, at_least is below this share of the value
-  // In a symmetric network, the start may contain little of a direction of negative curvature.
+  // In a symmetric network, the start may contain little of a direction of negative curvature, so one search may not
+  // find the direction.
   const int searches = at_least < kClose * value ? kMaxSearches : 1;
   Eigen::VectorXd turn = eq1_.symmetry_breaker();
   double fall = 0;
@@ -190,7 +192,7 @@ bool InnerProblem::minimize(const Eigen::VectorXd& lengths, InnerSolution& solut
   const Eigen::VectorXd no_gap = Eigen::VectorXd::Zero(eq1_.num_closures());
   double curvature_share = 0.5;
   double value = eq1_.angle_variation(psi);
-  // Here, kkt_ still contains the factor that closed the loops.
+  // Here, kkt_ still contains the factor that closed the loops, so the multipliers need no new factor.
   multipliers = kkt_.solve(-eq1_.gradient(psi), no_gap).multipliers;
   for (int i = 0; i < kMaxSteps; ++i) {
     const Eigen::VectorXd gradient = eq1_.gradient(psi);

@@ -10,7 +10,7 @@ namespace wirewarp {
 namespace {
 
 /// δ divided by the scale of its closure. Linearly dependent closures (x or y of a slit of one edge) have a pivot of
-/// rounding errors, about 1e-16 of the scale. δ decides its sign.
+/// rounding errors, about 1e-16 of the scale. δ determines the sign of this pivot.
 constexpr double kRegularization = 1e-13;
 
 }  // namespace

@@ -46,8 +46,8 @@ Eigen::VectorXd project_on_angle_sums(const WireNetwork& network, const Eigen::V
   Eigen::VectorXd angles(num_nodes);
   for (int i = 0; i < num_nodes; ++i) angles[i] = network.nodes[i].surface_angle;
 
-  // Each node is in one patch row. Only nodes off the outer boundary are in another row, at most one. So the rows A are
-  // independent, and A W⁻¹ Aᵀ is positive definite.
+  // Each node is in one patch row. Nodes off the outer boundary may be in one more row. So the rows A are independent,
+  // and A W⁻¹ Aᵀ is positive definite.
   const Eigen::SparseMatrix<double> weighted = rows * weights.cwiseInverse().asDiagonal();
   const Eigen::SparseMatrix<double> normal = weighted * rows.transpose();
   const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(normal);

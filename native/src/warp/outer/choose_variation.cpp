@@ -15,7 +15,7 @@ namespace wirewarp {
 namespace {
 
 constexpr double kTolerance = 1e-6;     // largest predicted relative decrease of E that is not worth another step
-constexpr double kIsometry = 1e-14;     // E of strains of 1e-7, the rounding of float32 meshes; smaller E count as 0
+constexpr double kIsometry = 1e-14;     // E of strains of 1e-7, as rounding causes in float32 meshes; less counts as 0
 constexpr int kMaxEvaluations = 100;    // 6 to 25 are usual, for 4 to 232 wires
 constexpr std::size_t kManyParts = 50;  // with more parts, BFGS learns their interaction too slowly: without the
                                         // Gauss-Newton Hessian, 60 wires take 20 evaluations instead of 9

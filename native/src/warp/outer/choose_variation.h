@@ -20,7 +20,7 @@ struct OuterSolution {
   bool converged = true;
 };
 
-/// Bounds on h, one per wire part. For rigid parts and boundaries, both bounds are 0.
+/// Bounds on h, one per wire part. For rigid parts and for boundaries of fixed length, both bounds are 0.
 struct VariationBounds {
   Eigen::VectorXd lower;
   Eigen::VectorXd upper;
@@ -32,12 +32,12 @@ struct VariationBounds {
 /// the user with Method::wirewarping.
 VariationBounds variation_bounds(const Chart& chart, const Options& options);
 
-/// Returns the start h0: the lengths of a free ARAP flattening, clamped to the bounds. h0 is 0 if ψ(0) is better or an
-/// isometry. Without a shape, shape.inner is not feasible.
+/// Returns the start h0: the changes of length in a free ARAP flattening, clamped to the bounds. h0 is 0 if ψ(0) is
+/// better or an isometry. If no shape is found, `shape.inner.is_feasible` of the result is false.
 OuterSolution start_variation(const Chart& chart, Warp& warp, const VariationBounds& bounds);
 
-/// Returns the h with the least shape error within the bounds, on h0's branch of minima of Eq. (1). Returns h0, not
-/// converged, if its angles are not a minimum.
+/// Returns the h with the least shape error within the bounds, on h0's branch of minima of Eq. (1). If the angles of h0
+/// are not a minimum, returns h0 as not converged.
 OuterSolution choose_variation(const Chart& chart, Warp& warp, const VariationBounds& bounds);
 
 }  // namespace wirewarp

@@ -26,11 +26,11 @@ class Warp {
   /// stop: checked before each step and factorization.
   Warp(const Chart& chart, const WireNetwork& network, NodeWeight node_weight, Inner inner, const StopToken& stop = {});
 
-  /// Returns ψ(h). variation: h > -1, one per wire part of the chart; boundaries keep their length.
+  /// Returns ψ(h). variation: h > -1, one per wire part of the chart; boundaries without a tolerance keep their length.
   WarpedShape operator()(const Eigen::VectorXd& variation);
 
-  /// Returns ψ(h) on the branch of another shape: if Eq. (1) has several minima, the search starts from the angles of
-  /// that shape.
+  /// Returns ψ(h) on the branch of another shape: the search starts from the angles of that shape, because Eq. (1) may
+  /// have several minima.
   WarpedShape follow(const WarpedShape& from, const Eigen::VectorXd& variation);
 
   /// Returns E of Eq. (4), divided by the chart's 3D area.
@@ -40,8 +40,8 @@ class Warp {
   /// factorization for any number of wires.
   Eigen::VectorXd gradient(const WarpedShape& shape);
 
-  /// Returns the Gauss-Newton Hessian of E, made positive definite, for some wire parts at a minimum of Eq. (1). Takes
-  /// one factorization, and four solves for each part.
+  /// Returns the Gauss-Newton Hessian of E, made positive definite, for the given wire parts, at a minimum of Eq. (1).
+  /// Takes one factorization, and four solves for each part.
   Eigen::MatrixXd gauss_newton_hessian(const WarpedShape& shape, const std::vector<int>& parts);
 
   const StopToken& stop() const { return inner_problem_.stop(); }

@@ -21,7 +21,7 @@ bool touches(const HalfEdgeMesh& mesh, const PathPoint& point, VertexHandle v) {
 }
 
 /// Appends a vertex to the path. Before that, removes crossings of the vertex's edges from the end of the path. If the
-/// path passed the vertex before, removes the loop between both passes.
+/// path has passed the vertex before, removes the loop between the two passes.
 void pass_vertex(const HalfEdgeMesh& mesh, VertexHandle v, MeshPath& path) {
   const auto is_v = [&](const PathPoint& point) { return point.vertex == v; };
   path.erase(std::find_if(path.begin(), path.end(), is_v), path.end());

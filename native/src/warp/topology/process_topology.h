@@ -15,7 +15,7 @@ namespace wirewarp {
 ///
 /// - The first vertices and all wires and boundaries have the same handles and positions as in the chart.
 /// - New vertices follow, with source_vertex -1. source_face of a divided face is the input face that contains it.
-/// - Helper wires follow the chart's wire parts: super-elastic, wire_index -1, parts counted from 0.
+/// - Helper wires follow the chart's wire parts. They are super-elastic, with wire_index -1 and part 0, 1, 2, ...
 ///
 /// Throws Stopped, and UnjoinedWires if no such network is found.
 std::optional<Chart> process_topology(const Chart& chart, const StopToken& stop = {});

@@ -63,7 +63,7 @@ std::size_t choose_loop(const std::vector<WireLoop>& loops) {
     if (loops[i].joints.size() > 1) continue;
     if (chosen == loops.size() || loops[i].length < loops[chosen].length) chosen = i;
   }
-  if (chosen == loops.size()) throw UnjoinedWires("Wire loops form a ring with one region on both sides.");
+  if (chosen == loops.size()) throw UnjoinedWires("Wire loops form a ring with the same region on both sides.");
   return chosen;
 }
 
@@ -86,7 +86,7 @@ std::size_t vertex_at_distance(const WireLoop& loop, std::size_t from, double di
 }
 
 /// Joins a loop to others by four paths. The first, the shortest path, is omitted if a wire already leads to another
-/// loop. The others begin at 1/2, 1/4 and 3/4 of the loop.
+/// loop. The other paths begin at 1/4, 1/2 and 3/4 of the loop's length from the first.
 void join_loop(SplitChart& split, const std::vector<WireLoop>& loops, const WireLoop& loop) {
   std::vector<char> is_target(split.chart.mesh.n_vertices(), 0);
   for (const WireLoop& other : loops) {

@@ -11,7 +11,7 @@ struct WireLoop {
   std::vector<VertexHandle> vertices;
   std::vector<double> position;  // arc length at each vertex, scene units
   double length = 0;
-  std::vector<VertexHandle> joints;  // vertices where a wire with the region on both sides leaves the loop
+  std::vector<VertexHandle> joints;  // vertices where a wire with the loop's region on both sides leaves the loop
 };
 
 /// Returns the loops of a region with several loops; empty if each region has one loop, as Eq. (1) needs. The network
@@ -19,7 +19,7 @@ struct WireLoop {
 std::vector<WireLoop> find_separate_loops(const WireNetwork& network);
 
 /// Joins loops by helper wires until every region has exactly one loop (paper III-B). Throws UnjoinedWires if no path
-/// joins loops, or if they form a ring with one region on both sides.
+/// joins loops, or if loops form a ring with the same region on both sides.
 void join_separate_loops(SplitChart& split, WorkMeter& work);
 
 }  // namespace wirewarp

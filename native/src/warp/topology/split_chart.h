@@ -39,8 +39,8 @@ struct SplitChart {
 /// Splits an edge without a wire at from + t (to - from), and its two triangles at the new vertex.
 VertexHandle split_edge(SplitChart& split, HalfedgeHandle h, double t);
 
-/// In the regions around the seeds, splits each edge off wires between two wire vertices at its middle. Then a path
-/// without wires connects any two wire vertices of a region.
+/// In the regions around the seeds, splits each edge that connects two wire vertices without being on a wire, at its
+/// middle. Then a path without wires connects any two wire vertices of a region.
 void make_room(SplitChart& split, const std::vector<VertexHandle>& seeds);
 
 /// Appends a super-elastic wire. The half-edges must not be on a wire.

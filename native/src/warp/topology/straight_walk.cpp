@@ -16,7 +16,8 @@ namespace {
 /// Share of a length or area below which differences count as rounding errors.
 constexpr double kRoundedShare = 1e-12;
 
-/// A line is rarely longer than this many times the distance in space. A search up to this length is faster.
+/// A line is rarely longer than this many times the distance in space. So a search up to this length comes first,
+/// because it is faster.
 constexpr double kUsually = 1.5;
 
 /// Returns the corners of a face in the plane of one of its half-edges: start, end, apex.
@@ -62,7 +63,7 @@ class View {
   /// A half-edge through which the directions from `right` to `left` leave a face.
   struct Window {
     HalfedgeHandle half_edge;
-    Planar start, end;  // of half_edge
+    Planar start, end;  // ends of half_edge
     Planar right, left;
   };
 

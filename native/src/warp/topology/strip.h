@@ -11,7 +11,8 @@ namespace wirewarp {
 struct Strip {
   VertexHandle start;
   VertexHandle end;
-  /// The crossed half-edges, on the face that the path leaves; empty if one triangle contains both vertices.
+  /// The crossed half-edges, each on the side of the face that the path leaves. Empty if one triangle contains both
+  /// vertices.
   std::vector<HalfedgeHandle> crossings;
 };
 
@@ -32,7 +33,7 @@ struct StripPath {
 /// Returns the strip beside a path of edges, on the side of the smaller angle at each vertex.
 Strip strip_beside(const HalfEdgeMesh& mesh, const std::vector<VertexHandle>& edge_path);
 
-/// Returns a strip that passes an interior vertex on its other side, and is otherwise the same.
+/// Returns the strip with one change: it passes the vertex of `turn`, an interior vertex, on the other side.
 Strip pass_on_other_side(const HalfEdgeMesh& mesh, const Strip& strip, const StripTurn& turn);
 
 /// Returns the shortest path in a strip. If an end of a crossed edge is on a wire, the path stays a quarter of the edge
