@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Measures the sparse Cholesky factorization (dissection, analysis, factorization, substitution) and Eigen's
-// SimplicialLLT on the same matrix. The matrix is that of a sheet with a spring on each edge and two unknowns per
+// SimplicialLLT on the same matrix. The matrix describes a sheet with a spring on each edge, and has two unknowns per
 // vertex.
 #include <benchmark/benchmark.h>
 

@@ -8,8 +8,9 @@
 
 namespace wirewarp {
 
-/// Returns a smoothly bent sheet over the square [-1, 1]² with about `triangles` triangles in even quads. All straight
-/// wires have the same tolerance. `wires` must be even: half of the wires run in each direction.
+/// Returns a smoothly bent sheet over the square [-1, 1]² with about `triangles` triangles, two in each square of a
+/// regular grid. All straight wires have the same tolerance. `wires` must be even: half of the wires run in each
+/// direction.
 inline FlattenInput bumpy_sheet(int triangles, int wires, double tolerance, double height = 0.3) {
   const int n = static_cast<int>(std::lround(std::sqrt(triangles / 2.0)));
   const auto at = [n](int i, int j) { return j * (n + 1) + i; };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Checks the arrays of users and copies them into the types of the public API. Accepts any dtype, strides, byte order
-// or nested list with the right kind of numbers; otherwise throws FlattenError. The arrays are copied, so that the
-// caller may change or free them while the core runs without the GIL.
+// Checks the arrays of users and copies them into the types of the public API. Accepts nested lists, and any dtype,
+// strides and byte order, if the numbers are of the right kind. Otherwise throws FlattenError. The arrays are copied,
+// so that the caller may change or free them while the core runs without the GIL.
 #pragma once
 
 #include <pybind11/pybind11.h>

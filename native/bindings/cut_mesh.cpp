@@ -43,7 +43,7 @@ constexpr const char* kCutDoc =
 
 The surface does not change: each new vertex is on an edge or in a triangle of the input. Vertices keep their numbers,
 and new vertices follow. Faces keep their orientation. Faces without a path keep their number. One part of a divided
-face keeps the number of the face, and its other parts come last. Paths may cross each other.
+face keeps the number of the face. The other parts follow after all faces. Paths may cross each other.
 
 paths: a list of SurfacePath. Consecutive points must be in one triangle, so a path has a point on each edge it crosses.
 snap: 0.0001 to 0.25. To avoid slivers, points move in three cases. A point moves to an edge if the barycentric
@@ -52,10 +52,11 @@ snap: 0.0001 to 0.25. To avoid slivers, points move in three cases. A point move
     path does not move again.
 
 Returns (vertices, faces, edges, sources). edges (k, 2) are the edges of the paths in order, one path after the other,
-each edge once. With sources, a CutSources, the attributes of the new mesh are
+each edge once. sources is a CutSources. If of_vertices (n, d), of_faces (m, ...) and of_corners (m, 3, d) are
+attributes of the input, the attributes of the new mesh are
     (sources.vertex_weights[:, :, None] * of_vertices[sources.vertices]).sum(axis=1),
     of_faces[sources.faces], and
-    np.einsum("fij,fjk->fik", sources.corner_weights, of_corners[sources.faces]) for of_corners (m, 3, d).
+    np.einsum("fij,fjk->fik", sources.corner_weights, of_corners[sources.faces]).
 Seams and wires that a path crosses then run along the vertices in sources.divided_edges.
 
 Raises the errors of flatten() for vertices and faces. Raises FlattenError "invalid_option" for a path that is not on

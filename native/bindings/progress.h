@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Adapts a Python progress callback to the core's Progress. The adapter takes the GIL for each call. If the callback
 // raises an exception, the adapter keeps it and cancels the core's work. After the core has returned, rethrow() raises
-// it.
+// this exception.
 #pragma once
 
 #include <pybind11/pybind11.h>

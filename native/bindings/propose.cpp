@@ -36,9 +36,9 @@ strain: accepted strain; None for 0.005. Pieces with at most this strain (DartPr
 longest: maximum length of a cut on the surface, scene units; None for any length.
 no_seam: (k, 2) vertex pairs, edges along which no cut may run.
 smooth: True for smooth lines across triangles, as paths without edges. They are straight unless a bend gains clearly
-    more. The mean strain around the tip is at most 3%, or the strain of the uncut piece if larger. The best dart along
-    edges is added if it leaves at least 5% less strain than all smooth darts. To make edges, call vertices, faces,
-    edges, sources = cut_mesh(vertices, faces, proposal.paths). The figures are those of flatten(vertices, faces,
+    more. The mean strain around the tip is at most 3%, or the strain of the uncut piece if that is larger. The best
+    dart along edges is added if it leaves at least 5% less strain than all smooth darts. To make edges, call vertices,
+    faces, edges, sources = cut_mesh(vertices, faces, proposal.paths). The figures are those of flatten(vertices, faces,
     seams=[*seams, *edges]).
 no_crossing: (k, 2) vertex pairs, edges that no smooth dart may cross or touch. Darts along edges may touch them.
 progress: called as progress("cuts", fraction). Returning False cancels the search and raises FlattenError "cancelled".
@@ -64,7 +64,7 @@ A cut set consists of seams and darts with which all parts have a flat shape:
 - The first set brings every part to the accepted strain (None for 0.05), or has forty cuts and their mirror images.
 - Each later set is shorter and leaves more strain.
 - Sets are symmetric if the piece is symmetric, and may cross wires.
-- No joined piece covers less than 45% of its convex hull, unless one of its two pieces covers as little.
+- A piece joined from two covers at least 45% of its convex hull, unless one of the two covers no more of its own.
 - edges has one line after the other, energy is the energy of all parts, and strain is the strain of the worst part.
 - energy_before and strain_before are infinite.
 - longest limits the length of the whole set.
@@ -73,7 +73,7 @@ narrowest: least width of the flat pieces of a cut set, scene units; 0 for any w
     joined piece would be narrower than this, unless one of the two is equally narrow. Use a little more than twice the
     allowance: see pattern.piece_width() and pattern.has_room().
 smooth: True for cut sets of smooth lines, as paths without edges. Lines turn by less than 30 degrees at each vertex
-    between their ends. They keep bends, or stay on edges, if smoother lines would meet, need too much strain, or make
+    between their ends. They keep bends, or stay on edges, if smoother lines would meet, leave too much strain, or make
     pieces narrow. A smooth set may leave less strain than an earlier set. Closed pieces without wires, eases and
     thickness are first divided into their parts, such as a head and limbs.
 no_crossing: (k, 2) vertex pairs, edges that no smooth line may cross. Smooth lines do not cross wires and edges of
@@ -101,8 +101,8 @@ most: maximum number of cuts, 1 or more; a cut set (see propose_seams()) counts 
 longest: maximum length of a cut on the surface, scene units; None for any length.
 total_length: maximum length of all cuts together on the surface, scene units; None for any length.
 piece: index of the only piece to cut, in the result of flatten(); None for any piece.
-twins: adds the mirror image of a cut if both cuts are allowed, and if both together leave less strain than one. They
-    count as two consecutive cuts.
+twins: adds the mirror image of a cut if both cuts are allowed, and if both together leave less strain than one of them.
+    They count as two consecutive cuts.
 no_seam: (k, 2) vertex pairs, edges along which no cut may run.
 The other arguments are those of flatten(); progress is called as in propose_darts().
 

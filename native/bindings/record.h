@@ -146,7 +146,7 @@ class Record : public py::class_<T> {
 
   std::string own(const std::string& field) const { return name_ + "." + field; }
 
-  /// Adds a property that is bound elsewhere to the list of fields.
+  /// Adds to the list of fields a property that is bound elsewhere.
   Record& listed(const char* name) {
     this->attr("_fields").attr("append")(name);
     return *this;

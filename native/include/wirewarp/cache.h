@@ -13,7 +13,7 @@ struct CachedCharts;
 ///
 /// - A chart is reused if its geometry, numbering, outline, wires, tolerances and solver options are equal in every
 ///   bit.
-/// - Except for the seconds, the result equals that of a run without a cache.
+/// - Except for the seconds, the result equals the result of a run without a cache.
 /// - Failed charts are kept. Canceled charts are not kept.
 /// - For a cloth with stretch, charts are kept without the stretch, and the stretched shapes are solved again.
 /// - The cache needs about as much memory as the pieces.

@@ -66,7 +66,7 @@ struct CutOptions {
 ///
 /// - Darts are lines across triangles without corners, for cut_mesh(). They are straight unless a bend gains clearly
 ///   more.
-/// - The mean strain around the tip is at most 3%, or the strain of the uncut piece if larger.
+/// - The mean strain around the tip is at most 3%, or the strain of the uncut piece if that is larger.
 /// - A dart comes with its mirror image if the two darts are better than one of them.
 /// - The best dart along edges is added if it leaves at least 5% less strain than all smooth darts.
 ///
@@ -95,21 +95,21 @@ std::vector<DartProposal> propose_darts(const FlattenInput& input, const Options
 ///   is shorter and leaves more strain.
 /// - Sets are symmetric if the piece is symmetric.
 /// - Sets may cross wires. They follow neither edges of no_seam nor mirror images of these edges.
-/// - No joined piece is narrower than `narrowest`, unless one of its two pieces is equally narrow. The width of a piece
-///   is the diameter of the largest disk that can move through it. The disk need not reach parts with less than a tenth
-///   of the area.
-/// - No joined piece covers less than 45% of its convex hull, unless one of its two pieces covers as little.
+/// - A piece joined from two is not narrower than `narrowest`, unless one of the two is equally narrow. The width of a
+///   piece is the diameter of the largest disk that can move through it. The disk need not reach parts with less than a
+///   tenth of the area.
+/// - A piece joined from two covers at least 45% of its convex hull, unless one of the two covers no more of its own.
 ///
 /// Smooth cut sets:
 ///
 /// - Lines turn by less than 30 degrees at each vertex between their ends. They keep bends, or stay on edges, if
-///   smoother lines would meet, need too much strain, or make pieces narrow.
+///   smoother lines would meet, leave too much strain, or make pieces narrow.
 /// - Lines do not cross wires or edges of no_seam and no_crossing.
 /// - The first set may leave more than the accepted strain. A set may leave less strain than an earlier set.
 /// - A closed piece is first divided at its necks and along planes through its parts. Such sets have at most 30 pieces.
 ///   This step needs an input without wires, eases and thickness, and a piece with necks or without long sharp edges.
-/// - If no such set has at most 12 wide enough pieces and the accepted strain (default 20%), sets along edges are
-///   added.
+/// - If no such set has at most 12 pieces, all wide enough and with the accepted strain (default 20%), sets along edges
+///   are added.
 ///
 /// If progress returns false, returns the sets found by then. Some may not be smooth yet. Throws the errors of
 /// propose_darts(), but cancelled only if no set was found.
@@ -124,7 +124,7 @@ struct CutTarget {
   double total_length = std::numeric_limits<double>::infinity();  // maximum total length, scene units; > 0
   std::optional<int> piece;  // index of the only piece to cut, in the result of flatten(); none: any piece
   /// Whether to make a cut together with its mirror image if both cuts are allowed, and if both together leave less
-  /// strain than one. They count as two cuts.
+  /// strain than one of them. They count as two cuts.
   bool twins = false;
   VertexPairs no_seam = VertexPairs(0, 2);  // (k, 2) edges along which no cut may run
 };

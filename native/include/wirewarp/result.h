@@ -65,9 +65,9 @@ struct SeamReport {
   std::vector<double> length_2d;  // one per side, scene units; NaN without a layout
   double variation = 0;  // h, the same for all sides: the mean over the seam if a wire runs along a part of the seam;
                          // NaN if no side has a layout
-  std::vector<double> eases;  // r, one per side: relative excess over (1+h) length_3d; NaN without a layout
-  double mismatch = 0;  // largest difference of the flat length over 1+r between sides with a layout, scene units; NaN
-                        // for fewer than two such sides
+  std::vector<double> eases;  // r, one per side: relative excess of the side over (1+h) length_3d; NaN without a layout
+  double mismatch = 0;  // largest difference, between sides with a layout, of the flat length divided by 1+r, scene
+                        // units; NaN for fewer than two such sides
 };
 
 /// Distortion of a piece (paper IV-A), on the triangles and edges of the input. Without a layout, all numbers except
@@ -83,7 +83,7 @@ struct Metrics {
   Eigen::VectorXd face_shear_angle;       // (q,) deviation of worn threads from a right angle, radians; positive if the
                                           // angle between x and y becomes smaller
   std::vector<VertexPair> wire_edges;     // (e, 2) the edges of edge_length_variation, wires first, then the boundary
-  Eigen::VectorXd edge_length_variation;  // (e,) E_L (Eq. 5) = |l0 - l| / l0, one per wire edge
+  Eigen::VectorXd edge_length_variation;  // (e,) |l0 - l| / l0 (E_L, Eq. 5) per wire edge; l0: target, l: flat length
   std::vector<int> flipped_faces;         // faces that are flipped in the piece
   std::vector<int> overlapping_faces;     // faces that overlap other faces of the same piece
   double angle_deviation_rms = 0;         // root mean square, over the wire-nodes, of flat minus surface angle, radians
@@ -122,7 +122,7 @@ struct PieceReport {
 
   /// Largest entry of the projected gradient at the end, dimensionless. NaN if no gradient was computed.
   ///
-  /// - Paper's methods: for weights of 1 at nodes of mean length. NaN for Inner::least_norm.
+  /// - Paper's methods: computed with weight 1 at nodes of mean length. NaN for Inner::least_norm.
   /// - Refined: of the Lagrangian of pieces coupled by elastic seams, divided by √area for vertices and by area for h.
   ///   NaN for a piece that is not coupled.
   double projected_gradient = std::numeric_limits<double>::quiet_NaN();
