@@ -288,7 +288,12 @@ def test_a_file_that_differs_when_read_again_is_refused_and_the_batch_continues(
         ("a.obj", FOLDED, ("--seams", "lines.json"), "must be a JSON list of lines of vertices"),
         ("a.obj", FOLDED, ("--wires", "lines.json"), "must be a JSON list of wires"),
         ("a.obj", FOLDED, ("--wires", "wire.json"), "Wire 1 of"),
-        ("a.obj", FOLDED, ("--wires", "ease.json"), "Ease 1 of \"ease.json\" has 'tolerance': give ease, side"),
+        (
+            "a.obj",
+            FOLDED,
+            ("--wires", "ease.json"),
+            "Ease 1 of \"ease.json\" has the unknown key 'tolerance': give ease, side",
+        ),
         ("a.obj", FOLDED, ("--orientation", "best"), "grain if there is no cloth"),
         ("a.obj", FOLDED, ("--marker", "1in", "--imperial", "--picture"), "too large for a roll of 1 in"),
         ("a.obj", FOLDED, ("--page", "120mm", "--format", "svg,pdf"), "too large for a roll of 120 mm"),

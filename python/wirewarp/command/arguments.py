@@ -38,10 +38,9 @@ BYTES = {"MB": 10**6, "GB": 10**9}
 GRAINS: dict[str, Grain] = {"one-way": "one way", "both-ways": "both ways", "free": "free"}  # for Pattern.nested()
 ORIENTATIONS = get_args(Orientation)
 VERDICTS = (
-    "Prints one line of JSON for each model. The exit code is that of the worst model. 0: no piece failed, and some "
-    "fabric stretches far enough (ready to cut, or needs stretch fabric). 1: a piece failed, or the fabric does not "
-    "stretch far enough (not ready to cut). 2: the model is refused. 3: the model crashed, or exceeded its limit of "
-    "time or memory."
+    "Prints one line of JSON for each model. The exit code is that of the worst model. 0: ready to cut, or needs "
+    "stretch fabric. 1: not ready to cut, because a piece failed or the fabric does not stretch far enough. 2: the "
+    "model is refused. 3: the model crashed, or exceeded its limit of time or memory."
 )
 
 
@@ -143,7 +142,8 @@ def _shape_options() -> argparse.ArgumentParser:
         type=_stretch,
         default=(0.0, 0.0),
         metavar="WEFT,WARP",
-        help="negative ease across and along the grain: 10%%,5%%, or 10%% for both. Positive: --stretch=-5%% (0%%)",
+        help="negative ease across and along the grain: 10%%,5%%, or 10%% for both. "
+        "Positive ease: --stretch=-5%% (0%%)",
     )
     options.add_argument(
         "--thickness", type=_length, default=0.0, help="thickness of foam, neoprene or leather: 3mm (0)"

@@ -67,7 +67,7 @@ def _in_list(path: Path) -> Iterator[Found]:
             if option in entry and entry[option] not in ("", *FROM_MODEL):
                 entry[option] = str(path.parent / str(entry[option]))
         if not isinstance(model, str) or not all(isinstance(value, str | int | float) for value in entry.values()):
-            raise InputError(f"{source}: a model and its options are texts, numbers or true")
+            raise InputError(f"{source}: a model must be text, and its options texts, numbers or true")
         # A model in a subfolder of the list's folder keeps its subfolder in the output.
         is_inside = not Path(model).is_absolute() and ".." not in Path(model).parts
         yield Found(path.parent / model, Path(model).parent if is_inside else Path(), entry, source)

@@ -17,7 +17,7 @@ from .request import InputError
 SHARP = math.radians(30)  # radians; the default angle of Select Sharp Edges in Blender
 KEYS = {"vertices": {"vertices", "tolerance", "name", "ease"}, "side": {"side", "ease"}}
 LARGEST = np.iinfo(np.int64).max
-SAME_UV = 1e-6  # largest difference of equal UV coordinates, because files have about six decimals
+SAME_UV = 1e-6  # UV coordinates count as equal up to this difference, because files have about six decimals
 
 
 def seams_of(model: Model, wanted: str) -> np.ndarray:
@@ -60,7 +60,7 @@ def lines_of(path: str) -> Lines:
         kind, add, noun = ("side", _add_ease, "Ease") if "side" in entry else ("vertices", _add_wire, "Wire")
         unknown = set(entry) - KEYS[kind]
         if unknown or not _is_chain(entry.get(kind)):
-            what = f"has {min(unknown)!r}" if unknown else f"has no list of {kind}"
+            what = f"has the unknown key {min(unknown)!r}" if unknown else f"has no list of {kind}"
             raise InputError(f'{noun} {number} of "{path}" {what}: give {", ".join(sorted(KEYS[kind]))}.')
         try:
             add(lines, entry)
@@ -76,7 +76,7 @@ def _add_wire(lines: Lines, entry: dict[str, Any]) -> None:
 
 
 def _add_ease(lines: Lines, entry: dict[str, Any]) -> None:
-    """Add the ease. Successive vertices are the directed edges of the triangles on the eased side."""
+    """Add the ease. Successive vertices are the ends of directed edges of the triangles on the eased side."""
     lines.eases.append(Ease(list(pairwise(entry["side"])), entry.get("ease", 0.0)))
 
 

@@ -12,8 +12,9 @@ import numpy as np
 
 from .request import READ_BY_TRIMESH, SUFFIXES, InputError
 
-# Text to remove from text formats. With materials, trimesh would sort the faces and renumber the vertices. In
-# Shift-JIS, a letter of a name may end in a backslash, which would join two lines.
+# Text to remove from text formats: lines about materials, with which trimesh would sort the faces and renumber the
+# vertices, and the rest of a line from the first letter that is not ASCII. In Shift-JIS, such a letter may end in a
+# backslash, which would join two lines.
 UNUSED = re.compile(rb"^[ \t]*(?:mtllib|usemtl)\b[^\r\n]*|[\x80-\xff][^\r\n]*", re.MULTILINE)
 STL_HEADER, STL_FACE = 84, 50  # bytes of a binary STL file: before the faces, and for each face
 STL_END = 1000  # bytes at the end of a text STL file, enough for "endsolid" and a long name

@@ -201,7 +201,8 @@ def _cut_at(
 def _opposed_faces(model: Model) -> np.ndarray:
     """Return the faces (k,) to flip, so that neighbors have the same direction.
 
-    Each connected part flips the direction with the smaller area. A part with one side (Möbius strip) flips no faces.
+    In each connected part, the faces of the direction with the smaller area are flipped. In a part with one side
+    (Möbius strip), no faces are flipped.
     """
     neighbors: dict[int, list[tuple[int, bool]]] = defaultdict(list)
     at_edge: dict[tuple[int, int], list[tuple[int, bool]]] = defaultdict(list)

@@ -52,8 +52,8 @@ def listed_files(report: Path) -> list[str]:
 def take_places(staged: Path, request: Request) -> None:
     """Move new files to their places, and earlier files into the staged folder.
 
-    Whenever a report exists, all files belong to it. Raises InputError before replacing a file that the earlier report
-    does not list.
+    Whenever a report is in its place, all files that are in their places belong to it. Raises InputError before
+    replacing a file that the earlier report does not list.
     """
     earlier = listed_files(request.report_path)
     made = sorted((path.name for path in staged.iterdir()), key=lambda name: name == request.report_path.name)
