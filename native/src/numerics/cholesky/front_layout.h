@@ -45,7 +45,7 @@ struct FrontLayout {
   int unknowns_per_vertex;
   Eigen::Index num_unknowns;
   std::vector<Front> fronts;        // in postorder, then an entry that marks the end
-  std::vector<int> vertices;        // per front: its pivots, then its rows, both in elimination order; the rows after the
+  std::vector<int> vertices;        // per front: its pivots, then its rows, both in elimination order; rows after the
                                     // first num_own_rows are indices into shared_vertices
   std::vector<int> rows_in_parent;  // for each unknown in the rows of each front: its row in the parent's front
   std::vector<int> children;        // children of each front
