@@ -94,7 +94,7 @@ class ObjectReport(Report):
         return [] if self.with_modifiers else self.shaped_by
 
     def follows_grain_wire(self, piece: int) -> bool:
-        """Return whether the grain wire is upright in this piece (an index)."""
+        """Return whether the grain wire is upright in the piece with this index."""
         options = self.options or {}
         ids = {wire.wire: wire.wire_id for wire in self.wires}
         crossing = {ids[part.wire] for part in self.pieces[piece].wires}
@@ -264,7 +264,7 @@ def _mirrored(issue: Issue, piece: Piece, other: Piece, arrays: MeshArrays) -> I
 def _images(points: np.ndarray, own: np.ndarray, others: np.ndarray, axis: int) -> np.ndarray | None:
     """Return the index in `others` of the mirror image of each point, (k,); None if a point has none.
 
-    points (k,3): in the first piece
+    points (k,3): points of the first piece
     own (n,3), others (m,3): all vertices of the two pieces
     """
     mirror = np.where(np.arange(3) == axis, -1.0, 1.0)
