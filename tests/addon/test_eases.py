@@ -106,7 +106,7 @@ def test_edges_without_a_side_are_left_out_and_counted(source, capfd):
     assert "1 line eased: +5%" in (text := capfd.readouterr().out) and "8 selected edges were left out" in text
     bpy.ops.object.mode_set(mode="OBJECT")
     select_edges(source, on_line(1, 0.0))
-    fails(bpy.ops.mesh.wirewarp_ease, "select edges on a seam or outline", sides="ONE", ease_percent=5.0)
+    fails(bpy.ops.mesh.wirewarp_ease, "select edges of a seam or outline", sides="ONE", ease_percent=5.0)
 
 
 def test_one_side_is_the_side_of_the_smaller_piece_on_all_seams(addon):

@@ -192,8 +192,8 @@ def _close(kept: dict[int, Motion], now: _Pieces) -> dict[int, set[int]]:
 
 
 def _beside(kept: dict[int, Motion], homeless: list[int], now: _Pieces, room: float) -> dict[int, Motion]:
-    """Return motions of the homeless pieces to the right of the kept pieces, the tallest piece first. Columns are as high
-    as all kept pieces together. room: space between pieces."""
+    """Return motions of the homeless pieces to the right of the kept pieces, the tallest piece first. Columns are as
+    high as all kept pieces together. room: space between pieces."""
     boxes = np.array([now.box(piece_id, motion) for piece_id, motion in kept.items()])
     corner, top = np.array([boxes[:, 1, 0].max() + room, boxes[:, 0, 1].min()]), boxes[:, 1, 1].max()
     motions = {}
