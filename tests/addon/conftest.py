@@ -75,7 +75,7 @@ def model():
 def everything_answers(model, addon, tmp_path, capfd):
     """Return a function that damages the file with spoil(), then uses every panel, overlay and command.
 
-    in_turn: a mode for each object, repeated; None: both modes for each object
+    in_turn: modes that are given to the objects in turn; None: each object gets both modes
     """
 
     def shapes():

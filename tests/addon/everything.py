@@ -156,7 +156,7 @@ def stored():
 def _stored_on(target):
     mesh = target.data
     return (
-        # Edit Mode may reorder the attributes.
+        # The values are sorted, because Edit Mode may reorder the attributes.
         sorted(_values(each) for each in mesh.attributes if each.name.startswith(OURS)),
         read(mesh.edges, "use_seam", bool).tobytes(),
         [(entry.wire_id, entry.name) for entry in mesh.wirewarp_names],
@@ -224,7 +224,7 @@ def use_everything(addon, name, mode, folder, commands):
 
 
 def export_dialog(addon, **settings):
-    """Return a stand-in for the export dialog. Other settings have their defaults."""
+    """Return a stand-in for the export dialog with these settings. All others have their defaults."""
     module, properties = addon.export, bpy.ops.object.wirewarp_export.get_rna_type().properties
     defaults = {each.identifier: each.default for each in properties if hasattr(each, "default")}
     defaults["drawn"] = module.operators.ALL_DRAWN

@@ -74,7 +74,7 @@ def edge_lengths(target: bpy.types.Object) -> np.ndarray:
 
 
 def wire_marks(mesh: bpy.types.Mesh) -> dict[tuple[int, float], int]:
-    """Return the number of edges of wires with each id and tolerance."""
+    """Return the number of wire edges for each pair of id and tolerance."""
     if "wirewarp_wire" not in mesh.attributes:
         return {}
     ids = read(mesh.attributes["wirewarp_wire"].data, "value", np.int32)

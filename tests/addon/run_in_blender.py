@@ -4,7 +4,9 @@
 blender --background --factory-startup --python-exit-code 1 --python tests/addon/run_in_blender.py -- PYTEST_ARGUMENTS
 python tests/addon/run_in_blender.py -- PYTEST_ARGUMENTS        (a Python with bpy)
 
-- WIREWARP_ZIP: the zip
+Environment variables:
+
+- WIREWARP_ZIP: path of the zip
 - BLENDER_USER_RESOURCES (Blender 3.4: BLENDER_USER_SCRIPTS and _CONFIG): an empty folder for the installed files
 """
 

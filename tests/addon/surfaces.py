@@ -43,7 +43,7 @@ def select_only(*targets: bpy.types.Object) -> None:
 
 
 def grid(name: str, shape: Callable, size: int = 8, faces: str = "quads", **marked: Callable) -> bpy.types.Object:
-    """Return a grid of size by size cells at shape(x, y) over the square from -1 to 1.
+    """Return a grid of size by size cells. Its vertices are shape(x, y), for x and y from -1 to 1.
 
     faces: "quads", "triangles", or "ngons" of two cells, for which no three neighbors on the outline may be collinear
     marked: `seam` or `wire`, each a function of an edge's ends that returns whether the edge is marked

@@ -160,7 +160,7 @@ def test_a_foreign_attribute_with_our_name_is_refused(name, kind, command):
     source = grid("Bump", bump)
     source.data.attributes.new(name, "FLOAT_VECTOR", "POINT")
     expected = f'attribute "{name}" of mesh "Bump" is not of type {kind}'
-    if name != "wirewarp_allowance":  # Flatten does not read allowances.
+    if name != "wirewarp_allowance":  # Flatten ignores an allowance attribute of another type.
         fails(bpy.ops.object.wirewarp_flatten, expected)
     select_edges(source, on_line(0, -1.0))
     for operator, settings in command.items():

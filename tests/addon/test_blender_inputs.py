@@ -162,7 +162,7 @@ def message_after(addon, source):
 
 
 def ignored_after(addon, source):
-    """Flatten, and return what the warning says was ignored. The warning must not say that lengths are exact."""
+    """Flatten, and return the ignored data that the warning names. It must not say that lengths are exact."""
     level, text = message_after(addon, source)
     assert level == "WARNING" and "Lengths are exact" not in text
     return text.removesuffix(" were ignored, so sizes differ from what you see.")

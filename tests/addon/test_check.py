@@ -148,7 +148,7 @@ def test_duplicate_faces_have_check_and_repair_as_the_next_step(addon):
 
 @pytest.mark.parametrize(("shift", "apart", "merged"), [(1000.0, 0.005, 0), (1000.0, 0.00012, 2), (0.0, 1e-5, 2)])
 def test_the_merge_distance_depends_on_the_size_and_not_on_the_place_of_the_model(addon, shift, apart, merged):
-    """Two squares of side 1 have a gap of this width between them, with two vertices of each square beside the gap."""
+    """Two squares of side 1 are `apart` from each other. Each square has two vertices beside the gap."""
     corners = [(0, 0), (1, 0), (1, 1), (0, 1)]
     left, right = ([(shift + x + dx, y, 0.0) for x, y in corners] for dx in (0.0, 1.0 + apart))
     source = make_object("Squares", left + right, [(0, 1, 2, 3), (4, 5, 6, 7)])

@@ -222,7 +222,7 @@ def rip(edit):
 
 
 def merge_by_distance(edit):
-    """Move a piece so that a vertex of the seam meets its copy on the other piece, and merge equal places."""
+    """Move a piece so that a vertex of the seam meets its copy on the other piece, and merge both."""
     piece = edit.faces.layers.int["piece"]
     source_vertex = edit.verts.layers.int["source_vertex"]
     sides = [{v[source_vertex]: v for face in edit.faces if face[piece] == k for v in face.verts} for k in (0, 1)]

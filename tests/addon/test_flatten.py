@@ -205,7 +205,7 @@ def test_a_run_in_edit_mode_uses_the_edits_and_stays_in_edit_mode():
     bpy.ops.mesh.mark_seam(clear=False)
     edit = bmesh.from_edit_mesh(source.data)
     assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
-    assert edit.is_valid and bpy.context.mode == "EDIT_MESH"  # The end of Edit Mode would make the mesh invalid.
+    assert edit.is_valid and bpy.context.mode == "EDIT_MESH"  # The end of Edit Mode would make `edit` invalid.
     bpy.ops.object.mode_set(mode="OBJECT")
     assert len(flat_of(source).data.vertices) == len(source.data.vertices) + 9
     assert sum(read(source.data.edges, "select", bool)) == 8

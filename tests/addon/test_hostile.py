@@ -144,7 +144,7 @@ CASES = {
     "other values in every property": lambda model: store(model, 0),
     "lists and texts in every property": lambda model: store(model, 3),
 }
-# By turns, an attribute gets another type or is on other elements of the mesh.
+# Every second attribute is on other elements of the mesh. The attributes between them get another type.
 for number, attribute in enumerate((*OF_MODEL, *OF_PIECES)):
     other = "POINT" if attribute.domain == "CORNER" else "CORNER"
     kind = (attribute.data_type, other) if number % 2 else ("STRING", attribute.domain)
@@ -155,7 +155,7 @@ for number, attribute in enumerate((*OF_MODEL, *OF_PIECES)):
 
 @pytest.mark.parametrize("case", CASES)
 def test_every_reader_of_damaged_data_works_or_is_refused(model, everything_answers, case):
-    # The modes alternate after two cases. Otherwise, each of the two faults of attributes would have only one mode.
+    # The modes alternate after two cases. Otherwise, each fault of attributes would be tested in one mode only.
     modes = ("OBJECT", "EDIT") if list(CASES).index(case) // 2 % 2 else ("EDIT", "OBJECT")
     everything_answers(lambda: CASES[case](model), READERS, modes)
 

@@ -198,7 +198,7 @@ def mark_a_former_seam(source):
     ],
 )
 def test_the_gap_counts_from_the_widest_allowance_on_an_outline(mark_widths, widest):
-    """widest: meters."""
+    """widest: width of the widest allowance on the outline, in meters."""
     assert gap_of_two(0.5, 1.0, mark_widths) == pytest.approx(0.05 + 2 * widest, abs=1e-5)
 
 

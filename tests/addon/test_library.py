@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""If the library is missing, foreign or broken, the add-on registers, shows a sentence, and unregisters."""
+"""If the library is missing, foreign or broken, the add-on can be registered and removed, and says what to do."""
 
 import platform
 import re

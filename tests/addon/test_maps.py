@@ -91,7 +91,7 @@ def test_thick_material_that_unfolds_changes_no_length(addon):
 
 
 def test_lines_with_their_target_length_have_no_change(addon):
-    """Worn stretch changes the target lengths of all lines. An ease changes the target length of its line."""
+    """Negative ease of the fabric changes the target lengths of all lines. An ease changes that of its line only."""
     target = grid("Half", half_cylinder, size=16, faces="triangles")
     bpy.ops.object.wirewarp_flatten(cloth="SWIM", worn_across=20.0, worn_along=20.0, orientation="UP")
     values, _ = variations(target)

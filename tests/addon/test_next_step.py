@@ -163,7 +163,7 @@ def test_edges_proposed_for_mirror_images_are_counted_once(addon):
     source = joined(tube(place=-2.0), tube("Other", place=2.0))
     flatten_fails(CUT)
     issues = addon.state.reports.last_report(source).issues
-    # There is one issue for each of the two tubes. Each issue proposes 6 edges on both tubes.
+    # There is one issue for each of the two tubes. Each issue proposes 6 edges on each tube.
     assert sum(len(issue.proposed_seams) for issue in issues) == 2 * 2 * 6
     assert step_of(addon, source).sentence == "Suggested seam: 12 edges."
 

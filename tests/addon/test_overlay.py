@@ -324,7 +324,7 @@ def test_a_failed_piece_has_lines_around_it_and_none_inside(addon):
     bpy.ops.mesh.primitive_cylinder_add(vertices=12, end_fill_type="NOTHING")
     tube = bpy.context.active_object
     flatten_fails("tube")
-    assert "failed" not in addon.overlay.failures.failures(tube).lines  # A tube alone only needs a cut.
+    assert "failed" not in addon.overlay.failures.failures(tube).lines  # A tube alone has not failed, but needs a cut.
     select_only(tube, grid("Bump", bump))
     bpy.ops.object.join()
     flatten_fails("tube")
@@ -362,5 +362,6 @@ def test_proposed_seams_are_drawn_while_a_button_marks_them(addon):
     assert sorted(map(tuple, drawn.tolist())) == sorted(ends)
     bpy.ops.object.mode_set(mode="EDIT")
     assert np.array_equal(addon.overlay.failures.failures(source).lines["proposed"], drawn)
-    assert bpy.ops.object.wirewarp_suggest_seams() == {"FINISHED"}  # Now the button marks the suggested cuts instead.
+    # After this search, the button below Flatten marks the suggested cuts instead of the proposed seams.
+    assert bpy.ops.object.wirewarp_suggest_seams() == {"FINISHED"}
     assert "proposed" not in addon.overlay.failures.failures(source).lines

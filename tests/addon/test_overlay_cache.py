@@ -150,7 +150,7 @@ def clock(addon, monkeypatch):
 def slowly(addon, clock, owner, seconds, source=None):
     """Return a function that draws a version, and a list of the versions that were built.
 
-    Building a version takes this many seconds. If a version is not built, the function returns an earlier version.
+    Building a version takes `seconds`. If a version is not built, the function returns an earlier version.
     """
     built = []
 

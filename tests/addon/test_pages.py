@@ -55,7 +55,7 @@ def test_the_preview_has_as_many_pages_as_the_file(addon, source, tmp_path, pape
 
 @pytest.mark.parametrize("arrangement", ["IN_ROWS", "AS_LAID_OUT"])
 def test_copies_are_drawn_once_in_file_and_preview(addon, at_once, tmp_path, arrangement):
-    """Two equal halves of a flat square of 200 mm become one half of one piece, with a fold."""
+    """A flat square of 200 mm is cut into two equal, symmetric pieces. Only half of one piece is drawn, with a fold."""
     bpy.context.scene.unit_settings.scale_length = 0.1
     source = grid("Flat", lambda x, y: (x, y, 0.0), seam=on_line(0, 0.0))
     bpy.ops.object.wirewarp_flatten(spacing=50.0)

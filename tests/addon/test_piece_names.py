@@ -235,7 +235,7 @@ def test_joined_and_copied_pieces_keep_their_names_if_possible(source):
     bpy.ops.object.join()
     names = flatten(source)
     assert len(set(names)) == 4
-    assert {"Sleeve", "Top Right"} < set(names)  # One of two equal pieces keeps each name.
+    assert {"Sleeve", "Top Right"} < set(names)  # Of two pieces with one name, only one keeps it.
     assert len({entry.piece_id for entry in source.wirewarp_pieces}) == 4
 
 
@@ -296,7 +296,7 @@ def test_a_forged_negative_id_counts_as_none(source):
 
 
 def tube_along(path, cuts):
-    """Return a tube of eight sides along a path (k,3) at y = 0. Its lower side and the rings in cuts are seams."""
+    """Return a tube of eight sides along a path (k,3) at y = 0. Seams are its lower side and the rings in `cuts`."""
     path = np.array(path, dtype=float)
     along = np.gradient(path, axis=0)
     across = np.column_stack([-along[:, 2], 0 * along[:, 1], along[:, 0]]) / np.linalg.norm(along, axis=1)[:, None]

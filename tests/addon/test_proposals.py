@@ -49,7 +49,7 @@ def test_two_sleeves_are_fixed_at_once_as_mirror_images(addon):
 
 def test_pairs_without_mirrored_meshes_are_fixed_at_once_each_by_its_own_seam():
     source, other = tube(), tube("Other", place=4.0)
-    # Rotated about the origin, this tube is not a mirror image in X, Y or Z.
+    # Rotated about the origin, this tube is not a mirror image of the first tube across X, Y or Z.
     other.data.transform(Matrix.Rotation(0.1, 4, "Z"))
     joined(source, other)
     flatten_fails(CUT)

@@ -158,7 +158,7 @@ def test_missing_arguments_come_from_the_scene(addon):
 
 
 class MenuLayout(SimpleNamespace):
-    """Records the entries of a menu. Its first operator context is the one that Blender's own entries leave."""
+    """Records the entries of a menu. At first, it has the operator context that Blender's own entries have set."""
 
     def __init__(self):
         super().__init__(operator_context="EXEC_REGION_WIN", contexts=[], menus=[], entries=[])

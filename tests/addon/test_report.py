@@ -100,7 +100,7 @@ def test_a_canceled_piece_with_exact_lengths_reports_it(addon, monkeypatch):
         left = iter(range(steps, 0, -1))
 
         def start(*what, **options):
-            """Return a finished job, which was canceled after this number of steps."""
+            """Return a finished job, which was canceled after `steps` reports of the stage "shape"."""
             stops = lambda stage, _: stage != "shape" or next(left, 0) > 0  # noqa: E731
             result = library.flatten(*what, progress=stops, **options)
             return SimpleNamespace(is_done=lambda: True, cancel=lambda: None, result=lambda: result)
@@ -121,7 +121,7 @@ def test_a_canceled_piece_with_exact_lengths_reports_it(addon, monkeypatch):
 
 
 def test_notes_are_not_warnings(addon, source):
-    """The message after a run contains its notes. It is a warning only if one of them is."""
+    """The message after a run contains its notes. It is a warning only if one of the notes is a warning."""
     bpy.ops.object.wirewarp_flatten()
     bpy.ops.object.wirewarp_flatten(use_modifiers=True)
     report = addon.state.reports.last_report(source)

@@ -217,7 +217,7 @@ def test_a_second_run_is_refused(addon, source, monkeypatch):
 
 
 def test_an_update_takes_the_undo_group_of_the_last_operator(addon):
-    """For each of these undo groups, an operator is registered. It stays registered until the add-on is disabled,
+    """An operator is registered for each undo group. It stays registered until the add-on is disabled,
     because unregistering an operator would remove the panel Adjust Last Operation.
     """
     updating = addon.flatten.auto_update.updating_in

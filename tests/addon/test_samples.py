@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The sample files contain the data of blend_samples/, and the pieces of the top have names of garments."""
+"""The sample files contain the data of blend_samples/, and pieces of the top are named after parts of garments."""
 
 import json
 import sys

@@ -116,7 +116,7 @@ def test_wires_other_seams_and_eases_stay_and_the_wire_is_met_at_the_same_places
         mark_allowance_and_smooth(source)
     assert len(source.data.vertices) == count
     assert smooth(source, lambda a, b: max(a[1], b[1]) < 0.45) == {"FINISHED"}
-    assert len(crossed) == 2 and crossed == on_the_wire(source)  # by the stair steps and the other seam
+    assert len(crossed) == 2 and crossed == on_the_wire(source)  # where both seams cross the wire
     marked = read(source.data.attributes["wirewarp_wire"].data, "value", np.int32)
     assert np.count_nonzero(marked) == np.count_nonzero(wires)
     eases = read(source.data.attributes["wirewarp_side_ease"].data, "value", np.float32)

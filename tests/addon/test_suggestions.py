@@ -178,7 +178,7 @@ def test_the_list_of_an_earlier_search_cannot_be_clicked_during_the_next_search(
 def flattened_for(addon, source, index):
     """Mark a suggested set, and flatten for the fabric of the panel.
 
-    Return the set, the texts that the panels had before, and the verdict.
+    Return the set, the texts of the panels before it was marked, and the verdict.
     """
     bpy.ops.object.wirewarp_choose_suggestion(index=index)
     suggestions, shown = found(addon, source), draw_panels(addon)
@@ -262,7 +262,7 @@ def test_changed_settings_are_reported(addon, capfd):
     assert "Search again" not in draw_panels(addon)  # These settings do not affect the figures.
     settings.fairness = 0.2
     assert "Settings changed after the search: Smooth Outlines. Search again." in draw_panels(addon)
-    settings.cloth, settings.orientation = "WOVEN", "WIRE"  # Woven fabric has a grain.
+    settings.cloth, settings.orientation = "WOVEN", "WIRE"  # With a fabric, the figures depend on the grain wire.
     SUGGEST["DARTS"]()
     source.data.wirewarp_grain = source.data.wirewarp_names[0].wire_id
     assert "Settings changed after the search: Grain Wire. Search again." in draw_panels(addon)
@@ -302,7 +302,7 @@ def test_a_cut_across_quads_leaves_marks_maps_and_surface(addon):
 
 
 def write_sides(mesh, name):
-    """Set a different value on each side of each edge. Eases are allowed on outline edges only."""
+    """Set a different value on each side of each edge. Without seams, eases of one side need outline edges."""
     edges = read(mesh.loops, "edge_index", np.int32)
     is_asked = (name == "wirewarp_side_allowance") | (np.bincount(edges)[edges] == 1)
     values = np.where(is_asked, np.linspace(0.01, 0.02, len(edges)), 0).astype(np.float32)

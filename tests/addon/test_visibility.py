@@ -11,7 +11,7 @@ pytestmark = pytest.mark.api
 
 
 def failed_source():
-    """Return a model with flat pieces. After them, a run failed, and its report names faulty elements."""
+    """Return a model with flat pieces. A later run has failed, and its report names faulty elements."""
     source = grid("Bump", bump)
     bpy.ops.object.wirewarp_flatten()
     source.data.vertices[0].co = source.data.vertices[1].co

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The list of wires follows the marks, and changes names, kinds and tolerances of wires."""
+"""The list of wires shows all marked wires, and changes their names, kinds and tolerances."""
 
 import math
 
@@ -181,7 +181,7 @@ def test_a_row_of_the_list_has_name_kind_and_length_with_its_unit(addon, source)
         wire.length(np.eye(3)) for name, wire in addon.state.identities.listed_wires(source) if name == "Middle"
     )
     assert row == ["Middle", f"±5%  {100 * length:.3f} cm"]
-    # A narrow sidebar has kind and length of the chosen wire below the list.
+    # In a narrow sidebar, kind and length of the chosen wire are below the list.
     assert row_of(addon, source, source.data.wirewarp_names[1], width=200) == ["Middle"]
     source.data.wirewarp_active_wire = 1
     assert draw_panels(addon).count(f"±5%  {100 * length:.3f} cm") == 1

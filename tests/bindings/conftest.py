@@ -12,7 +12,7 @@ import pytest
 from hypothesis import settings
 from wirewarp.pattern.label import fonts, glyphs
 
-# For drawing.py. It is the last folder, because both folders have a file surfaces.py.
+# The folder is added for drawing.py. It is last, because both folders have a file surfaces.py.
 sys.path.append(str(Path(__file__).resolve().parents[1] / "addon"))
 
 settings.register_profile("repeatable", max_examples=150, derandomize=True, deadline=None)

@@ -100,7 +100,7 @@ def run_with_kills(models, out, jobs, seed=0):
             for number, _ in enumerate(process.stdout):
                 if len(killed) < len(KILLS) and number >= places[len(killed)]:
                     killed += _kill(process.pid, KILLS[len(killed)])
-        # -9: the driver was killed. 2 or 3: some files are not models, or a worker was killed.
+        # Exit codes: -9 if the driver was killed, 3 if a worker was killed, otherwise 2, as some files are not models.
         assert process.returncode in (-9, 2, 3), process.returncode
     while any(line["verdict"] == "stopped" for line in run(models, out, jobs)):
         pass  # repeats until every interrupted model is finished

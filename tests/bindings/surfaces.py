@@ -30,7 +30,7 @@ def half_cylinder(columns: int = 8, rows: int = 4) -> Mesh:
 
 
 def spherical_patch(columns: int = 8, rows: int = 8) -> Mesh:
-    """Return a part of the unit sphere, a quarter turn in longitude and in latitude, seen from outside."""
+    """Return a quarter turn, in longitude and latitude, of the unit sphere. Its faces point outward."""
 
     def point(u: float, v: float) -> tuple[float, float, float]:
         longitude, latitude = math.pi / 2 * (u - 0.5), math.pi / 2 * (v - 0.5)

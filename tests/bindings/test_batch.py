@@ -28,7 +28,7 @@ from works_apart import hang_or_wait, square_or_crash, take_memory_and_hang
 
 posix = pytest.mark.skipif(os.name != "posix", reason="uses shell scripts and limits of POSIX")
 NEVER = Limits(3600.0, 10**12)
-# A test that runs in the background ignores SIGINT, and its child processes would do the same without this line.
+# A test that runs in the background ignores SIGINT. Without this line, its child processes would ignore it, too.
 HEARS_CTRL_C = "import signal; signal.signal(signal.SIGINT, signal.default_int_handler)"
 COMMAND = "; import runpy; runpy.run_module('wirewarp', run_name='__main__')"
 

@@ -26,7 +26,7 @@ def sheet():
 
 
 def contents(result):
-    """Return all of a result except its times and the number of reused pieces."""
+    """Return the plain values of a result, without its report and the times of its pieces."""
     plain = result.to_dict()
     del plain["report"]
     for piece in plain["pieces"]:

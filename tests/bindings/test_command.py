@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""python -m wirewarp flattens files with the same results as Python, and reports each fault in one sentence."""
+"""python -m wirewarp flattens files with the same results as flatten(), and reports each fault in one sentence."""
 
 import errno
 import itertools
@@ -189,7 +189,10 @@ def contents(folder):
 
 
 def failing_at(number):
-    """Return a Path.replace that fails once: at the move with this number, counted from 0, into or out of "out"."""
+    """Return a substitute for Path.replace that fails once.
+
+    number: index of the failing move, among the moves into or out of the folder "out"
+    """
     replace, count = Path.replace, itertools.count()
 
     def failing(self, target):

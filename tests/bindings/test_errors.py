@@ -119,7 +119,7 @@ def test_proposed_seams_can_be_passed_as_seams():
 def test_seams_are_proposed_for_a_piece_that_only_the_stretch_makes_infeasible():
     """The stretch shortens the legs of a triangle to a fifth, so its base becomes too long.
 
-    The base is sewn to a square that keeps its length. Both get the mean length, three fifths.
+    The base is sewn to a square, which would keep its length. Both get the mean of both lengths, three fifths.
     """
     around = [(i / 4, 0, 0) for i in range(5)] + [(0.5, 0.08, 0)]
     vertices = [*around, *((i / 4, 0, -1) for i in range(5))]

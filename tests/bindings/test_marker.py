@@ -265,7 +265,7 @@ def test_a_search_ends_if_its_parent_is_killed(tmp_path):
     ],
 )
 def test_bad_input_gives_one_sentence(options, words):
-    pattern = Pattern.from_result(rectangle(300, 200))  # upright, so it is 220 mm wide
+    pattern = Pattern.from_result(rectangle(300, 200))  # its long sides are upright, so it is 220 mm wide
     with pytest.raises(wirewarp.FlattenError, match=words) as raised:
         pattern.nested(**options)
     assert str(raised.value).count(". ") == 0

@@ -299,7 +299,7 @@ def test_the_date_is_on_every_piece():
 
 @pytest.mark.parametrize(("height", "depth"), [(8, 2.4), (60, 5.0)])
 def test_notches_without_allowance_that_face_each_other_do_not_meet(height, depth):
-    """A wire across the piece has a notch at each end. Its depth is 0.3 times the piece's width, at most 5 mm."""
+    """A wire across the piece has two notches. Their depth is 0.3 times the height of the piece, at most 5 mm."""
     result = grid([0, 100, 200], [0, height], wires=[wirewarp.Wire([1, 4])])
     (piece,) = Pattern.from_result(result, allowance=0, notch_spacing=0).pieces
     (wire,) = piece.of_role("wire")

@@ -14,7 +14,7 @@ from wirewarp.pattern.make.corners import CORNER_TYPES
 
 
 def random_sections(random: np.random.Generator) -> list[Section]:
-    """Return the sections of a wavy outline around a circle of 200 mm."""
+    """Return the sections of a wavy outline around a circle with a radius of 200 mm."""
     count = random.integers(12, 200)
     angles = np.linspace(0, 2 * np.pi, count, endpoint=False)
     waves = range(1, int(random.integers(2, 9)))
@@ -48,7 +48,8 @@ def test_any_widths_around_any_outline_make_one_loop(seed):
     corners = shapely.MultiPoint([section.points[-1] for section in loop])
     zone = 4 * max(section.width for section in loop)
     lines = [shapely.LineString(section.points) for section in loop]
-    # A pocket is a gap that the allowance encloses. Its outline keeps the width of every section, too.
+    # A pocket is a gap that the allowance encloses. Its outline is at least as far from every section as the section's
+    # width.
     for pocket in found.pockets:
         places = shapely.points(pocket)
         for section, line in zip(loop, lines, strict=True):
@@ -141,7 +142,7 @@ def test_a_notch_in_a_section_is_filled_as_far_as_the_width(mouth, depth, lean, 
 @pytest.mark.parametrize("of_next", [False, True])
 @pytest.mark.parametrize("wide_first", [False, True])
 def test_at_obtuse_corners_the_wider_allowance_ends_on_the_narrower_cutting_line(wide_first, of_next):
-    """The cutting line around an octagon with miters is the intersection of half planes, one for each edge."""
+    """The area inside the cutting line of an octagon with miters is the intersection of half planes, one per edge."""
     angles = 2 * np.pi * np.arange(8) / 8
     points = 200 * np.column_stack([np.cos(angles), np.sin(angles)])
     expected, loop = shapely.box(-500, -500, 500, 500), []

@@ -18,7 +18,7 @@ SEAM = [(x, x + 1) for x in range(COUNT)]
 def two_strips(eased, **options) -> wirewarp.FlattenResult:
     """Flatten two strips of 150 mm, below and above a seam of edges of 20 mm.
 
-    eased: (start, end, ratio) of each ease of the lower strip, with the numbers of its edges.
+    eased: (start, end, ratio) for each ease of the lower strip. The ease is on its edges range(start, end).
     """
     row = COUNT + 1
     points = [(x * LENGTH / COUNT, y) for y in (0, 150, -150) for x in range(row)]
@@ -31,7 +31,7 @@ def two_strips(eased, **options) -> wirewarp.FlattenResult:
 def notches_in_file(path: Path, name: str) -> list[float]:
     """Return the distances in mm of a piece's notches from an end of its seam.
 
-    Of both ends, this is the end that is farther from its nearest notch.
+    This end is farther from its nearest notch than the other end.
     """
     drawing = Drawing(path)
     (seam,) = [line for line in drawing.lines(name, "Sew") if len(line) == COUNT + 1]

@@ -48,7 +48,7 @@ def test_a_seam_all_around_begins_at_a_notch_and_has_a_second_notch():
     assert [len(own) for own in found] == [2, 2]
     apart = [np.linalg.norm(first.at - second.at) for first, second in found]
     assert apart[0] == pytest.approx(apart[1], abs=0.01)
-    assert RADIUS < apart[0] < 1.95 * RADIUS  # if they were opposite, the ring could be sewn on half a turn off
+    assert RADIUS < apart[0] < 1.95 * RADIUS  # if the notches were opposite, the ring could be sewn on half a turn off
     assert [len(own) for own in notches(ring, 0.0)] == [0, 0]
 
 
@@ -79,7 +79,7 @@ def test_a_seam_shorter_than_the_spacing_has_a_notch_beside_its_middle_if_it_has
         (96, [], 30, [30, 60]),  # a notch at 90 would be only a fifth of the spacing from the end
         (120, [], 30, [24, 54, 84]),  # 30, 60 and 90 would be the same on the reversed seam
         (15, [], 100, [5]),
-        (65, [30], 100, []),  # on the reversed seam, the wire's notch at 30 would be visibly off, by 5 mm
+        (65, [30], 100, []),  # the wire's notch suffices, because it would be 5 mm off on the reversed seam
         (64, [30], 100, [23.68]),
         (100, [50], 1000, [37]),
         (100, [42, 58], 1000, []),  # a notch at 37 would be too close to 42

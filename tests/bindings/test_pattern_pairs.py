@@ -35,7 +35,7 @@ def symmetric(angle, **options):
 
 
 def test_a_pair_is_cut_as_drawn_and_mirrored():
-    """The right sleeve, which is drawn, is the mirror image of the left sleeve."""
+    """Only one sleeve is drawn, because the other sleeve is its mirror image."""
     paired = sample("Fitted top", pairs=True)
     assert [piece.quantity for piece in paired.pieces] == [(1, 0), (1, 0), (1, 1)]
     assert "Cut 1 pair (2 pieces, one mirrored)" in paired.pieces[2].texts[0].lines
@@ -223,7 +223,7 @@ def test_a_half_opens_at_whichever_of_its_edges_is_the_fold(fold, area):
 
 
 def test_a_fold_that_is_a_little_crooked_opens_without_a_slit():
-    """The middle of the fold is 0.4 mm off. A fold that is less than 0.5 mm off counts as straight."""
+    """The middle of the fold is 0.4 mm off a straight line. Less than 0.5 mm counts as straight."""
     points = [(0, 0), (100, 0), (100, 30), (-0.4, 30), (0, 60), (100, 60)]
     half, piece = opened(quads(points, [(0, 1, 2, 3), (3, 2, 5, 4)]), [(4, 3), (3, 0)])
     assert not half.warnings
@@ -244,7 +244,7 @@ def capped_tubes(ring, *seam_rows):
     """Flatten tubes side by side, each with a cap below. Every second tube is a mirror image.
 
     ring: (n, 2) points around a tube
-    seam_rows: index of the point where a seam opens each tube
+    seam_rows: for each tube, index of the point of the ring at which a seam opens the tube
     """
     count, vertices, faces, seams = len(ring), [], [], []
     for number, row in enumerate(seam_rows):

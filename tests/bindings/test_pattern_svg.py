@@ -45,7 +45,7 @@ def test_kinds_of_lines_differ_by_layer_color_and_dashes(drawn):
 
 
 def test_every_line_has_its_own_style_attributes(drawn):
-    """Programs of cutters ignore style sheets, and fill closed lines that have no attributes with black."""
+    """Programs of cutters ignore style sheets. Without attributes, they would fill closed lines with black."""
     root = drawn()[1].root
     lines = list(root.iter(f"{SVG}path"))
     assert lines

@@ -160,7 +160,7 @@ def test_the_grain_follows_its_setting_and_is_upright_by_default():
 
 
 def card_and_arrow(piece):
-    """Return the area of the card's lines, and of the grain arrow, which is as wide as its heads."""
+    """Return the area of the card's lines, and the area of the grain arrow, which is as wide as its heads."""
     (card,) = (text for text in piece.texts if text.role == "card")
     (arrow,) = piece.of_role("grain")
     step = LINE * card.height * np.array([0.0, -1.0]) @ turn(card.angle)  # from a line of the card to the next

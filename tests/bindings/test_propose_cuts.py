@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Proposed darts and seams, and fewer seams, have the figures of the flattened model that has these cuts."""
+"""Proposed darts, proposed seams and simplified seams have the figures of the model that is flattened with them."""
 
 import json
 import pickle

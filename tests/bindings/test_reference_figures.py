@@ -55,7 +55,7 @@ def figures(name: str) -> dict:
 
 
 def entries(file: str, start: str) -> list:
-    """Return (case, entry) for each entry of the file that begins with `start`."""
+    """Return (case, entry) for each entry whose name begins with `start`."""
     cases = {name: case for name, case in figures(file).items() if isinstance(case, dict) and name != "Toy"}
     return [(name, entry) for name, case in cases.items() for entry in case if entry.startswith(start)]
 
@@ -133,8 +133,8 @@ def test_refined(name: str, entry: str):
     piece = exact_piece(name, tolerance, method="refined", fairness=fairness)
     assert piece.error is None  # exact lengths, no flipped face, no overlap
     assert piece.report.termination == "converged" and piece.report.factorizations <= 20
-    # At edges of lines shorter than fairness * √area / 8, bending has less weight than in the reference. The minimum is
-    # then lower, and the ARAP energy may be a larger part.
+    # If edges of lines are shorter than fairness * √area / 8, bending has less weight there than in the reference. The
+    # minimum is then lower, and the ARAP energy may be a larger part of it.
     vertices, _, wires = read_case(name)
     chains = (*wires, *(boundary.vertices for boundary in piece.boundaries))
     shortest = min(np.linalg.norm(np.diff(vertices[chain], axis=0), axis=1).min() for chain in chains)
@@ -146,7 +146,7 @@ def test_refined(name: str, entry: str):
 
 @pytest.fixture(scope="module")
 def seams():
-    """Return a dictionary for the seams of each sample as chains, so that they are found once."""
+    """Return a dictionary in which tests keep the seams of each sample, as chains, so that these are found once."""
     return {}
 
 
@@ -207,7 +207,7 @@ def test_samples_of_fabric(name: str):
     result = flatten(SAMPLES[name], cloth=WOVEN)
     area = np.array([piece.metrics.area_3d for piece in result.pieces])
     energy = np.array([piece.metrics.cloth_energy for piece in result.pieces]) @ area / area.sum()
-    # The figures have another bending term near crossings of lines and short edges.
+    # At short edges and near crossings of lines, the figures have another bending term.
     assert energy == pytest.approx(expected["E"], rel=0.01)
     assert thread_strain(SAMPLES[name], result) == pytest.approx(expected["p99"], rel=0.01)
 

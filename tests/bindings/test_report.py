@@ -120,7 +120,7 @@ def test_the_verdict_names_the_stretch_the_pieces_and_the_fabric():
 
 
 def test_lists_show_the_figures_that_the_verdict_compares_with_the_fabric():
-    """Piece 1 must stretch more, but within the limit across the grain. Piece 2 exceeds the lower limit along it."""
+    """Piece 1 must stretch more, within the limit across the grain. Piece 2 exceeds the lower limit along the grain."""
     report = report_of_pieces(0.15, 0.13, limits=0.2)
     for piece, along in zip(report.pieces, (0.01, 0.07), strict=True):
         piece.threads = replace(piece.threads, along=along, gives=Ways(across=0.2, along=0.05))

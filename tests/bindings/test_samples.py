@@ -12,7 +12,7 @@ STRETCHED = [name for name, shape in SAMPLES.items() if any(shape.stretch)]
 
 
 def edges_with_use(faces):
-    """Return vertex pairs (k, 2), the smaller first, and the number of faces of each."""
+    """Return the edges as pairs (k, 2) of vertices in ascending order, and the number of faces at each edge."""
     sides = np.sort(np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]]), axis=1)
     return np.unique(sides, axis=0, return_counts=True)
 

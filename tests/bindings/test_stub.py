@@ -120,7 +120,8 @@ def fits(value: object, hint: object) -> bool:
     if origin in (types.UnionType, typing.Union):
         return any(fits(value, each) for each in arguments)
     if isinstance(value, np.ndarray):
-        return hint == NDArray[value.dtype.type]  # compared whole, because typing does not resolve it since numpy 2.5
+        # NDArray is compared as a whole, because typing does not resolve it since numpy 2.5.
+        return hint == NDArray[value.dtype.type]
     if origin in (list, tuple):
         return isinstance(value, origin) and all(fits(each, arguments[0]) for each in value)
     if origin is dict:

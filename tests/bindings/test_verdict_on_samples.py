@@ -25,7 +25,7 @@ def share_within(piece: wirewarp.Piece, name: str, limits: tuple[float, float]) 
     return min(areas[strain <= limit].sum() / areas.sum() for strain, limit in zip(strains, limits, strict=True))
 
 
-# from the least to the greatest stretch; each suffices for samples for which the fabric before it does not
+# from the least to the greatest stretch; each suffices for some samples for which the fabric before it does not
 FABRICS = ["vinyl", "minky", "jersey", "swim"]
 
 

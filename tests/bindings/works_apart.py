@@ -18,9 +18,10 @@ def square_or_crash(number):
 
 
 def hang_or_wait(task):
-    """Start a process, write its id to the path, and hang, or wait until a file exists at the path.
+    """Do one of these tasks:
 
-    task: ("hang", path) or ("wait", path).
+    - ("hang", path): start a process, write its id to the path, and hang.
+    - ("wait", path): wait until a file exists at the path.
     """
     kind, path = task
     if kind == "hang":

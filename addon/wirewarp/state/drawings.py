@@ -13,11 +13,11 @@ from ..blender.views import redraw_views
 from .memory import all_states, state_of
 
 T = TypeVar("T")
-IDLE_SHARE = 9  # pause after a build as a multiple of its time, so that building takes at most a tenth of all time
-MAX_IDLE = 1.0  # longest pause in seconds, so that no drawing is outdated for longer
-FELT = 0.03  # seconds; a drawing whose build takes longer is slow, and is built again one redraw later
-SOON = 0.01  # seconds until the redraw after a slow drawing
-REST = 0.2  # seconds without a change before a build in Edit Mode, where the user may be dragging
+IDLE_SHARE = 9  # pause after a build, as a multiple of the build's duration; MAX_IDLE limits this pause
+MAX_IDLE = 1.0  # longest pause after a build, in seconds
+FELT = 0.03  # seconds; a drawing is slow if its build takes longer, and then later builds wait for SOON or REST
+SOON = 0.01  # seconds from a change to the build of a slow drawing, so that the screen is redrawn before
+REST = 0.2  # seconds without a change before a slow drawing is built in Edit Mode, where the user may be dragging
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,7 +63,7 @@ def kept_drawing(
             return entry.value
     value = build()
     if entry:
-        value = reused(entry.value, value)  # after a selection in Edit Mode, unchanged parts are not built again
+        value = reused(entry.value, value)  # equal parts stay the same objects, so drawings made of them stay valid
     done = time.monotonic()
     drawings[what] = _Entry(made_of, value, done + min(IDLE_SHARE * (done - now), MAX_IDLE), done - now > FELT)
     return value

@@ -106,7 +106,8 @@ def has_kept_shape(mesh: bpy.types.Mesh) -> bool:
 
 
 def current_pieces(source: bpy.types.Object) -> tuple[ObjectReport, bpy.types.Object]:
-    """Return the report and the flat object of a model in Object Mode. Raises ObjectError if they are outdated."""
+    """Return the report and the flat object of a model in Object Mode. Raises ObjectError if the pieces are missing,
+    outdated, edited by hand, or not in actual size."""
     report, flat = pieces_report(source), find_flat_object(source)
     if report is None or not has_flat_object(source) or report.flat_object is None:
         raise object_error("no_flat_pieces", f'"{source.name}" has no flat pieces. Flatten it first.')

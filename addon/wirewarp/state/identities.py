@@ -182,8 +182,8 @@ def piece_names(source: bpy.types.Object) -> dict[int, str]:
 def known_pieces(
     source: bpy.types.Object, arrays: MeshArrays, flat: bpy.types.Object | None, model_name: str
 ) -> KnownPieces:
-    """Return the pieces of the last run, with the ids on the faces of the model. If flat pieces are given, their ids
-    are used. model_name: the model's name in the last run."""
+    """Return the pieces of the last run. Their ids are from the flat pieces if these are given and have ids, otherwise
+    from the faces of the model. model_name: the model's name in the last run."""
     ids = _ids_of_flat_pieces(flat.data, len(arrays.piece_ids)) if flat else arrays.piece_ids
     return KnownPieces(ids if ids.any() else arrays.piece_ids, piece_names(source), model_name)
 
@@ -194,7 +194,7 @@ def _ids_of_flat_pieces(mesh: bpy.types.Mesh, face_count: int) -> np.ndarray:
     ids, record = np.zeros(face_count, dtype=np.int32), read_record(mesh)
     if record and record.source_faces == face_count and has_attributes(mesh, SOURCE_FACE, PIECE):
         faces = find_values(mesh, SOURCE_FACE)
-        inside = (faces >= 0) & (faces < face_count)  # faces that the user has made may have any id, or none
+        inside = (faces >= 0) & (faces < face_count)  # faces that the user has added may name any source face
         ids[faces[inside]] = find_values(mesh, PIECE)[inside]
     return ids
 
@@ -230,8 +230,8 @@ def seam_names(source: bpy.types.Object) -> dict[int, str]:
 
 
 def known_seams(source: bpy.types.Object, arrays: MeshArrays, flat: bpy.types.Object | None) -> KnownSeams:
-    """Return the seams of the last run, with the ids on the seam edges of the model. If flat pieces are given, their
-    ids are used."""
+    """Return the seams of the last run. Their ids are from the flat pieces if these are given and have ids, otherwise
+    from the seam edges of the model."""
     ids = _seam_ids_of_flat_pieces(flat.data, arrays) if flat else arrays.seam_ids
     return KnownSeams(ids if ids.any() else arrays.seam_ids, seam_names(source))
 
@@ -247,7 +247,7 @@ def _seam_ids_of_flat_pieces(mesh: bpy.types.Mesh, arrays: MeshArrays) -> np.nda
     marked = np.flatnonzero(found)
     count = len(arrays.vertices)
     sources = find_values(mesh, SOURCE_VERTEX)[edge_vertices(mesh)[marked]]
-    inside = ((sources >= 0) & (sources < count)).all(axis=1)  # edges that the user has made may have any id
+    inside = ((sources >= 0) & (sources < count)).all(axis=1)  # vertices that the user has added may name any source
     place = find_edges(arrays.seams, sources[inside])
     ids[place >= 0] = found[marked[inside][place[place >= 0]]]
     return ids

@@ -59,8 +59,8 @@ def wires_on(mesh: bpy.types.Mesh) -> list[int]:
 
 
 def own_ids(wire_ids: Sequence[int]) -> list[int]:
-    """Return a separate id for each wire. Of copied or cut wires, which share an id, the first wire keeps it. The other
-    wires get the next unused numbers, so that the result is deterministic."""
+    """Return a separate id for each wire. If wires share an id, because a wire was copied or cut, the first wire keeps
+    the id. The others get the next unused numbers, so that the result is deterministic."""
     taken, own = set(wire_ids), dict[int, None]()
     for wire_id in wire_ids:
         free = wire_id
@@ -94,7 +94,7 @@ class MarkedMesh:
     face_sizes: np.ndarray  # (f,) int32, number of corners of each face
     seams: np.ndarray  # (e,) bool, whether each edge is a seam
     marks: EdgeMarks  # (e,)
-    side_eases: np.ndarray  # (l,) float32, ease of the edge from each corner, on the side of the corner's face; 0 none
+    side_eases: np.ndarray  # (l,) float32, ease of the edge from each corner, on the side of the corner's face; 0: none
 
 
 def read_marked(mesh: bpy.types.Mesh) -> MarkedMesh:

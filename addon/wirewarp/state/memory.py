@@ -31,7 +31,7 @@ class ObjectState:
     suggestions: Any = None  # the suggested cuts; see state.suggestions
     size_asked: Any = None  # the question about the object's size; see report_panel.flatten_panel
     solved: Any = None  # the wirewarp.Cache of its solved pieces; see flatten.read
-    solved_by_map: Any = None  # the Cache for the attempt with its UV seams
+    solved_by_map: Any = None  # the Cache for the attempt with the seams of its UV map
     tried: dict | None = None  # state of the model when Auto last updated it; see flatten.auto_update
     is_due: bool = False  # for a scene: Auto has to look for changes; see note_change
     is_undone: bool = False  # for a scene: the last change was an undo
@@ -39,7 +39,7 @@ class ObjectState:
 
 @dataclass
 class _Memory:
-    states: dict[object, ObjectState] = field(default_factory=dict)  # states by _key
+    states: dict[object, ObjectState] = field(default_factory=dict)  # states, keyed by _key()
     counts: tuple[int, ...] = ()  # numbers of objects and meshes when states of removed objects were last dropped
     ours: set[Place] | None = None  # objects found by find_objects; None if it must check all objects
     updated: set[Place] = field(default_factory=set)  # objects that find_objects must check again
@@ -158,7 +158,7 @@ def forget(*_: object) -> None:
         bpy.app.timers.unregister(_nudge)
 
 
-SECONDS = 0.2  # seconds between two mouse movements: updates feel immediate, and running tools are not disturbed
+SECONDS = 0.2  # seconds between mouse movements of _nudge: updates feel immediate, and running tools are not disturbed
 
 
 def is_due(scene: bpy.types.Scene) -> bool:

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Finds the model of flat pieces and the flat pieces of a model.
 
-The functions check the stored pointer, because scripts and users may have changed it, or converted or replaced objects.
+The functions check the stored pointer from flat pieces to their model. Scripts and users may have changed the pointer,
+or converted or replaced objects.
 """
 
 from collections.abc import Collection
@@ -35,8 +36,8 @@ def is_deleted(model: bpy.types.Object) -> bool:
 
 
 def find_flat_object(source: bpy.types.Object) -> bpy.types.Object | None:
-    """Return the flat object of this model; None if there is none. If there are copies, the object with the add-on's
-    name is preferred."""
+    """Return the flat object of this model; None if there is none. If there are copies, the object named
+    flat_name() is preferred."""
     named = bpy.data.objects.get(flat_name(source.name))
     if named and model_of(named) == source:  # the name is tried first, because a file may have thousands of objects
         return named
@@ -68,7 +69,7 @@ def earlier_sentence(target: bpy.types.Object) -> str:
 def check_not_edited(target: bpy.types.Object, handled: Collection[bpy.types.Mesh] = ()) -> None:
     """Raises ObjectError if the mesh of the model or of its pieces is in Edit Mode, which hides attributes.
 
-    handled: meshes that the caller reads and writes in Edit Mode
+    handled: meshes that may be in Edit Mode, because the caller reads and writes them there
     """
     # In other scenes and windows, meshes stay in Edit Mode even within in_object_mode.
     for each in filter(None, [target, find_flat_object(target)]):

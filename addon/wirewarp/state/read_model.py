@@ -32,7 +32,7 @@ from .marked_mesh import MarkedMesh, own_ids, read_ids, read_marked
 # divide it into turns of 15 degrees.
 LEVELS = 2
 MOST_LEVELS = 4  # maximum number of levels, because each level has four times as many faces
-ROUNDING = 1e-5  # rounding error of places with an armature at rest, as a share of the model's size
+ROUNDING = 1e-5  # rounding error of the vertices' places under an armature at rest, as a share of the model's size
 
 
 def left_out(source: bpy.types.Object, arrays: MeshArrays | None, use_modifiers: bool) -> list[Note]:
@@ -138,8 +138,8 @@ def object_to_arrays(source: bpy.types.Object, base: MarkedMesh, depsgraph: bpy.
 
 
 def _check_size(source: bpy.types.Object, vertices: np.ndarray) -> None:
-    """Raises ObjectError if areas would not be finite in single precision. The core reports coordinates that are not
-    finite."""
+    """Raises ObjectError if areas would not be finite in single precision. Ignores coordinates that are not finite,
+    because the core reports them."""
     if LARGEST < np.abs(vertices).max(initial=0) < np.inf:
         raise object_error(
             "too_large",

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writes the record of the layout and the measures (as maps) on a flat mesh, and reads the record."""
+"""Writes measures (as maps) and the record of the layout on a flat mesh, and reads the record."""
 
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, fields
@@ -20,7 +20,7 @@ VALUES = {"arap_energy": "FACE", "aspect_ratio": "FACE", "stretch": "FACE", "len
 
 
 def write_maps(mesh: bpy.types.Mesh, flat: FlatMesh) -> None:
-    """Write the maps on a mesh that does not have these attributes yet."""
+    """Write the maps as new attributes of a mesh. The mesh must not have these attributes yet."""
     for name, domain in VALUES.items():
         mesh.attributes.new(name, "FLOAT", domain).data.foreach_set("value", getattr(flat, name))
     measures = map_values(flat)
@@ -67,7 +67,7 @@ class FlatRecord:
     layout: dict[str, Any]  # options that change the layout
     up: list[float]  # (3,) upward direction in the model's own space when the pieces were laid out
     away: list[list[float]]  # places of pieces without a flat shape, see solve.places.NONE_AWAY
-    grain: list[list[float]]  # rows: index, two vertices, grain relative to the line between them; see grains
+    grain: list[list[float]]  # a row for each piece, see _grain_rows()
     counts: list[int]  # numbers of vertices, edges and faces
     areas: list[float]  # signed area of each piece
     source_faces: int  # number of faces of the flattened mesh
@@ -111,7 +111,7 @@ def read_record(mesh: bpy.types.Mesh) -> FlatRecord | None:
 def grains(mesh: bpy.types.Mesh, vertices: np.ndarray) -> dict[int, np.ndarray]:
     """Return unit vectors (2,) along the present grain, by index of the piece. vertices (n,2): places
 
-    The grain is an angle from the line between two vertices. Without these vertices, a piece has no grain.
+    The grain is stored as an angle from the line between two vertices. Without these vertices, a piece has no grain.
     """
     record, found = read_record(mesh), {}
     for piece, first, last, cosine, sine in record.grain if record else ():

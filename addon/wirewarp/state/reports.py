@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Stores two reports of each object.
+"""Stores up to two reports of each object.
 
-- Of the run that made its flat pieces: on the object, so that the file keeps it.
-- Of a later run that wrote nothing: in memory, until another report is stored on the object.
+- The report of the run that made its flat pieces is stored on the object, so that the file keeps it.
+- The report of a later run that wrote nothing is in memory, until another report is stored on the object.
 
 A stored report that another program has changed is not shown, because it may be unsafe to read.
 """
@@ -32,8 +32,8 @@ def store(source: bpy.types.Object, report: ObjectReport) -> None:
 
 
 def remember(source: bpy.types.Object, report: ObjectReport) -> None:
-    """Keeps the report of a run that wrote nothing for this object in memory. It is hidden while a later report is
-    stored."""
+    """Keeps in memory the report of a run that wrote nothing for this object. The report is hidden while the object
+    has a later report."""
     note(source)
     state = state_of(source)
     state.failure, state.failed_after = report, stored_text(source, REPORT)

@@ -21,7 +21,7 @@ def number(name: str, description: str, values: tuple[float, ...], **others: Any
 
 
 def in_percent(field: str) -> dict[str, Any]:
-    """Return the arguments of a property that shows another property, which is a fraction, in percent."""
+    """Return the arguments of a property that shows the property `field` in percent. `field` is a fraction."""
     return {
         "subtype": "PERCENTAGE",
         "precision": 2,
@@ -35,8 +35,8 @@ METHODS = [
     (
         "REFINED",
         "Refined: least distortion",
-        "Lay out lines and fabric together, with the least distortion that these lengths allow. Elastic wires stay "
-        "within their tolerance, and free wires get the best length. Recommended",
+        "Lay out lines and fabric together, with the least distortion that the lengths of lines allow. Elastic wires "
+        "stay within their tolerance, and free wires get the best length. Recommended",
     ),
     (
         "WIREWARP_PLUS_PLUS",
@@ -55,7 +55,7 @@ LIBRARY_ORIENTATIONS = {"WIRE": "grain", "BEST": "best", "BOUNDARY": "boundary",
 
 
 MARK_AND_PULL = "mark 10 cm on it and pull until it resists: 12 cm is 20%"
-MEASURE = f"The percentage is the maximum stretch. To measure yours, {MARK_AND_PULL}"
+MEASURE = f"The percentage is the maximum stretch. To measure your fabric, {MARK_AND_PULL}"
 CUSTOM = 1000  # number of Custom Fabric in files, above the numbers of present and future presets of the library
 
 
@@ -106,7 +106,7 @@ class FlattenSettings:
     cloth: EnumProperty(
         name="Fabric",
         description="Material that the pieces are cut from, with its maximum stretch across and along the grain. "
-        f"Lengths are exact with every fabric. To measure yours, {MARK_AND_PULL}",
+        f"Lengths are exact with every fabric. To measure your fabric, {MARK_AND_PULL}",
         items=[
             ("NONE", "Fabric Not Chosen", "WireWarp says how far the fabric must stretch, in the worst direction", 0),
             *(
@@ -133,7 +133,7 @@ class FlattenSettings:
     )
     gives_across: number(
         "Max Stretch Across",
-        f"How far the fabric can be stretched across the grain. To measure yours, {MARK_AND_PULL}. "
+        f"How far the fabric can be stretched across the grain. To measure your fabric, {MARK_AND_PULL}. "
         "0: the usual value for this fabric",
         (0.0, 0.0, 50.0, 300.0),
         subtype="PERCENTAGE",
@@ -149,7 +149,7 @@ class FlattenSettings:
     worn_across: number(
         "Negative Ease Across",
         "How far the fabric is stretched across the grain when it is worn, as in swimwear. "
-        "Pieces are cut smaller by as much, with both sides of seams equally long. Below 0: larger, to fit loosely",
+        "Pieces are cut smaller accordingly, with both sides of seams equally long. Below 0: larger, to fit loosely",
         (-50.0, 0.0, 50.0, 100.0),
         subtype="PERCENTAGE",
         soft_min=0.0,
@@ -344,7 +344,8 @@ class TargetSettings:
     )
     aim_cuts: IntProperty(
         name="Max Cuts",
-        description="Maximum number of cuts. Mirror images count as two cuts, the first seams of a closed model as one",
+        description="Maximum number of cuts. A cut and its mirror image count as two, the first seams of a closed "
+        "model as one",
         min=1,
         max=100,
         soft_max=10,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Keeps the suggested cuts of each object until it changes, and reads the painted areas where no cut is suggested."""
+"""Keeps the last suggested cuts of each object, checks if they are current, and reads areas painted against cuts."""
 
 from dataclasses import dataclass, replace
 from typing import Literal

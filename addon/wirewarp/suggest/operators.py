@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The operators Suggest Darts, Suggest Seams and Simplify Seams, which find cuts and seams to clear, and their
-effects.
+"""The operators Suggest Darts, Suggest Seams and Simplify Seams. They find cuts, or seams to clear, and the resulting
+stretch. Two more operators choose and discard these suggestions.
 """
 
 from dataclasses import dataclass, replace
@@ -46,9 +46,9 @@ from ..ui.window_run import WindowSteps, fault_sentence
 STOPPED = "Canceled early"
 CHOOSE_FABRIC = "Choose a fabric that stretches more."
 SET_TARGET = "Set a larger target."
-# Maximum stretches, as fractions, if the fabric is unknown.
-# - Plush and knits: most closed models are sewn from these.
-# - Jersey: the softest fabric that is not made for swimming.
+# Maximum stretches, as fractions, if the fabric is unknown:
+# - 0.2 is for plush and knits, from which most closed models are sewn.
+# - 0.5 is for jersey, the softest fabric that is not made for swimming.
 SOFT = 0.2, 0.5
 
 
@@ -90,7 +90,7 @@ def begin_search(context: bpy.types.Context, source: bpy.types.Object, kind: str
     )
     if piece is not None and not is_true:
         raise changed_error(source.name)
-    # Without flat pieces, as for a closed model, the last report is used.
+    # Without current flat pieces, as for a closed model, the last report is used if it is of the present model.
     known = report if is_true else last_report(source)
     is_known = known is not None and (is_true or not has_changed(source, known.model_state))
     pieces = known.pieces if is_known else []
@@ -147,8 +147,8 @@ def _shown_first(search: Search, cuts: list[Cut]) -> int:
 
 
 def keep_found(search: Search, cuts: list[Cut], place: Place = "FLATTEN") -> Suggestions:
-    """Keep the cuts for the panel and the overlay, in any mode. Raises ObjectError if the model has changed during the
-    search."""
+    """Keep the cuts for the panel and the overlay. This works in any mode. Raises ObjectError if the model has changed
+    during the search."""
     model = search.model
     wire_ids = {wire.chain.wire_id for wire in model.arrays.wires}
     found = Suggestions(
@@ -237,7 +237,7 @@ class SuggestCuts(OnMesh, WindowSteps):
         redraw_views()
         lengths, name = length_text(context.scene), found.names[0]
         is_named = cuts[0].piece in self._search.names or self._search.is_of_model
-        piece = quoted([name]) if is_named else name  # last in the texts, because the status bar cuts them off
+        piece = quoted([name]) if is_named else name  # last in the texts, because the status bar cuts long texts off
         if found.target:
             step = step_text(self.kind, cuts[-1], lengths)
             said = [f"Stretch with {step}, for {piece}", shortfall(self.kind, cuts, found.target)]

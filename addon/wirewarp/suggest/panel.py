@@ -92,7 +92,8 @@ def draw_suggestions(context: bpy.types.Context, layout: bpy.types.UILayout, pla
         layout.enabled = False
     lengths, labels = length_text(context.scene), TARGET_LABELS if found.target else LABELS
     cut = found.cuts[found.chosen]
-    take = layout.row(align=True)  # above the rows, and above the sentences, whose number depends on the chosen row
+    # The buttons are above the rows and the sentences. Below them, the buttons would move when another row is chosen.
+    take = layout.row(align=True)
     take.scale_y = 1.2
     text = "Clear and Flatten" if cut.cleared else "Mark and Flatten"
     take.operator("object.wirewarp_mend", text=text, icon="EDGESEL").what = "SUGGESTION"
@@ -158,7 +159,7 @@ def _explained(cuts: Sequence[Cut]) -> str:
     if not cuts[0].is_set:
         return ""
     columns = COLUMNS.format("cleared seams" if cuts[0].cleared else "seams")
-    # A row with narrow pieces may have more stretch than the row above.
+    # FROM_FEW is untrue if a row with narrow pieces has more stretch than the row above.
     is_falling = all(few.strain > more.strain for few, more in pairwise(cuts))
     return f"{columns} {FROM_FEW}" if len(cuts) > 1 and is_falling else columns
 

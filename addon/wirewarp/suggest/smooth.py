@@ -71,7 +71,7 @@ def cut_lines(mesh: bpy.types.Mesh, division: Division) -> Pairs:
         return division.lines
     with _edited(mesh) as edited:
         vertices, faces = dict(enumerate(edited.verts)), list(edited.faces)
-        filled = []  # parts of the divided faces, each with the triangle whose parts replace it
+        filled = []  # faces of one triangle each, with the division of this triangle
         for polygon, divided in division.polygons.items():
             parts = [faces[polygon]]
             _split_along(edited, parts, divided.diagonals, vertices)
@@ -114,8 +114,8 @@ def _split_along(
     pairs: Pairs,
     vertices: dict[int, bmesh.types.BMVert],
 ) -> None:
-    """Split a face along new edges, which do not cross. parts: a list of the face, to which its new parts are added;
-    pairs: vertices of the new edges."""
+    """Split a face along new edges, which do not cross. parts: list that contains the face, and to which its new parts
+    are added; pairs: vertices of the new edges."""
     for a, b in pairs:
         first, second = vertices[a], vertices[b]
         face = next(each for each in parts if {first, second} <= set(each.verts))
@@ -144,7 +144,7 @@ def _replace(
         values[vertices[index]] = loop
         aside += dict.fromkeys(vertex for part in loop.vert.link_faces for vertex in part.verts)
     following = [loop.vert for loop in face.loops if loop.vert in corners]
-    is_reversed = following.index(corners[1]) != (following.index(corners[0]) + 1) % 3  # whether the scale is negative
+    is_reversed = following.index(corners[1]) != (following.index(corners[0]) + 1) % 3  # for a negative scale
     for part in triangle.parts:
         new = edited.faces.new([vertices[v] for v in (part[::-1] if is_reversed else part)], face)
         for loop in new.loops:
@@ -178,7 +178,7 @@ def _split_edge(
     for index, share in line[1:-1]:
         edge = edited.edges.get((vertices[first], vertices[last]))
         _, vertex = bmesh.utils.edge_split(edge, vertices[first], (share - start) / (1 - start))
-        for loop in vertex.link_loops:  # the second part of the edge begins here, and has the marks of the first
+        for loop in vertex.link_loops:  # the second part of the edge begins here, and gets the marks of the first
             for side in _side_layers(edited):
                 loop[side] = loop.link_loop_prev[side]
         vertices[index], first, start = vertex, index, share
@@ -223,7 +223,7 @@ def _check_ends(source: bpy.types.Object, path: list[int]) -> None:
 
 
 def _smooth_line(arrays: MeshArrays, path: list[int], kept: Pairs, no_seam: NoSeam) -> SurfacePath:
-    """Return a smooth line beside a path along edges that are not seams, with the same ends.
+    """Return a smooth line beside this path, with the same ends. The path follows edges that are not seams.
 
     kept: edges that the line crosses at the same places as the path
     no_seam: the line enters only painted faces that the path enters

@@ -92,9 +92,9 @@ def draw_sentence(
 ) -> None:
     """Draw a sentence in lines that fit the region, because Blender cuts long labels off.
 
-    icon: name of Blender or of MARKS
+    icon: name of a Blender icon, or of a mark in MARKS
     reserved: see broken()
-    as_high_as: text for whose lines room is left
+    as_high_as: another text; the sentence gets at least as many lines as this text needs
     """
     column = layout.column(align=True)
     column.scale_y = 0.8
@@ -155,7 +155,7 @@ def _distance(points: np.ndarray, a: np.ndarray, b: np.ndarray) -> np.ndarray:
 
 def draw_progress(row: bpy.types.UILayout, task: Task, operator: str) -> bool:
     """Draw the progress of a run of this kind, and return whether there is such a run. operator: operator that started
-    the run; its gray button shows the progress before Blender 4.0, which lacks progress bars."""
+    the run; before Blender 4.0, there are no progress bars, so its gray button shows the progress."""
     done = shown_progress(task)
     if done is None:
         return False

@@ -19,7 +19,7 @@ from ..state.reports import HAS_CHANGED, last_report
 from ..state.settings import PARTS, SETTINGS, FlattenChoices, FlattenSettings, Setting, choices_of, usual_stretch
 from ..state.suggestions import Suggestions
 
-# The two settings for these directions of the grain have one heading, because their full labels would be cut off.
+# Two settings whose labels end in these directions have a common heading. Their full labels would be cut off.
 WAYS = ("Across", "Along")
 CHANGED = "The model has changed since it was flattened. Flatten again."
 
@@ -116,7 +116,7 @@ def figures_sentence(source: bpy.types.Object, found: Suggestions, settings: WIR
     if choices is None:
         return ""
     then = asdict(_of_strain(found.choices)) | {"grain_wire": found.grain_wire}
-    # Without a fabric, the strain does not depend on the upright direction.
+    # Without a fabric, the strain does not depend on the upright direction, so its settings are ignored.
     upright = {"orientation", "grain_angle", "grain_wire"} if choices.cloth else set()
     ignored = set(LAYOUT_OPTIONS) - upright
     changed = _changed_choices(source, settings, _of_strain(choices), then, found.wire_ids, ignored)
