@@ -133,7 +133,7 @@ def draw_overlays(addon, shown_map):
 
 
 def answer(command, **settings):
-    """Call an operator, and return its result or error as text. A traceback is not allowed."""
+    """Call an operator, and return its result or error as text. The text must not contain a traceback."""
     group, name = command.split(".")
     try:
         said = str(getattr(getattr(bpy.ops, group), name)(**settings))

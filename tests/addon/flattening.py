@@ -13,7 +13,7 @@ from surfaces import flat_of, read, select_only
 
 
 def fails(operator: Callable, match: str, **settings: object) -> None:
-    """Call an operator, which must raise an error that matches."""
+    """Call an operator, which must raise an error whose text matches `match`."""
     with pytest.raises(RuntimeError, match=match):
         operator(**settings)
 
@@ -25,7 +25,7 @@ def flatten(source: bpy.types.Object, **settings: object) -> None:
 
 
 def flatten_fails(match: str, **settings: object) -> None:
-    """Flatten the selection, which must fail with an error that matches."""
+    """Flatten the selection, which must fail with an error whose text matches `match`."""
     fails(bpy.ops.object.wirewarp_flatten, match, **settings)
 
 

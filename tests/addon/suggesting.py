@@ -24,7 +24,7 @@ def choose_smooth(addon, source, kind):
 
 
 def cancel_at(addon, run, share):
-    """Cancel a search after it has reported this share. Return its result and all reported shares."""
+    """Cancel a search when its progress has reached `share`. Return its result and all reported shares."""
     shares = [next(run)]
     while shares[-1] < share:
         shares.append(next(run))

@@ -106,7 +106,7 @@ def select_edges(target: bpy.types.Object, *lines: Callable) -> None:
 
 
 def mark(target: bpy.types.Object, *lines: Callable, **settings: object) -> None:
-    """Mark the edges as wires, and return to Object Mode."""
+    """Mark the edges on these lines as wires, and return to Object Mode."""
     select_edges(target, *lines)
     bpy.ops.mesh.wirewarp_mark(**settings)
     bpy.ops.object.mode_set(mode="OBJECT")

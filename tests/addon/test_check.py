@@ -81,7 +81,7 @@ def block(size, missing=()):
     return make_object("Block", vertices, [[vertices.index(each) for each in places] for places in faces.values()])
 
 
-# Without these two cells, the block has a cave from its left side to its middle. Each wall of the cave faces another.
+# Without these two cells, the block has a cave from its left side to its middle. Its walls face each other.
 CAVE = ((0, 1, 1), (1, 1, 1))
 
 

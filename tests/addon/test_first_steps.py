@@ -38,7 +38,7 @@ def test_a_sample_keeps_its_size_and_the_settings_of_a_file_with_models(addon):
     scene.unit_settings.scale_length, scene.wirewarp.cloth = 0.01, "DENIM"
     bpy.ops.object.wirewarp_open_sample(sample="FITTED_TOP")
     assert scene.wirewarp.cloth == "DENIM" and scene.unit_settings.scale_length == pytest.approx(0.01)
-    assert world_box(bpy.context.active_object)[0, 0] > 1  # beside the other model, which ends at 1
+    assert world_box(bpy.context.active_object)[0, 0] > 1  # beside the other model, which ends at x = 1
     height = bpy.context.active_object.dimensions.z * scene.unit_settings.scale_length
     assert 0.5 < height < 1
 

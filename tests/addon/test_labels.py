@@ -59,7 +59,7 @@ def test_the_name_of_a_small_piece_is_beside_it_and_not_on_another_piece(addon):
 
 
 def test_the_name_beside_a_slanted_piece_touches_it(addon):
-    """The name is below the lowest point of the piece. If another piece is there, the name is above the highest."""
+    """The name is below the lowest point of the piece, or above the highest point if another piece is below."""
     slanted = label(addon, "Left sleeve", at=(200, 200), room=20.0, box=[(100, 90), (110, 80), (300, 310), (290, 320)])
     (below,) = addon.overlay.screen.arrange([slanted], size_of)
     assert below.left + size_of("Left sleeve")[0] / 2 == 110 and 0 < 80 - (below.base + HEIGHT) < HEIGHT

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Pieces are packed or placed in a row, apart from each other and from models, with the right direction upward."""
+"""Pieces are packed or placed in a row, apart from each other and from models, with the correct direction upward."""
 
 import bpy
 import numpy as np

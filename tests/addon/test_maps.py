@@ -74,7 +74,7 @@ def variations(source):
 
 
 def test_thick_material_that_unfolds_changes_no_length(addon):
-    """WireWarp flattens the surface in the middle of the thickness, and compares flat lengths with lengths there."""
+    """WireWarp flattens the surface in the middle of the thickness, and compares flat lengths with lengths on it."""
     bpy.context.scene.unit_settings.scale_length = 0.1
     target = grid("Half", half_cylinder, size=16)
     bpy.ops.object.wirewarp_flatten(thickness=20.0)

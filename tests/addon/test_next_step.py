@@ -77,7 +77,7 @@ def test_a_fault_is_fixed_and_the_model_flattened_with_one_click(addon, make, sa
     assert step.text == button
     (issue,) = addon.state.reports.last_report(source).issues
     fault = issue.sentence.partition(". ")[0]
-    # The fault is below the verdict and in the report, and each is drawn narrow and wide.
+    # The fault is below the verdict and in the report. All panels are drawn twice: narrow and wide.
     assert draw_panels(addon).count(fault) == 4
     assert FIX(**step.settings) == {"FINISHED"}
     assert len(source.data.polygons) == faces and ready(addon, source)
@@ -240,7 +240,7 @@ def test_amber_offers_fabrics_and_one_click_flattens_for_one(addon):
     bpy.context.scene.wirewarp.cloth = "WOVEN"
     assert "Flatten for" not in draw_panels(addon)
     bpy.context.scene.wirewarp.cloth = "NONE"
-    bpy.context.scene.wirewarp.gives_along = 2.0  # left from another fabric
+    bpy.context.scene.wirewarp.gives_along = 2.0  # a value for an earlier fabric
     assert FIX(what="FABRIC", cloth=offered[0].upper()) == {"FINISHED"}
     assert bpy.context.scene.wirewarp.cloth == offered[0].upper()
     assert addon.core.verdict(addon.state.reports.last_report(source)).is_ready

@@ -246,7 +246,7 @@ def test_all_names_of_the_piece_that_is_chosen_in_the_list_are_written(addon):
 
 @pytest.fixture
 def notes(addon):
-    """Return a function that shows a map and calls `of`, a function of the overlay that returns notes or a value."""
+    """Return a function that shows a map and returns the result of the overlay's function `of`: notes or a value."""
 
     def notes_of(shown_map, of="missing_maps"):
         addon.state.drawings.forget()

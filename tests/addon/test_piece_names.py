@@ -185,7 +185,7 @@ def fill_group(target, name, wanted):
 def test_a_vertex_group_gives_its_name_to_the_piece_it_covers(source):
     # Vertices with a small weight are not members of a group.
     source.vertex_groups.new(name="Faint").add(range(81), 0.3, "REPLACE")
-    fill_group(source, "Half", lambda co: co.x > 0.6)  # A group must contain at least half of the piece.
+    fill_group(source, "Half", lambda co: co.x > 0.6)  # To name a piece, a group must contain at least half of it.
     # A material of the whole model does not distinguish pieces.
     source.data.materials.append(bpy.data.materials.new("Felt"))
     assert sorted(flatten(source)) == HALVES

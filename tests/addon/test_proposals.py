@@ -103,7 +103,7 @@ def neighbors(source, pairs):
 
 
 def test_a_proposed_diagonal_becomes_the_shorter_way_around_its_face(addon):
-    """Vertices 20 and 21 are the ends of an edge."""
+    """A proposed edge, such as the edge between the vertices 20 and 21, stays as it is."""
     source = grid("Bump", round_bump, faces="ngons")
     arrays = addon.state.read_model.object_to_arrays(source, addon.state.marked_mesh.marked_mesh(source), None)
     around = addon.solve.flatten.seams_on_edges

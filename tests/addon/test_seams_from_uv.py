@@ -186,7 +186,7 @@ def test_canceling_while_the_seams_of_the_map_are_tried_keeps_the_pieces(addon, 
 
 
 def test_seams_of_the_map_are_offered_although_some_of_their_pieces_exceed_every_fabric(addon):
-    """A cube is unfolded. A sphere has two islands, a cap and the rest, and the rest must stretch too far."""
+    """The model is a cube, which unfolds, and a sphere of two islands. The larger island must stretch too far."""
     bpy.ops.mesh.primitive_uv_sphere_add(segments=16, ring_count=8)
     sphere = bpy.context.active_object
     mesh = sphere.data

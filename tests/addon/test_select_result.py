@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Buttons select the edges or faces of a line of the report."""
+"""Buttons select the edges or faces of an entry of the report."""
 
 from functools import partial
 

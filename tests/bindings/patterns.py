@@ -49,7 +49,7 @@ def turn(angle: float) -> np.ndarray:
 
 
 def marks(piece: PatternPiece, *roles: str) -> list:
-    """Return the notches, clips or drill holes of a piece."""
+    """Return the points of a piece that have these roles: notches, clips or drill holes."""
     return [point for point in piece.points if point.role in roles]
 
 

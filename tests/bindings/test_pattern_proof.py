@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The proof lists the lengths, allowances and notches of every seam, and how far copies are off."""
+"""The proof lists the lengths, allowances and notches of every seam, and how far copies differ."""
 
 import numpy as np
 import pytest
