@@ -296,7 +296,7 @@ the bound, the last step is undone and the steps are halved, as long as they hav
 {100 * SMALL_STEP:.0f} points. After {SHARE * LIMIT:.0f} s, no more seams are removed. The
 shortest result counts. WireWarp keeps the length of every cut and outline, so that the sides of a cut can be sewn
 together. OptCuts does not; it only limits the distortion over the area. The section on the price of
-exactness measures the effect of this on the length of cuts.
+exactness measures how much longer cuts must be if their sides are equally long.
 
 ## Surfaces
 """

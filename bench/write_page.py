@@ -39,9 +39,9 @@ def peers_section(sheets: list[Comparison]) -> list[str]:
         "- **Blender** 4.5 as a Python module runs its own three unwraps, scaled to the area of the surface.",
         "",
         "`wirewarp.measure` measures all results. *Energy* is the ARAP energy over the area. *Worst outline*, *wire* "
-        "and *edge* are the largest relative errors from the target lengths, of sections of outline, of wires, and of "
-        "the edges of both. libigl and Blender have no targets, so their lengths are compared with the lengths of the "
-        "outline and of eight wires on the surface.",
+        "and *edge* are the largest errors of a section of the outline, of a wire, and of an edge of either. They are "
+        "relative to the target length. libigl and Blender have no targets, so their lengths are compared with the "
+        "lengths of the outline and of eight wires on the surface.",
         "",
         *peer_tables.peer_table(sheets),
         "",
@@ -50,8 +50,8 @@ def peers_section(sheets: list[Comparison]) -> list[str]:
         "",
         "![Seconds against triangles for every method](benchmarks/times.png)",
         "",
-        "The exponents of growth are for 10,000 or more triangles. The next picture shows the cost of exact lengths at "
-        "10,000 triangles. Methods that keep lengths are on the left, and the others are on the right.",
+        "The exponents of growth in this picture are for 10,000 or more triangles. The next picture shows the cost of "
+        "exact lengths at 10,000 triangles. Methods that keep lengths are on the left, and the others are on the right.",
         "",
         "![Distortion against the worst length error for every method](benchmarks/lengths.png)",
         "",
@@ -83,9 +83,9 @@ def ratios_section(ratios: str) -> list[str]:
     return [
         "## Runs that cost more",
         "",
-        "The program `wirewarp_cost_ratios` compares runs of the core with many wires, a fabric, elastic seams or a "
-        "cache with plain runs on the same sheet in the same process. The table has medians of CPU seconds, and their "
-        "ratio. The last row is the time until a net of rigid wires without a solution is refused.",
+        "The program `wirewarp_cost_ratios` runs the core with many wires, a fabric, elastic seams or a cache. It "
+        "compares these runs with plain runs on the same sheet in the same process. The table has medians of CPU "
+        "seconds, and their ratio. The last row is the time until a net of rigid wires without a solution is refused.",
         "",
         *ratios.splitlines(),
         "",
@@ -187,8 +187,8 @@ def document(
         "",
         "## Performance targets",
         "",
-        "Times relative to other methods are ratios of CPU seconds on one core. Seconds and exponents of the core "
-        "itself are wall time, on two cores if available.",
+        "Times relative to other methods are ratios of CPU seconds on one core. Seconds and exponents of WireWarp "
+        "alone are wall time, on two cores if available.",
         "",
         *target_table(sheets, peers["hard"], benchmarks),
         "",

@@ -19,10 +19,10 @@ namespace wirewarp::bugs_of_pieces_test {
 namespace {
 
 // Flat sheets were strained or flipped for two reasons:
-// - At edges of a millionth of the size, rounding of the bending hides the other terms.
-// - Nets of rigid wires are rigid only to second order.
+// - Beside edges of a millionth of the sheet's size, rounding errors of the bending term hid the other terms.
+// - Nets of rigid wires are rigid only to second order, so the solver did not converge.
 
-constexpr double kRounding = 1e-20;  // rounding error of E, for strains of 1e-10
+constexpr double kRounding = 1e-20;  // E at strains of 1e-10, which are rounding errors
 
 void expect_flat_without_strain(const FlattenInput& input) {
   for (const Piece& piece : flatten(input).pieces) {
@@ -132,7 +132,8 @@ FlattenInput sheets_with_crossed_grain(double bump) {
   return input;
 }
 
-/// Returns a ruffle around almost a full circle. Without a rule against overlaps, its flat ends would overlap.
+/// Returns a ruffle around almost a full circle. Without a rule against overlaps, the ends of its flat shape would
+/// overlap.
 FlattenInput ruffle() {
   return test::make_grid(24, 3, [](double s, double t) -> Eigen::Vector3d {
     const double angle = 0.95 * 2 * kPi * s, radius = 1 + t;
@@ -145,7 +146,7 @@ void expect_good(const FlattenResult& result) {
   for (const SeamReport& seam : result.seams) EXPECT_LT(seam.mismatch, 1e-9 * seam.length_3d);
 }
 
-// A single step to the stretched lengths failed here.
+// A single step to the stretched lengths failed for these sheets.
 TEST(Bugs, SidesOfASeamThatShrinkVeryDifferentlyGetCommonLengths) {
   for (const double bump : {0.0, 0.6}) {
     FlattenInput input = sheets_with_crossed_grain(bump);

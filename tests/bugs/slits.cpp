@@ -39,7 +39,7 @@ FlattenInput dome() {
 FlattenInput with_slit() {
   FlattenInput input = dome();
   test::add_seam(input, test::grid_row(kQuads, 4));
-  input.seams = input.seams.middleRows(2, 4).eval();  // the seam from the third vertex to the seventh
+  input.seams = input.seams.middleRows(2, 4).eval();  // from the third vertex of the row to the seventh
   return input;
 }
 
@@ -49,7 +49,7 @@ FlattenInput with_sewn_hole() {
   const FlattenInput whole = dome();
   FlattenInput input;
   const auto is_doubled = [](int v) { return v > vertex(2, 4) && v < vertex(6, 4); };
-  std::vector<int> number;  // number of the first copy of each vertex
+  std::vector<int> number;  // new index of each vertex, or of the first of its two copies
   int count = 0;
   for (int v = 0; v < whole.vertices.rows(); ++v) {
     number.push_back(count);
@@ -225,7 +225,7 @@ TEST(Bugs, ALargePieceMayHaveASlitOfOneEdge) {
 }
 
 // At an end of the slit, the previous and the next vertex of the outline are one vertex. The Hessian of the fairness
-// lacked the product of both, so the solver used all 100 factorizations.
+// lacked the product of the derivatives for both, so the solver used all 100 factorizations.
 TEST(Bugs, ASlitOfOneEdgeTakesNoLongerThanAWire) {
   const auto saddle = [](double s, double t) {
     return Eigen::Vector3d(68 * s, 5 * t, 8.5 * ((s - 0.5) * (s - 0.5) - (t - 0.5) * (t - 0.5)));

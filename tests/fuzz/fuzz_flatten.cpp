@@ -153,7 +153,7 @@ FlattenInput small_mesh(RandomStream& random) {
   for (int j = 0; j < ny; ++j) {
     for (int i = 0; i < nx; ++i) {
       const int a = index(i, j), b = index(i + 1, j), c = index(i + 1, j + 1), d = index(i, j + 1);
-      const bool turned = random.chance(0.5);  // direction of the diagonal
+      const bool turned = random.chance(0.5);  // whether the diagonal connects b and d
       add_face(input, a, b, turned ? d : c);
       add_face(input, turned ? b : a, c, d);
     }
@@ -161,8 +161,8 @@ FlattenInput small_mesh(RandomStream& random) {
   return input;
 }
 
-/// Returns a mesh whose seams and wires are random walks or shortest paths along edges. If no bytes are left, the mesh
-/// is a flat sheet without seams and wires.
+/// Returns a small mesh, in half of the cases with one to eight random changes. Its seams and wires are random walks or
+/// shortest paths along edges. If no bytes are left, the mesh is a flat sheet without seams and wires.
 FlattenInput changed_mesh(FuzzedDataProvider& bytes) {
   RandomStream random([&] { return 1 - (bytes.ConsumeIntegral<std::uint16_t>() + 1) / 65536.0; });
   FlattenInput input = small_mesh(random);

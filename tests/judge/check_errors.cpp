@@ -11,7 +11,7 @@ struct Topology {
   int num_loops = 0;
   int num_handles = 0;
   double longest_loop = 0;  // length on the surface
-  double area = 0;          // on the surface
+  double area = 0;          // area on the surface
 };
 
 Topology topology_of(const Judged& judged, const Piece& piece) {
@@ -80,8 +80,8 @@ void check_flips(Judged& judged, const Piece& piece) {
   }
 }
 
-/// Returns whether target lengths may differ from the lengths on the surface, by an ease, a tolerance or the stretch.
-/// Possibly neither seams nor tolerances fix the error of such a piece.
+/// Returns whether a piece's target lengths may differ from its lengths on the surface, by an ease, a tolerance or the
+/// stretch. Possibly neither seams nor tolerances fix the error of such a piece.
 bool has_other_target_lengths(const Judged& judged, int number) {
   const bool is_of_stretch = judged.unstretched && !judged.unstretched->pieces[number].error;
   return is_of_stretch || has_other_outline(judged, judged.result.pieces[number]);

@@ -11,7 +11,7 @@ namespace {
 constexpr double kRounding = 8 * std::numeric_limits<double>::epsilon();
 
 struct EdgeLengths {
-  double target;  // without a variation h and an ease r
+  double target;  // target length, without the variation h and the ease r
   double planar;
   double slack;  // allowed error of the planar length
 };
@@ -25,7 +25,7 @@ EdgeLengths lengths_of(const Judged& judged, const Edge& edge, const Side& side,
   double share = 1;
   if (is_stretched && judged.unstretched) {
     share = stretched_share(judged, edge);
-    // The directions come from the result without the stretch, so its rounding errors count, too.
+    // The share depends on the edge's direction in the result without the stretch, whose rounding errors count, too.
     rounding += kRounding * judged.uv_size(judged.unstretched->pieces[piece]);
   }
   const double slack = 1.0001e-9 * in_space + rounding;
@@ -197,7 +197,7 @@ void check_outline(Judged& judged, const Piece& piece) {
         if (with_wire.count(edge) == 0) check_plain_edge(judged, edge);
         continue;
       }
-      for (const Side& other : judged.sides().at(edge)) {  // both faces must have one planar edge
+      for (const Side& other : judged.sides().at(edge)) {  // the edge must have the same place in both faces
         const bool turned = judged.vertex(other.face, other.corner) != judged.vertex(face, k);
         const Eigen::Vector2d begin = judged.uv(other.face, other.corner + (turned ? 1 : 0));
         if (begin != judged.uv(face, k)) judged.say("torn at " + name(edge));

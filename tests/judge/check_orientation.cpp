@@ -10,8 +10,9 @@
 namespace wirewarp::test {
 namespace {
 
-constexpr double kDirectionRounding = 1e-6;  // allowed error of a direction in radians
-// Chord over length. If the ratio is below this limit, the line's box must be upright instead of the chord.
+constexpr double kDirectionRounding = 1e-6;  // radians; allowed error of a direction
+// Length of a line's chord over the line's length. Below this limit, the line's box must be upright instead of its
+// chord.
 constexpr double kShortChord = 0.1;
 constexpr double kStraight = 0.087266462599716;  // 5 degrees
 constexpr double kLevel = 0.01;                  // rise over distance; a piece that rises less counts as level
@@ -110,7 +111,7 @@ void check_wire_upright(Judged& judged, int piece) {
 void check_straightest_section(Judged& judged, int number) {
   const Piece& piece = judged.result.pieces[number];
   double longest_edge = 0;
-  std::map<int, Eigen::Vector2d> upright;  // upward outline edges by their first piece vertex
+  std::map<int, Eigen::Vector2d> upright;  // upward edges of the outline, keyed by their first vertex in the piece
   std::map<int, int> next;
   for (const auto& [a, b] : judged.outline_of(piece)) {
     const Eigen::Vector2d edge = (piece.vertices.row(b) - piece.vertices.row(a)).transpose();

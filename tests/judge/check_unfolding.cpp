@@ -23,7 +23,7 @@ constexpr double kUndistorted = 1e-12, kUndistortedAngles = 1e-9;
 
 double triangle_area(const PlanarTriangle& t) { return static_cast<double>(doubled_area(t)) / 2; }
 
-/// Returns the third corner of a face on the left of the planar side from a to b.
+/// Returns the planar position of a face's third corner. The face is on the left of its planar side from a to b.
 Eigen::Vector2d place_third(const Judged& judged, const Side& side, const Eigen::Vector2d& a,
                             const Eigen::Vector2d& b) {
   const Eigen::Vector3d origin = judged.position(judged.vertex(side.face, side.corner));
@@ -39,7 +39,7 @@ Eigen::Vector2d place_third(const Judged& judged, const Side& side, const Eigen:
 /// meet again.
 std::optional<std::map<int, PlanarTriangle>> unfold(const Judged& judged, const Piece& piece) {
   std::map<int, PlanarTriangle> placed;                              // keyed by face
-  std::priority_queue<std::pair<double, std::array<int, 2>>> front;  // length of a side, face, corner
+  std::priority_queue<std::pair<double, std::array<int, 2>>> front;  // side length, face, corner where the side starts
   double size = 0;
   const auto longest_side = [&](int face) {
     double longest = 0;

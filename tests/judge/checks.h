@@ -17,11 +17,11 @@ void check_error(Judged& judged, int number);
 bool has_other_outline(const Judged& judged, const Piece& piece);
 
 /// Checks that a piece has no error and almost no distortion if its surface unfolds without overlap. Checks nothing if
-/// has_other_outline(), for a stretched fabric, or if the solver may stop early.
+/// has_other_outline() is true, if the fabric is stretched, or if the solver may stop early.
 void check_unfolding(Judged& judged, const Piece& piece);
 
-/// Returns whether all lengths of a piece are guaranteed, because it has no error, or an error that is reported only
-/// for exact lengths.
+/// Returns whether all lengths of a piece are guaranteed. They are if the piece has no error, or if it has an error
+/// that is reported only for shapes with exact lengths.
 bool keeps_lengths(const Piece& piece);
 
 /// Checks that outline edges without a wire have exact lengths, and that faces stay connected at inner edges. The piece
@@ -34,11 +34,11 @@ void check_outline(Judged& judged, const Piece& piece);
 /// - all sides of each run along an outline, apart from their eases.
 void check_wires(Judged& judged);
 
-/// Returns the target length of an edge without an ease, divided by its length on the surface. The target length of a
-/// seam is the mean of its sides.
+/// Returns the target length of an edge, without any ease, divided by its length on the surface. For a seam, returns
+/// the mean of this ratio on its sides.
 double stretched_share(const Judged& judged, const Edge& edge);
 
-/// Checks a piece whose lengths shrink only by their directions:
+/// Checks a piece in which every length shrinks by the share of its direction:
 ///
 /// - It has no error if it has none without the stretch.
 /// - If it unfolds, its shape is the unstretched shape, shrunk along weft and warp.

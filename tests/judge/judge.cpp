@@ -9,7 +9,7 @@
 namespace wirewarp::test {
 namespace {
 
-/// Checks that pieces and corners have the same coordinates.
+/// Checks that a piece and corner_uv have the same coordinates.
 void check_corners(Judged& judged, const Piece& piece) {
   if (static_cast<Eigen::Index>(piece.source_face.size()) != piece.faces.rows()) {
     return judged.say("source_face has wrong size");

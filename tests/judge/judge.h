@@ -15,8 +15,12 @@ namespace wirewarp::test {
 std::vector<std::string> broken_guarantees(const FlattenInput& input, const Options& options,
                                            const FlattenResult& result, const FlattenResult* unstretched = nullptr);
 
-/// Returns a sentence for every broken expectation: pieces that unfold have no distortion, and legal input does not
-/// fail inside the solver. fault: error code of the fault that was added to the input.
+/// Returns a sentence for every broken expectation:
+/// - Pieces that unfold have no distortion.
+/// - Pieces that shrink evenly have the unstretched shape, shrunk along weft and warp.
+/// - Legal input does not fail inside the solver.
+///
+/// fault: error code of the fault that was added to the input, if any.
 std::vector<std::string> broken_expectations(const FlattenInput& input, const Options& options,
                                              const FlattenResult& result, const std::optional<ErrorCode>& fault,
                                              const FlattenResult* unstretched = nullptr);

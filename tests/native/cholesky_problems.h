@@ -40,7 +40,7 @@ SparseMatrix random_positive_definite(int num_vertices, const GraphEdges& edges,
 CholeskyProblem mesh_problem(int n, int k);
 
 /// Returns matrices on meshes, on random, complete and disconnected graphs, and on isolated vertices. In one mesh, all
-/// vertices have one position. In another mesh, the two unknowns of a vertex are not coupled.
+/// vertices have the same position. In another mesh, the two unknowns of a vertex are not coupled.
 std::vector<CholeskyProblem> cholesky_problems();
 
 }  // namespace wirewarp

@@ -8,7 +8,7 @@
 
 namespace wirewarp::test {
 
-/// Returns a closed surface. Cells (i, j) count around the axis, and from the south pole.
+/// Returns a closed surface. Cell (i, j) is number i around the axis, in ring j from the south pole.
 ///
 /// shape: maps unit vectors to points
 /// rises: whether a cell's diagonal goes from (i, j) to (i + 1, j + 1)

@@ -31,7 +31,7 @@ FlattenError error_of(const Call& call) {
   return FlattenError(ErrorCode::cancelled, "nothing was thrown");
 }
 
-/// Returns an error. The test fails if there is no error, or if its code is another.
+/// Returns the error. The test fails if there is no error, or if its code is not `code`.
 inline FlattenError expect_error(const std::optional<FlattenError>& error, ErrorCode code) {
   if (!error) ADD_FAILURE() << "there is no error";
   const FlattenError found = error.value_or(FlattenError(ErrorCode::cancelled, "there is no error"));

@@ -40,7 +40,8 @@ struct CutFigures {
 /// those of this run.
 void expect_figures(const FlattenInput& cut, const CutFigures& claimed);
 
-/// Expects that the claimed figures of a dart or a set of seams are true, along its lines or, without lines, its edges.
+/// Cuts the model along the lines of a suggested dart or set of seams, or along its edges if it has no lines. Expects
+/// that the claimed figures are true.
 void expect_figures(const FlattenInput& input, const DartProposal& claimed);
 
 }  // namespace wirewarp::test

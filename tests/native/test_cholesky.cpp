@@ -249,7 +249,7 @@ TEST(NestedDissection, SeparatorOfASquareIsAboutOneRow) {
 }
 
 TEST(NestedDissection, CutsAcrossTheShortSide) {
-  // A strip of 4 by 100 vertices along a diagonal. Cuts at one x or one y do not cross the strip at right angles.
+  // A strip of 4 by 100 vertices along a diagonal. Lines of constant x or y do not cross the strip at right angles.
   GraphEdges edges;
   Positions2 positions(400, 2);
   for (int i = 0; i < 100; ++i) {

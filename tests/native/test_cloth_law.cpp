@@ -25,7 +25,7 @@ Cloth cloth_of(double weft, double warp, double shear) {
   return cloth;
 }
 
-/// Returns the map from worn to flat.
+/// Returns the map from the worn to the flat shape.
 Eigen::Matrix2d map_of(const Eigen::Matrix2d& flat_to_worn) { return flat_to_worn.inverse(); }
 
 Eigen::Matrix2d rows(double a, double b, double c, double d) { return (Eigen::Matrix2d() << a, b, c, d).finished(); }

@@ -149,8 +149,8 @@ constexpr int kMiddle = 6;
 
 bool is_inside(int i, int j) { return i > 0 && j > 0 && i < kN && j < kN; }
 
-/// Returns whether paths may use a vertex. Two lanes from the left and from below are open, and the area above and to
-/// the right of their crossing.
+/// Returns whether paths may use a vertex. The open vertices are two lanes, one from the left and one from below, and
+/// the area above and to the right of the lanes' crossing.
 bool is_open(int i, int j) {
   if (!is_inside(i, j)) return false;
   return (i >= kMiddle && j >= kMiddle) || (j == kMiddle && i < kMiddle) || (i == kMiddle && j < kMiddle);

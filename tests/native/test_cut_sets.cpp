@@ -53,7 +53,8 @@ CutOptions rough() {
   return cut_options;
 }
 
-/// Expects that the sets flatten every piece with the claimed figures, and that shorter sets have more strain.
+/// Expects that the suggested sets of seams flatten every piece with the claimed figures, and that shorter sets leave
+/// more strain.
 void expect_true_sets(const FlattenInput& input) {
   CutOptions cut_options;
   cut_options.strain = 0.15;
@@ -269,8 +270,8 @@ TEST(PlanCuts, MirroredPairsAreChosenTogetherIfBothAreAllowed) {
   }
 }
 
-/// Returns a sheet with a wide flat bulge, a small steep bulge and a seam between them. The wide bulge has the most
-/// energy, and the steep bulge has the most strain.
+/// Returns a sheet with a wide bulge, a small steep bulge and a seam between them. The wide bulge has the most energy,
+/// and the steep bulge has the most strain.
 FlattenInput bulges(int n) {
   FlattenInput input = test::make_grid(n, n, [](double s, double t) {
     const double x = 6 * s - 2, y = 2 * t - 1;

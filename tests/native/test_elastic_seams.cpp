@@ -203,7 +203,7 @@ TEST(ElasticSeams, NoPieceExceedsTheLimitOfFactorizations) {
   }
 }
 
-/// A second attempt may spend only the rest of the limit.
+/// A second attempt may spend only the rest of the limit, but its error must name the whole limit.
 TEST(ElasticSeams, ErrorsNameTheLimitThatTheUserSet) {
   const int n = 4;
   FlattenInput input = test::saddle_of_wires(n, 0.2);

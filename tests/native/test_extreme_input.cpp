@@ -75,7 +75,7 @@ TEST(ExtremeInput, TinyBesideHuge) {
   expect_flat(test::beside(tiny, huge, 0));
 }
 
-/// Rounding of the coordinates causes strains of 1e-11, with which the solver must converge.
+/// The solver must converge although rounding of the coordinates causes strains of 1e-11.
 TEST(ExtremeInput, AFlatStripThirtyThousandTimesAsLongAsWide) {
   for (const int n : {1, 100}) {
     const FlattenResult result = flatten(test::flat_rectangle(n, 4, 1, 3e-5));

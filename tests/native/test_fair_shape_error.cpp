@@ -47,8 +47,8 @@ class FairShapeErrorOnASaddle : public testing::Test {
 
   /// Compares gradient and Hessian with central differences along the line uv + t d.
   void expect_derivatives(const Positions2& uv, const Positions2& d, double hessian_tolerance) {
-    // The error is h² times the third derivative plus rounding errors over h. If a triangle enters the barrier, the
-    // error is h times the barrier's second derivative.
+    // The error of a difference is h² times the third derivative plus rounding errors over h. If a triangle enters the
+    // barrier, this error is h times the barrier's second derivative.
     const double h = 1e-6;
     Positions2 gradient, ahead, behind;
     EXPECT_DOUBLE_EQ(objective.value_and_gradient(uv, gradient), objective.value(uv));
@@ -222,7 +222,7 @@ TEST(BendingOfAFold, HasNoCornersAtTheEndsOfAWireInsideAndIsABendOfTheLineAtACro
   EXPECT_NEAR(value(input, 0.1), 0.5 * 2 * std::pow(0.1, 3) * n * squared(2 * gamma), 1e-13);
   test::add_wire(input, test::grid_column(n, n, n / 2));
   EXPECT_NEAR(value(input, 0.1), 0.5 * 4 * std::pow(0.1, 3) * n * squared(gamma), 1e-13);
-  // With much fairness, the line bends like its corners on a coarse mesh.
+  // With much fairness, corners get only the weight of a coarse mesh, and the line gets the rest.
   const double fairness = 4, corner = std::pow(fairness, 3) * 8 / fairness, line = std::pow(fairness, 3) * n - corner;
   EXPECT_NEAR(value(input, fairness), 0.5 * (4 * corner * squared(gamma) + 2 * line / 2 * squared(2 * gamma)), 1e-10);
 }

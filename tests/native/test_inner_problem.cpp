@@ -99,7 +99,7 @@ TEST(InnerProblem, TubesReachTheirMinimum) {
 
 TEST(InnerProblem, LeavesASaddleWithManySymmetries) {
   // A search for the change of headings that lowers Eq. (1) starts with the symmetry_breaker of Eq1. On a square tube,
-  // the change and the symmetry_breaker are almost orthogonal.
+  // this start is almost orthogonal to the change.
   const FlattenInput tube = test::make_tube(20, 2, [](double s, double t) {
     const int side = static_cast<int>(std::floor(4 * s + 1e-9)) % 4;
     const double along = 4 * s - side;

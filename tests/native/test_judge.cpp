@@ -286,7 +286,7 @@ TEST(Judge, ReportsChangesByALayout) {
   EXPECT_EQ(reported(longer.result), Sentences{"the layout changes lengths"});
 }
 
-/// Takes two_sheets(), in which the error of piece 0 says that wires contradict one another, and suggests a tolerance.
+/// Adds an error to piece 0 of two_sheets(), which says that wires contradict one another, and suggests a tolerance.
 /// Spoils this error, and expects that broken_guarantees() reports the sentence.
 void expect_wrong_error(const std::string& sentence, const std::function<void(FlattenError&)>& spoil) {
   JudgeCase sheets = two_sheets();

@@ -2,6 +2,8 @@
 // Checks steps in a ball by the conditions for a global minimum of a quadratic (Gay; Sorensen): for some σ >= 0,
 //
 //   (H + σG) d = -g on the space,   σ = 0 or |d|_G = Δ,   H + σG positive semidefinite on the space
+//
+// d: step, H: Hessian, g: gradient, G: metric, Δ: radius of the ball, space: null space of the constraints
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
@@ -88,7 +90,8 @@ TEST(LanczosTrustRegion, TakesTheNewtonStepOfAConvexQuadraticInsideTheBall) {
         -problem.space * test::solve(reduced, problem.space.transpose() * problem.gradient).col(0);
     const ModelStep step = problem.model(kUnknowns).step(1e3);
     EXPECT_TRUE(step.is_inside);
-    // The iteration stops when the residual is a hundredth of the first residual. Then q is near its minimum.
+    // The iteration stops when the residual is a hundredth of the first residual. Then the quadratic (`problem.value`)
+    // is near its minimum.
     EXPECT_NEAR(step.decrease, -problem.value(newton), 1e-2 * -problem.value(newton));
     EXPECT_LE(step.decrease, -problem.value(newton) * (1 + 1e-12));
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tests of the search for seams that a set does not need.
+// Tests of the search for seams that a suggested set does not need.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -135,7 +135,7 @@ TEST(MergeSections, MakesNoNarrowPieceOfWideOnes) {
   const std::vector<VertexPair> middle = across_bar(input, 5.5);
   EXPECT_EQ(num_merged(middle, 0), 1U);
   EXPECT_EQ(num_merged(middle, 0.9), 1U);
-  EXPECT_EQ(num_merged(middle, 1.02), 2U);  // too narrow, although by less than the error of widths
+  EXPECT_EQ(num_merged(middle, 1.02), 2U);  // the bar is too narrow, but by less than the error of its width
   EXPECT_EQ(num_merged(middle, 2), 2U);
   // The bar is too narrow, so it is joined to one square.
   EXPECT_EQ(num_merged(both(across_bar(input, 4), across_bar(input, 7)), 2), 2U);
@@ -144,7 +144,7 @@ TEST(MergeSections, MakesNoNarrowPieceOfWideOnes) {
 TEST(Solidity, IsTheShareOfTheConvexHull) {
   const auto share = [](const FlattenInput& input) { return solidity(*CutSurface(input).uncut[0]); };
   EXPECT_NEAR(share(test::flat_rectangle(6, 2, 3, 1)), 1, 1e-9);
-  EXPECT_NEAR(share(test::flat_annulus(64, 3, 1, 2)), 3.0 / 4, 1e-9);  // both circles are similar polygons, so exact
+  EXPECT_NEAR(share(test::flat_annulus(64, 3, 1, 2)), 3.0 / 4, 1e-9);  // exact, as both circles are similar polygons
   EXPECT_NEAR(share(dumbbell()), 35.0 / 44, 1e-9);
 }
 
@@ -238,7 +238,7 @@ TEST(MergeSections, OpensSectionsBesideSmallPiecesFirst) {
   const MirroredCuts mirrored(strip.chart, {});
   SectionMerger merger(strip.separate(), strip.chart, mirrored, strip.exact);
   merger.run(1e-6, [](double) {});
-  merger.undo(merger.state().pieces);  // the three squares are not joined again, but two may be
+  merger.undo(merger.state().pieces);  // the three squares are not joined again, but two of them may be
   for (const auto& [first, is_small_joined] : {std::pair(0.0, false), std::pair(1.5, true), std::pair(0.0, false)}) {
     merger.restart(first);
     merger.run(1e-6, [](double) {});

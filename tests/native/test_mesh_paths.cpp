@@ -192,7 +192,7 @@ TEST(ShortestPath, IsExactOnACone) {
 }
 
 TEST(ShortestPath, StaysAQuarterOfAnEdgeAwayFromWires) {
-  // The path leads around the end of a slit between the two vertices.
+  // The slit is between the two vertices, so the path leads around the slit's end.
   const int n = 8;
   FlattenInput input = test::flat_rectangle(n, n, n, n);
   test::add_seam(input, test::section(test::grid_column(n, n, 4), 0, 5));

@@ -222,7 +222,7 @@ FlattenInput cylinder_patch(int nx, int ny, double radius, double angle, double 
 
 FlattenInput cone_patch(int nx, int ny, double near, double far, double half_angle, double angle) {
   return make_grid(nx, ny, [&](double s, double t) {
-    const double slant = far + (near - far) * t;  // slant position: t runs upwards, to the apex
+    const double slant = far + (near - far) * t;  // distance from the apex along the side; t runs upwards
     return Eigen::Vector3d(slant * std::sin(half_angle) * std::cos(angle * s),
                            slant * std::sin(half_angle) * std::sin(angle * s), -slant * std::cos(half_angle));
   });

@@ -25,8 +25,8 @@ FlattenInput make_grid(int nx, int ny, const Surface& surface);
 /// Turns the diagonal of every second quad of a grid, as on a checkerboard.
 void alternate_diagonals(FlattenInput& grid, int nx);
 
-/// Returns an n by n grid with jagged rows and columns. Vertices are moved at random by up to `jitter` times an edge,
-/// and outline vertices only along the outline.
+/// Returns an n by n grid with jagged rows and columns. Vertices are moved at random by up to `jitter` times the length
+/// of an edge, and outline vertices only along the outline.
 FlattenInput jittered_grid(int n, double jitter, const Surface& surface);
 
 FlattenInput mesh_of(const std::vector<std::array<double, 3>>& points, const std::vector<std::array<int, 3>>& faces);

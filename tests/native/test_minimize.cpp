@@ -24,7 +24,7 @@ namespace wirewarp::test_minimize {
 namespace {
 
 constexpr double kFree = std::numeric_limits<double>::infinity();
-// Allowed relative difference of f, because each run stops when the next step would gain less than 1e-9 of f.
+// Allowed relative difference of the objective f. Each run stops when the next step would gain less than 1e-9 of f.
 constexpr double kSameMinimum = 1e-7;
 
 struct Case {

@@ -44,7 +44,7 @@ class NewtonSystemOnASaddle : public testing::Test {
     return j;
   }
 
-  /// Returns the lowest eigenvalue of the Hessian H on the null space of J.
+  /// Returns the lowest eigenvalue of the Hessian H on the null space of J, the Jacobian of the constraints.
   double lowest_curvature(const Eigen::VectorXd& multipliers, const Convexity& convexity) {
     const Eigen::MatrixXd space = test::null_space(jacobian(constraints.directions(uv)));
     return test::eigenvalues(test::reduced_to(space, test::symmetric(system.hessian(uv, multipliers, convexity))))[0];

@@ -113,7 +113,7 @@ std::vector<int> overlap_of_ring_wound_twice(const std::vector<double>& radii) {
 
 TEST(Overlap, ARingWoundTwiceOverlapsEverywhereWithoutCrossings) {
   EXPECT_EQ(overlap_of_ring_wound_twice({1, 1.5, 2}).size(), 24U * 2 * 2);
-  // Rims of width 1e-10 overlap only by rounding errors. They must not hide the band between them.
+  // Bands of width 1e-10 at both rims overlap only by rounding errors. They must not hide the wide band between them.
   EXPECT_EQ(overlap_of_ring_wound_twice({1, 1 + 1e-10, 2 - 1e-10, 2}).size(), 24U * 2);
 }
 

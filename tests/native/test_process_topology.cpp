@@ -72,7 +72,7 @@ TEST(HelperWires, AreAsFewAsTheNetworkNeeds) {
            {"tail one edge from the outline", with_wires(square(6), {row_part(6, 3, 0, 5)}), 1},
            {"both ends inside", with_wires(test::saddle(8, 0.4), {row_part(8, 3, 3, 5)}), 2},
            {"one edge", with_wires(test::saddle(8, 0.4), {row_part(8, 4, 4, 5)}), 2},
-           // One helper wire closes the gap between the wires. One leads from the second wire to the outline.
+           // One helper wire closes the gap between the wires. Another leads from the second wire to the outline.
            {"tail along a wire", with_wires(square(10), {row_part(10, 5, 0, 4), row_part(10, 5, 6, 8)}), 2},
            // One helper wire closes the wire into a ring, and four more lead from the ring to each end of the tube.
            {"tail around a tube",

@@ -109,8 +109,8 @@ TEST(RefineChart, CheapStepsOfTheFreeStartAreLittleProgress) {
   EXPECT_LT(before_shape, 0.3);
 }
 
-/// Surface and wires are symmetric under half a turn, and f has a saddle at the least distorted symmetric shape.
-/// Gradients are symmetric too, so they cannot lead away from the saddle.
+/// Surface and wires are symmetric under half a turn, and the objective f has a saddle at the least distorted symmetric
+/// shape. Gradients are symmetric too, so they cannot lead away from the saddle.
 TEST(RefineChart, LeavesASaddleUnderANetOfWires) {
   const int n = 12;
   FlattenInput input = test::saddle(n, 0.9);

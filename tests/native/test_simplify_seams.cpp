@@ -108,7 +108,8 @@ TEST(SimplifySeams, UnfoldsABoxToANet) {
 }
 
 TEST(SimplifySeams, KeepsMirroredPairsOfACubesSeams) {
-  // In k pieces, the six sides are joined along 6 - k of the twelve edges. So 6 + k edges of length 1 remain seams.
+  // If the cube has k pieces, its six sides are joined along 6 - k of the twelve edges. So 6 + k edges of length 1
+  // remain seams.
   const FlattenInput input = cube(2);
   const SeamProposal fewer = simplify_seams(input, {}, 0);
   EXPECT_LE(fewer.num_pieces, 2);
@@ -176,7 +177,7 @@ TEST(SimplifySeams, HasNoFiguresIfAPieceHasNoFlatShape) {
 }
 
 TEST(SimplifySeams, RemovesSeamsBesideANeighborWithoutAFlatShape) {
-  // In these four strips of stretched fabric side by side, the third strip cannot be flattened.
+  // These are four strips of stretched fabric side by side. The third strip cannot be flattened.
   const int n = 8;
   FlattenInput input = test::make_grid(n, n, [](double s, double t) {
     const double x = s - 0.625, y = t - 0.5;

@@ -45,7 +45,7 @@ std::vector<VertexPair> jagged_ring(int j) {
   return edges;
 }
 
-/// Returns the smooth version of a set of seams along these edges. strain: of the set along edges.
+/// Returns the smooth version of a set of seams along these edges. strain: claimed strain of the set along the edges.
 DartProposal smoothed(const FlattenInput& input, const std::vector<VertexPair>& edges, double strain = 1,
                       const CutOptions& cut_options = {}, double most_strain = 10, const Options& options = {}) {
   const Progress no_progress;

@@ -68,7 +68,8 @@ SurfacePath path_through(const FlattenInput& sheet, const std::vector<std::pair<
 
 TEST(SurfaceLines, OfACutMeshCutTheInputAtTheSamePlaces) {
   const FlattenInput sheet = mirrored_sheet();
-  // One line leads from the outline across edges and faces to a junction inside a face. Two lines lead away from it.
+  // One line leads from the outline across edges and faces to a junction inside a face. Two other lines begin at the
+  // junction.
   const std::vector<SurfacePath> paths{
       path_through(sheet, {{0, 2}, {0.6, 2.6}, {1, 2.75}, {1.5625, 2.5625}, {1.75, 2.5}}),
       path_through(sheet, {{1.75, 2.5}, {2, 2.6}, {2.7, 2.7}, {3, 3}, {4, 3}}),

@@ -166,8 +166,8 @@ TEST(ChooseVariation, TakesFewEvaluationsWithManyWires) {
   }
 }
 
-/// Returns a pyramid with a triangle on one side of its square base, which is a free wire. The other sides of the
-/// triangle are 0.505 long, so the wire can be at most 1.01 long.
+/// Returns a pyramid, and a triangle on one side of its square base. A free wire is along this side. The other sides of
+/// the triangle are 0.505 long, so the wire can be at most 1.01 long.
 FlattenInput pyramid_beside_a_narrow_triangle() {
   const double low = std::sqrt(0.505 * 0.505 - 0.25);
   FlattenInput input = test::mesh_of({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, 0.6}, {0.5, -low, 0}},

@@ -23,7 +23,8 @@ NETWORK = {"socket", "ssl", "urllib", "http", "ftplib", "smtplib", "asyncio", "x
 THREADS = {"threading", "_thread", "concurrent", "multiprocessing", "queue"}
 NATIVE = {"ctypes", "cffi"}
 INSTALLERS = {"pip", "ensurepip", "venv", "site", "pkg_resources"}
-# If the user has installed spyrrow, it runs in a process of its own. Blender never imports its program.
+# If the user has installed spyrrow, STARTER runs it in a process of its own. Blender never imports PROGRAM, which is
+# the program of this process.
 PROGRAM, STARTER = "wirewarp/pattern/nest/spyrrow_process.py", "wirewarp/pattern/nest/spyrrow_nesting.py"
 TEXTS = {".py", ".md", ".toml", ""}  # "" is for LICENSE, which has no ending
 ZSTANDARD = b"\x28\xb5\x2f\xfd"  # first bytes of Blender's compressed files

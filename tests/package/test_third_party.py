@@ -7,7 +7,7 @@ import re
 import pytest
 from zips_in_dist import ROOT, ZIPS, files_of, wheels_of
 
-# If a compiled file contains the text, it contains the library.
+# If a compiled file contains the text of a library, it contains the library.
 MARKS = {
     "OpenMesh": b"OpenMesh",
     "pybind11": b"pybind11",
@@ -31,7 +31,7 @@ def table() -> dict[str, str]:
     rows = [line.strip("|").split("|") for line in lines if line[:1] == "|"]
     found = {}
     for names, _, license in rows[2:]:
-        for name in re.sub(r"\]\(.*?\)|\[", "", names).split(","):  # without addresses
+        for name in re.sub(r"\]\(.*?\)|\[", "", names).split(","):  # without the addresses of links
             found[re.match(r"\s*([\w+-]+)", name)[1]] = license.strip()
     return found
 

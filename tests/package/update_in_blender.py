@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Installs the add-on from a repository in Blender, and updates it, as users do:
+"""Installs the add-on from a repository in Blender, and updates it, as users do.
 
-python update_in_blender.py REPOSITORY GENERATOR
+Usage: python update_in_blender.py REPOSITORY GENERATOR
 
 - REPOSITORY: dist/repository/
 - GENERATOR: Blender's program for extensions
-- BLENDER_USER_RESOURCES: an empty folder
+
+The environment variable BLENDER_USER_RESOURCES must be the path of an empty folder.
 """
 
 import os

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Usage: wirewarp_random_cases [--list] FIRST COUNT. Flattens COUNT random cases, with the seeds FIRST, FIRST + 1, ...,
-// and judges the results. Exits with 1 if a guarantee is broken or an expected error is missing. A case that takes too
-// much processor time ends the program. At the end, prints how often each verdict occurred, and how many good pieces
-// came from each start of the refined method (PieceReport::start). --list: prints a line for each piece instead of
-// judging, to compare two builds piece by piece.
+// and judges the results. Exits with 1 if a guarantee is broken, or if an error is missing or unexpected. A case that
+// takes too much processor time ends the program. At the end, prints how often each verdict occurred, and how many good
+// pieces came from each start of the refined method (PieceReport::start). --list: prints a line for each piece instead
+// of judging, to compare two builds piece by piece.
 #include <sys/time.h>
 #include <unistd.h>
 

@@ -55,7 +55,7 @@ void add_eases_of_wires(RandomStream& random, FlattenInput& input) {
 /// Adds one ease, which applies to random sides of seams and borders.
 void add_eases_of_sides(RandomStream& random, FlattenInput& input) {
   std::map<Edge, int> num_faces;
-  std::map<VertexPair, int> num_sides;  // of each direction of an edge
+  std::map<VertexPair, int> num_sides;  // number of faces on the left of each directed edge
   for (const auto& face : input.faces.rowwise()) {
     for (int k = 0; k < 3; ++k) {
       ++num_faces[edge_of(face[k], face[(k + 1) % 3])];

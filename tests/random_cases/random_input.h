@@ -49,8 +49,8 @@ void add_random_wires(RandomStream& random, FlattenInput& input, std::string& de
 /// input unchanged, if the two random vertices belong to one part.
 bool let_parts_touch(RandomStream& random, FlattenInput& input);
 
-/// Adds a fabric that is stretched when worn to legal input of the refined method. May also add wires along seams, and
-/// eases of wires and sides. Appends words about the changes to the description.
+/// Adds to legal input of the refined method: a fabric that is stretched when worn, sometimes wires along seams, and
+/// sometimes eases of wires and sides. Appends words about the changes to the description.
 void add_random_stretch(RandomStream& random, FlattenInput& input, Options& options, std::string& description);
 
 /// Adds one fault to a legal input, and returns the error that must result.

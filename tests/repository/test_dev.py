@@ -70,7 +70,7 @@ NOT_HERE = "missing is NOT TESTED: there is no such Python"
         ("window windows-3.11 windows-3.13", "window", "window passed", 0, ""),
         ("lint window", "macos", "", 1, "no step starts with macos; there are: lint, window"),
         ("bad good", "bad good", "bad FAILED, good passed", 1, "dev: failed: bad"),
-        ("missing", "missing", "missing NOT TESTED", 0, NOT_HERE),  # not a failure
+        ("missing", "missing", "missing NOT TESTED", 0, NOT_HERE),  # a step that is not tested is not a failure
         ("good bad", "", "good passed, bad FAILED", 1, "dev: it is bad"),
         ("good missing", "", "good passed, missing NOT TESTED", 0, NOT_HERE),
         ("seldom extra good", "", "good passed", 0, ""),

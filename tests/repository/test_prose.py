@@ -80,7 +80,7 @@ def page_sentences(page: Path) -> Iterator[str]:
 
 
 def window_texts(source: Path) -> Iterator[str]:
-    """Yield the texts of a file that users may read: all but docstrings, and the docstrings that are tooltips."""
+    """Yield the texts of a file that users may read: all texts except docstrings, and docstrings that are tooltips."""
     tree = ast.parse(source.read_text())
     documented = [each for each in ast.walk(tree) if isinstance(each, ast.Module | ast.ClassDef | ast.FunctionDef)]
     silent = {id(each.body[0].value) for each in documented if each.body and isinstance(each.body[0], ast.Expr)}

@@ -27,7 +27,7 @@ def make_wheels(folder: Path, *tags: str) -> None:
 
 @pytest.fixture
 def libraries(tmp_path):
-    """Return a function that makes wheels of two packages: one for each Python of clipper, and only one of writer."""
+    """Return a function that makes wheels of two packages: clipper has one for each Python, and writer has only one."""
     folder = tmp_path / "libraries"
     folder.mkdir()
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Drives Blender's window through tours, which are generator functions:
+"""Drives Blender's window through tours, which are generator functions.
 
-blender --enable-event-simulate --python-expr "import drive; drive.main()" -- SCRIPT FUNCTION...
+Usage: blender --enable-event-simulate --python-expr "import drive; drive.main()" -- SCRIPT FUNCTION...
 
 Each tour starts in Blender's startup file, and Blender exits with 1 if a tour fails.
 """
@@ -175,7 +175,7 @@ def start_anew() -> Tour:
 
 
 def one_after_another(script: ModuleType, names: list[str]) -> Generator[Callable[[], bool], None, list[str]]:
-    """Run the tours, and return the names of those that failed. Save a picture of the window at each failure."""
+    """Run the tours, and return the names of the tours that failed. Save a picture of the window at each failure."""
     failed = []
     for name in names:
         if name != names[0]:

@@ -154,7 +154,7 @@ def state() -> tuple:
 
 
 def frame_button() -> drive.Tour:
-    """The button brings model and pieces back into view."""
+    """Show Model and Pieces brings model and pieces back into view."""
     source = marked()
     bpy.ops.object.wirewarp_flatten()
     yield from drive.open_tab(bpy.types.VIEW3D_PT_wirewarp_flatten)

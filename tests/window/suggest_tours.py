@@ -13,7 +13,7 @@ from surfaces import bump, grid, mark_seam, on_line, read, select_edges
 
 current = wirewarp_addon.state.suggestions.current_suggestions
 
-MARK = "bpy.ops.object.wirewarp_mend(what='SUGGESTION'"  # command of the buttons Mark and Flatten, Clear and Flatten
+MARK = "bpy.ops.object.wirewarp_mend(what='SUGGESTION'"  # command of "Mark and Flatten" and "Clear and Flatten"
 
 
 def seam_count() -> int:
@@ -140,7 +140,8 @@ def no_button_moves_under_the_mouse(command: str) -> drive.Tour:
 
 def the_list_appears_below_the_button_that_was_pressed() -> drive.Tour:
     source = grid("Bump", bump, size=12)
-    # Jersey stretches far enough. Then the button is in the list of pieces, and without a fabric it is below Flatten.
+    # Jersey stretches far enough, so the button is in the list of pieces. Without a fabric, the button is below
+    # Flatten.
     for cloth, place in (("JERSEY", "PIECES"), ("NONE", "FLATTEN")):
         bpy.context.scene.wirewarp.cloth = cloth
         remember()

@@ -13,7 +13,7 @@ ONE_PIECE, TWO_PIECES = 81, 90  # number of vertices of the flat pieces, without
 
 
 def begin_held_update() -> Generator[object, None, Event]:
-    """Mark a seam in Edit Mode, and wait until the update runs. It ends after the returned event is set."""
+    """Mark a seam in Edit Mode, and wait until the update runs. The update ends after the returned event is set."""
     source = marked_bump()
     yield from flatten()
     bpy.context.scene.wirewarp.auto_update = True

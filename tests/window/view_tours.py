@@ -42,7 +42,7 @@ def search_finds_commands_by_the_add_on_s_name() -> drive.Tour:
 
 
 def buttons_keep_their_places_in_edit_mode() -> drive.Tour:
-    """Show Worst Place enters Edit Mode. The button stays under the mouse, and is at this place for the pieces, too."""
+    """Show Worst Place enters Edit Mode and stays under the mouse. For the flat pieces, it is at the same place."""
     with drive.in_view():
         bpy.ops.object.wirewarp_open_sample(sample="FITTED_TOP")
     source = bpy.context.object
@@ -64,7 +64,8 @@ def buttons_keep_their_places_in_edit_mode() -> drive.Tour:
 
 
 def the_first_pieces_are_brought_into_view() -> drive.Tour:
-    """Later runs move the view only if the layout becomes much larger. If the preference is off, no run moves it."""
+    """Later runs move the view only if the layout becomes much larger. Without Show New Pieces, no run moves the
+    view."""
     source = grid("Bump", bump)
     view = drive.view_area().spaces.active.region_3d
     view.view_location, view.view_distance = (100, 100, 100), 1

@@ -45,7 +45,7 @@ def test_pieces_in_an_even_row_are_named_by_their_half(addon):
     ids=["ring and top", "middle of the front", "front of the left"],
 )
 def test_pieces_are_named_after_their_side_and_place(addon, normals, offsets, names):
-    """normals: directions of the sides; zero for a ring. offsets: places from the middle of the model."""
+    """normals: directions that the pieces face; zero for a ring. offsets: places from the model's middle."""
     assert addon.solve.identity.side_names(np.array(normals, float), np.array(offsets, float)) == names
 
 
@@ -126,7 +126,7 @@ def test_seams_are_cleared_up_to_the_softer_direction_of_the_fabric_if_the_other
 
 @pytest.fixture
 def measuring(addon, measured, monkeypatch):
-    """Return a function that starts to measure sets of 3 and 5 pieces with given results, and these sets."""
+    """Return a function and two sets of seams, of 3 and 5 pieces. The function measures them with the given results."""
     sets = addon.solve.seam_sets
     found = [replace(measured(pieces, 0.1, 0.1), threads=None) for pieces in (3, 5)]
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tests that a run starts one thread for each core that it may use, and works with fewer threads if the system refuses
+// Tests that a run uses one thread for each core that it may use, and works with fewer threads if the system refuses
 // more.
 #include <dlfcn.h>
 #include <gtest/gtest.h>

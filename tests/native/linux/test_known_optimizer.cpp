@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Compares solutions of the outer problem with those of NLopt. From the same h0, with the same E and gradient, NLopt
-// finds no better minimum.
+// Compares solutions of the outer problem with those of NLopt. The outer problem chooses the wires' variations h, so
+// that the shape error E is least. From the same start, with the same E and gradient, NLopt finds no better minimum.
 #include <gtest/gtest.h>
 #include <nlopt.h>
 
