@@ -51,7 +51,8 @@ def peers_section(sheets: list[Comparison]) -> list[str]:
         "![Seconds against triangles for every method](benchmarks/times.png)",
         "",
         "The exponents of growth in this picture are for 10,000 or more triangles. The next picture shows the cost of "
-        "exact lengths at 10,000 triangles. Methods that keep lengths are on the left, and the others are on the right.",
+        "exact lengths at 10,000 triangles. Methods that keep lengths are on the left, and the others are on the "
+        "right.",
         "",
         "![Distortion against the worst length error for every method](benchmarks/lengths.png)",
         "",

@@ -100,7 +100,7 @@ Sentences faults_of_error(const FlattenError& error, const FlattenInput& input) 
   const std::string sentence = error.what();
   if (sentence.size() < 20 || sentence.back() != '.') faults.push_back(name + " has no sentence: " + sentence);
   for (const auto& [argument, value] : error.arguments) {
-    const std::regex whole_word("\\b" + argument + "\\b");  // names have no special characters
+    const std::regex whole_word("\\b" + argument + "\\b");  // names of arguments have no special characters
     const std::string documented = describe(error.code).arguments;
     if (!std::regex_search(documented, whole_word)) faults.push_back("undocumented argument: " + argument);
   }

@@ -41,7 +41,7 @@ std::pair<int, int> find_overlap(const std::vector<PlanarTriangle>& triangles) {
     size = std::max({size, boxes.back().low.cwiseAbs().maxCoeff(), boxes.back().high.cwiseAbs().maxCoeff()});
   }
   const double rounding = 1e-9 * size;
-  std::vector<std::size_t> order(triangles.size());  // from left to right
+  std::vector<std::size_t> order(triangles.size());  // indices of triangles, from left to right
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::sort(order.begin(), order.end(),
             [&](std::size_t i, std::size_t j) { return boxes[i].low.x() < boxes[j].low.x(); });

@@ -10,7 +10,7 @@ namespace wirewarp::test {
 
 using PlanarTriangle = std::array<Eigen::Vector2d, 3>;
 
-/// Returns twice the signed area. Extended precision keeps the sign of thin triangles.
+/// Returns twice the signed area. The extended precision keeps the sign correct for thin triangles.
 long double doubled_area(const PlanarTriangle& triangle);
 
 /// Returns the indices of two triangles that overlap by more than rounding errors, or (-1, -1). All triangles must be

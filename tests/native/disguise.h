@@ -9,7 +9,8 @@
 namespace wirewarp::test {
 
 /// Returns the surface rotated, mirrored and renumbered. With F faces, face f is the input's face F - 1 - f with its
-/// first two corners swapped. The number of vertices must not be a multiple of 7.
+/// first two corners swapped. The number of vertices must not be a multiple of 7, because vertices are renumbered in
+/// steps of 7.
 FlattenInput disguised(const FlattenInput& input);
 
 /// Returns these edges in the numbering of disguised().

@@ -28,7 +28,7 @@ double length_of_seams(const FlattenInput& input);
 /// Returns the model with its mesh cut along these lines, and with a seam along each line.
 FlattenInput with_paths(FlattenInput input, const std::vector<SurfacePath>& paths);
 
-/// Returns point i of a path in space.
+/// Returns the position in space of point i of a path.
 Eigen::RowVector3d point_of(const FlattenInput& input, const SurfacePath& path, std::size_t i);
 
 struct CutFigures {

@@ -153,7 +153,7 @@ struct Chains {
 
 TEST(MultifrontalCholesky, PollsTheTokenRegularly) {
   const Chains chains;
-  const double m = Chains::block / kTile;  // number of tiles along the pivots of a front, and also below them
+  const double m = Chains::block / kTile;  // number of tiles along a front's pivots, and also along its other rows
   const double work_of_a_chain = (Chains::length - 1) * (m * m * m / 6 + m * m * m / 2 + m * m * m / 2);
   for (const bool in_threads : {false, true}) {
     MultifrontalCholesky cholesky(chains.lower, chains.tree, 1, in_threads);

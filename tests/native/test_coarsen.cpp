@@ -122,7 +122,7 @@ Positions2 mapped(const HalfEdgeMesh& mesh, const std::function<Eigen::Vector2d(
 }
 
 /// On a quadratic map, linear interpolation in triangles of size h has the error h²/8 times the second derivative.
-/// interpolate() must be much better.
+/// The error of interpolate() must be much smaller.
 TEST(Prolong, FollowsQuadraticMaps) {
   const double bend = 0.01;
   const Coarse c(jittered_grid(40, 0.3, flat));

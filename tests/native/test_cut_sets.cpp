@@ -329,7 +329,7 @@ TEST(PlanCuts, ProgressNeverFallsAndCanCancelInAnyRound) {
   const double second_round = 0.5;
   ASSERT_GE(fractions.back(), second_round);
   // The number of polls in this thread depends on how much work the other threads do. The test therefore cancels at a
-  // fraction of the progress.
+  // fraction of the progress, not at a number of polls.
   for (const double last : {fractions.front(), second_round}) {
     bool has_ended = false;
     const auto plan = [&] {

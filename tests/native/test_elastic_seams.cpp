@@ -127,7 +127,7 @@ FlattenInput two_triangles(double tolerance, double ease) {
 }
 
 TEST(ElasticSeams, StartWithinTheToleranceIfNominalLengthsAreInfeasible) {
-  const FlattenInput input = two_triangles(0.5, 1.2);  // a side of 2.2 is too long for two sides of 1
+  const FlattenInput input = two_triangles(0.5, 1.2);  // with a side of 2.2, two sides of 1 close no triangle
   const FlattenResult result = flatten(input);
   expect_good(input, result);
   EXPECT_NEAR(result.seams.at(0).variation, 1.2 - 0.5, 1e-9) << "as short as allowed";
@@ -216,8 +216,8 @@ TEST(ElasticSeams, ErrorsNameTheLimitThatTheUserSet) {
   }
 }
 
-/// If the pieces were solved side by side, the last piece would have coordinates of about 100. Its edges of length 1/40
-/// would lose two digits.
+/// If the pieces were solved side by side in one plane, the last piece would have coordinates of about 100. Its edges
+/// of length 1/40 would lose two digits.
 TEST(ElasticSeams, AHundredCoupledPiecesAreAsExactAsOne) {
   const int num_pieces = 100, along = 40;
   FlattenInput input =

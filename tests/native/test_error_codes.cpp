@@ -186,7 +186,7 @@ TEST(ErrorCodes, InvalidOption) {
     expect_words(error, words);
   };
   for (const double bad : {-0.1, 1.5, kNan}) expect_refused([=](Options& o) { o.gap = bad; }, "gap");
-  for (const int bad : {-2, 0}) expect_refused([=](Options& o) { o.grain = bad; }, "grain");  // the input has no wires
+  for (const int bad : {-2, 0}) expect_refused([=](Options& o) { o.grain = bad; }, "grain");  // 0: input without wires
   for (const double bad : {0.0, kNan}) expect_refused([=](Options& o) { o.up = {bad, 0, 0}; }, "up");
   for (const double bad : {0.0, 0.0009, 11.0, -0.1, kNan}) {
     expect_refused([=](Options& o) { o.fairness = bad; }, "between 0.001 and 10");
@@ -281,7 +281,7 @@ TEST(ErrorCodes, TheErrorOfWiresThatCannotBeJoinedNamesThemAndTheRefinedMethod) 
   expect_words(error, "use the refined method");
 }
 
-// Flipping faces cannot give a one-sided surface one orientation.
+// A one-sided surface has no consistent orientation, whichever faces are flipped.
 TEST(OneSidedSurface, AMobiusStripIsCutWhereFacesFlip) {
   constexpr int n = 12;
   FlattenInput strip;

@@ -94,7 +94,7 @@ TEST(Isoperimetric, TheLeastShapeErrorIsThatOfTheBestSingularValues) {
   EXPECT_EQ(least_shape_error(3), 0);
 }
 
-TEST(Isoperimetric, TheLeastShapeErrorIsConvex) {  // so a mix of ratios has no smaller error
+TEST(Isoperimetric, TheLeastShapeErrorIsConvex) {  // so no mix of area ratios has a smaller error than their mean
   const double step = 1. / 64;
   for (double share = step; share < 1.5; share += step) {
     const double chord = (least_shape_error(share - step) + least_shape_error(share + step)) / 2;

@@ -115,7 +115,8 @@ TEST_F(FairShapeErrorOnASaddle, DerivativesOfTheInfiniteBarrierEqualDifferences)
   EXPECT_GT(test::eigenvalues(convex).minCoeff(), -1e-12 * convex.norm());
 }
 
-/// The sheet of FairShapeErrorOnASaddle, of a fabric that locks. Triangles are stretched and squeezed, but not flipped.
+/// The sheet of FairShapeErrorOnASaddle, made of a fabric whose threads lock. In its layouts, triangles are stretched
+/// and squeezed, but not flipped.
 class FairShapeErrorOfAFabric : public FairShapeErrorOnASaddle {
  protected:
   static Cloth locking_cloth() {
@@ -183,7 +184,7 @@ TEST(FairShapeError, AMirrorImageHasOnlyFlippedTriangles) {
 }
 
 /// A square is sheared by β into a rhombus, with exact lengths along rows and columns. Every angle between a row and a
-/// column changes by β, so the square of its residual is 2 - 2 cos β.
+/// column changes by β, so the squared residual of this angle is 2 - 2 cos β.
 TEST(BendingOfARhombus, IsTheAngleTermOfEquation1HoweverFineTheMesh) {
   for (const int n : {4, 64}) {
     FlattenInput input = test::flat_rectangle(n, n, 1, 1);
@@ -249,7 +250,7 @@ TEST(LogBarrier, HasTheValueAndDerivativesOfItsFormula) {
 /// A plate with a notch of width kGap. Edges are 1 long, and the barrier begins at distances of 0.1.
 class OutlineOfANotch : public testing::Test {
  protected:
-  /// Returns a plate of 5 by 3 without the upper two squares in the middle, in the form of a U.
+  /// Returns a U-shaped plate: 5 by 3 squares without the upper two squares in the middle.
   static FlattenInput plate() {
     return test::keep_faces(test::flat_rectangle(5, 3, 5, 3),
                             [](const Eigen::Vector3d& p) { return !(p.x() > 2 && p.x() < 3 && p.y() > 1); });

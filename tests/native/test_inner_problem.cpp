@@ -79,7 +79,7 @@ TEST(InnerProblem, EndsAtMinimaNotAtSaddles) {
 }
 
 TEST(InnerProblem, TubesReachTheirMinimum) {
-  // To close these tubes, edges turn so far that the linearized gap is wrong.
+  // To close these tubes, edges must turn by so much that the linearized gap is wrong.
   FlattenInput narrow = test::cylinder_tube(28, 4, 1, 0.2);
   test::add_wire(narrow, test::tube_line(28, 4, 3));
   test::add_wire(narrow, test::tube_line(28, 4, 14));

@@ -375,7 +375,7 @@ TEST(Judge, ReportsErrorsWithoutSentenceOrElements) {
   }
 }
 
-constexpr int kSeeds = 20;  // seeds for each test, so that several tests can run at once
+constexpr int kSeeds = 20;  // number of seeds in each test, so that several tests can run at once
 
 class RandomCases : public testing::TestWithParam<int> {};
 

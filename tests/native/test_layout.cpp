@@ -196,8 +196,8 @@ TEST(RisingDirection, ALevelPieceIsAlignedByItsWire) {
 }
 
 TEST(UprightPair, AtEqualHeightsDoesNotDependOnTheNumbering) {
-  // All vertices of the lower side have the same height, and so do all vertices of the upper side. Any pair of both
-  // would be upright, so the left ends of both sides must be the pair.
+  // All vertices of the lower side are equally low, and all vertices of the upper side are equally high. Among these,
+  // the left end of each side must be chosen.
   const FlattenInput sheet = test::flat_rectangle(4, 2, 2, 3);
   FlattenInput renumbered = sheet;
   const auto last = static_cast<int>(sheet.vertices.rows()) - 1;

@@ -76,7 +76,7 @@ TEST(MergeSections, TheNumberOfCoresChangesNoResult) {
 
 TEST(MergeSections, MeasuresTheThreadsOfAFabric) {
   Options options;
-  // A woven fabric shears, so its threads stretch only a quarter as much as other materials.
+  // Woven fabric shears, so its threads stretch only a quarter as much as an isotropic material.
   options.cloth = cloth_preset("woven").cloth;
   const CutSurface sheet(test::bump(8), options);
   const double most = 1.001 * sheet.uncut[0]->strain;
@@ -265,7 +265,7 @@ void expect_failures_on_other_meshes(const CutSurface& sheet, const FlatPieces& 
 TEST(FlatPieces, AreFoundAgainByTheirArea) {
   const CutSurface sheet(test::bump(8));
   expect_failures_on_other_meshes(sheet, sheet.with(across(8)).pieces);
-  const CutSurface rings(test::flat_annulus(32, 2, 1, 2));  // cut into two rings with one center
+  const CutSurface rings(test::flat_annulus(32, 2, 1, 2));  // cut into two rings with a common center
   std::vector<VertexPair> middle;
   for (const EdgeHandle e : rings.chart.mesh.edges()) {
     const VertexPair ends = source_edge(rings.chart, rings.chart.mesh.halfedge_handle(e, 0));

@@ -54,7 +54,7 @@ std::vector<int> tube_line(int nx, int ny, int i);
 void add_seam(FlattenInput& input, const std::vector<int>& chain);
 void add_wire(FlattenInput& input, const std::vector<int>& chain, double tolerance = 0, const std::string& name = "");
 
-/// Adds wires along these rows and columns of an n by n grid.
+/// Adds wires along the rows and the columns with these indices, in an n by n grid.
 void add_net(FlattenInput& grid, int n, const std::vector<int>& lines, double tolerance = 0);
 
 /// Adds a wire on each inner edge whose middle is in a region, by default everywhere.
@@ -72,7 +72,8 @@ int nearest_vertex(const FlattenInput& input, const Eigen::Vector3d& point);
 
 FlattenInput flat_rectangle(int nx, int ny, double width, double height);
 FlattenInput flat_annulus(int around, int across, double inner_radius, double outer_radius);
-/// A plate of 3 by 2 with two square holes of side 0.5, with n quads per unit. n must be even for square holes.
+/// A plate of 3 by 2 with two square holes of side 0.5. It has n quads per unit. n must be even, so that the holes are
+/// square.
 FlattenInput flat_plate_with_two_holes(int n);
 /// The plate with two holes and three rigid wires along y = 1. They connect the outline and both holes from left to
 /// right.
@@ -109,7 +110,7 @@ Surface over_square(const Height& height);
 FlattenInput height_field(int n, const Height& height);
 double lopsided_dome(double x, double y);
 FlattenInput bump(int n);
-/// A hill off the middle with alternating diagonals, without symmetry.
+/// A hill off the middle of a sheet, without symmetry. The diagonals alternate.
 FlattenInput hill(int n);
 /// A sheet of 2 by 3 with two hills, which are mirror images across x = 0. top: y of the tops of the hills.
 FlattenInput two_hills(int n, double top = 0);

@@ -113,7 +113,7 @@ TEST(OpenSlits, RimsOfAPieceThatUnfoldsUpToRoundingStayApart) {
                                                along_row(3, 1, 14)};
   for (std::size_t s = 0; s < slits.size(); ++s) {
     FlattenInput input = test::cylinder_patch(20, 8, 1, 2, 1);
-    input.vertices = input.vertices.cast<float>().cast<double>();  // as Blender stores it
+    input.vertices = input.vertices.cast<float>().cast<double>();  // as Blender stores positions
     test::add_seam(input, slits[s]);
     const Piece piece = flatten(input).pieces.at(0);
     EXPECT_FALSE(piece.error) << s << ": " << piece.error->what();

@@ -121,7 +121,8 @@ TEST(Overlap, FacesAtOnePointAreNotComparedInPairs) {
   const Chart chart = test::chart_of(test::flat_rectangle(60, 60, 1, 1));
   const Faces faces = faces_of(chart);
   const Positions2 uv = Positions2::Zero(chart.mesh.n_vertices(), 2);
-  // A comparison of all pairs of the 7,200 faces would poll and throw. A search without pairs has too little work.
+  // A comparison of all pairs of the 7,200 faces would poll and throw. A search without pairs has too little work to
+  // poll.
   const StopToken once_is_too_often([](const char*) { return false; });
   EXPECT_TRUE(find_overlapping_faces(faces.corners, faces.on_boundary, uv, 1e-9, once_is_too_often).empty());
 }

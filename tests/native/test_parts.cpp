@@ -273,7 +273,7 @@ TEST(PartSets, AreFollowedByOthersIfTheyNeedTooMuchStrain) {
 
 TEST(PartSets, DoNotDependOnHowTheModelIsGiven) {
   FlattenInput input = dumbbell(20, 20);
-  // Without symmetry, no two planes are equally good.
+  // Makes the model asymmetric, so that no two planes are equally good.
   for (auto p : input.vertices.rowwise()) p << p[0] + 0.1 * p[1], 0.8 * p[1] * (1 + 0.1 * p[2]), p[2] + 0.15 * p[0];
   ASSERT_NE(input.vertices.rows() % 7, 0);
   const std::vector<DartProposal> sets = smooth_sets(input, up_to(0.15)),

@@ -60,7 +60,8 @@ TEST(RefineChart, AnIntermediateShapeIsConvergedOnlyWithoutStrain) {
   }
 }
 
-/// On a strongly curved net, one step from the free shape does not reach exact lengths.
+/// On a strongly curved net, one step from the free shape does not reach exact lengths, so the solver starts from the
+/// wires.
 TEST(RefineChart, ANetFarFromTheFreeShapeStartsFromItsWires) {
   const int n = 12;
   FlattenInput input = test::make_grid(n, n, [](double s, double t) {

@@ -122,7 +122,7 @@ TEST(RefineCloth, ThreadsThatLockShearLess) {
 /// Returns the largest distance between two flat positions of one vertex.
 double largest_gap(const Piece& piece) {
   double gap = 0;
-  for (std::size_t i = 1; i < piece.source_vertex.size(); ++i) {  // source vertices ascend
+  for (std::size_t i = 1; i < piece.source_vertex.size(); ++i) {  // source vertices are in ascending order
     if (piece.source_vertex[i] != piece.source_vertex[i - 1]) continue;
     const auto row = static_cast<Eigen::Index>(i);
     gap = std::max(gap, (piece.vertices.row(row) - piece.vertices.row(row - 1)).norm());

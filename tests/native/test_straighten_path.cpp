@@ -134,7 +134,7 @@ TEST(StraightenPath, MeetsWiresAtTheVerticesOfThePath) {
   test::add_wire(input, test::grid_column(kN, kN, i));
   const std::vector<LinePoint> line = straighten_path(input, path);
   EXPECT_TRUE(passes(line, path[6]) || passes(line, path[5]) || passes(line, path[7]));
-  for (const LinePoint& point : line) {  // elsewhere the line stays on one side of the wire
+  for (const LinePoint& point : line) {  // except at vertices of the path, the line stays off the wire
     const bool is_on_wire = std::abs(place(input, point)[0] - i) < 1e-9;
     const bool is_of_path = is_vertex(point) && std::find(path.begin(), path.end(), point.edge[0]) != path.end();
     EXPECT_TRUE(!is_on_wire || is_of_path);

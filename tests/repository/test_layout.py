@@ -51,7 +51,7 @@ LAYERS = [
 
 
 def listed(*patterns: str) -> list[Path]:
-    """Return the files that match, in order, without Python's caches."""
+    """Return the files that match the patterns, sorted, without Python's caches."""
     return sorted(p for pattern in patterns for p in ROOT.glob(pattern) if p.is_file() and p.suffix != ".pyc")
 
 

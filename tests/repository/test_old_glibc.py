@@ -12,8 +12,7 @@ from tools.old_glibc import check_symbols
 
 
 def make_wheel(folder: Path, code: str) -> Path:
-    """Make a wheel with a module of this C code. The module is linked without libraries, so that symbols have no
-    version."""
+    """Make a wheel with a module of this C code. The module is linked without libraries, so symbols have no version."""
     source = folder / "module.c"
     source.write_text(code)
     module = source.with_suffix(".so")

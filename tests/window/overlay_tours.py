@@ -34,7 +34,7 @@ def kinds_seen(name: str, editor: str) -> set[str]:
 
 
 def pixels_seen(name: str, editor: str) -> dict[str, int]:
-    """Return the number of pixels of each kind of line, without the right quarter of the editor with its legend."""
+    """Return the number of pixels of each kind of line, except in the editor's right quarter, where the legend is."""
     drive.screenshot(name)
     image = bpy.data.images.load(str(Path(os.environ["WIREWARP_PICTURES"]) / f"{name}.png"))
     pixels = np.empty(len(image.pixels), dtype=np.float32)
