@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tests of extreme but valid input, as some files contain it.
+// Tests of extreme but valid input, which some files contain.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -128,7 +128,8 @@ TEST(Judge, ReportsFlippedFacesAndTornEdges) {
 }
 
 TEST(Judge, ReportsOverlappingFaces) {
-  // A strip that runs twice around a cone makes 1.75 turns in the plane and overlaps itself, unless its shape is bent.
+  // A strip that runs twice around a cone makes 1.75 turns in the plane. It overlaps itself, unless the method bends
+  // it.
   Options unbent = test::by(Method::wirewarping);
   const JudgeCase cone = flattened(test::cone_patch(48, 2, 1, 2, std::asin(7.0 / 8), 4 * kPi), unbent);
   test::expect_error(cone.result.pieces.at(0).error, ErrorCode::overlapping_faces);

@@ -46,8 +46,8 @@ std::vector<int> grid_column(int nx, int ny, int i);
 /// repeated at the end.
 std::vector<int> grid_square(int nx, int i, int j, int k);
 
-/// Return the vertices around ring j of a tube, with the first vertex repeated at the end, and of line i from bottom to
-/// top.
+/// Return the vertices of a tube: those of ring j, with the first vertex repeated at the end, or those of line i from
+/// bottom to top.
 std::vector<int> tube_ring(int nx, int j);
 std::vector<int> tube_line(int nx, int ny, int i);
 

@@ -123,8 +123,8 @@ TEST(Stretch, EqualInAllDirectionsShrinksAGore) {
               1e-8 * loose.report.objective);
 }
 
-/// Returns two flat sheets of 2 by 2. The grain wire of one sheet is along the seam, and that of the other is across
-/// it.
+/// Returns two flat sheets of 2 by 2. The grain wire of one sheet is along the seam, and the grain wire of the other
+/// sheet is across the seam.
 FlattenInput sheets_with_crossed_grain() {
   FlattenInput input = test::flat_rectangle(8, 4, 4, 2);
   test::add_seam(input, test::grid_column(8, 4, 4));

@@ -113,7 +113,7 @@ def test_wheels_are_complete_and_contain_nothing_that_blender_has(path):
         (record,) = (content for each, content in files.items() if each.endswith(".dist-info/RECORD"))
         digests = {each: digest for each, digest, _ in csv.reader(record.decode().splitlines())}
         assert set(digests) == set(files)
-        assert all(digest == sha256(files[each]) for each, digest in digests.items() if digest), name  # not modified
+        assert all(digest == sha256(files[each]) for each, digest in digests.items() if digest), name  # all unmodified
 
 
 @extensions
