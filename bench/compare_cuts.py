@@ -30,8 +30,9 @@ from which_commit import commit
 
 TARGETS = (0.5, 0.25, 0.1, 0.05)  # strains: OptCuts leaves about 0.5; 0.05 is the default target of cut sets
 LADDER = 60  # number of requested proposals, more than any cut set has
-FEWEST = 5  # number of the shortest sets to which darts are added; on caesar1, the third set gave the shortest cuts
-SHARE = 0.5  # share of LIMIT; after this time, no seams are removed, because this may take minutes for a set
+# Number of the shortest sets to which darts are added. On the mesh caesar1, the third set gave the shortest cuts.
+FEWEST = 5
+SHARE = 0.5  # share of LIMIT; after this time, no seams are removed, because removal may take minutes for a set
 LEAST_LIMIT = 0.2  # first limit of strain while seams are removed: the maximum stretch of plush
 LARGE_STEP, SMALL_STEP = 0.1, 0.02  # first and least increase of the limit of strain; large steps save time
 MOST_LIMIT = 1.2  # largest limit of strain; OptCuts leaves about 0.5
@@ -78,7 +79,7 @@ def cut(vertices: np.ndarray, faces: np.ndarray, bound: float) -> tuple[CutFigur
         if is_late():
             break
     if not found:
-        raise ValueError(f"{DARTS} darts more leave an energy over {bound}")
+        raise ValueError(f"with {DARTS} more darts, the energy is still over {bound}")
     return min(found, key=lambda figures: figures.length), set_length
 
 
@@ -230,7 +231,7 @@ def in_brief(rows: list[tuple[Outcome, Outcome]]) -> str:
     """Return a paragraph: how often each program has the shorter cuts, and medians over surfaces that both can cut."""
     both = [(peer, own) for peer, own in rows if peer.figures and own.figures]
     if not both:
-        return "Neither cut the surfaces that the other did."
+        return "No surface was cut by both programs."
     won = sum(own.figures.length < peer.figures.length for peer, own in both)
 
     def middle(read: str) -> list[float]:

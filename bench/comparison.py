@@ -14,10 +14,10 @@ ONCE_IS_ENOUGH = 20.0  # seconds of a run; slower methods run once
 
 @dataclass(frozen=True)
 class Outcome:
-    """Results of one method. Errors are relative to its target lengths, or without targets to the surface."""
+    """Results of one method. Errors are relative to its target lengths, or else to the lengths on the surface."""
 
     seconds: float  # CPU seconds of the method
-    megabytes: float
+    megabytes: float  # peak memory, without the memory of the surface
     energy: float  # ARAP energy divided by the area
     outline_error: float  # error of the worst section of outline
     wire_error: float  # error of the worst wire

@@ -12,9 +12,11 @@ MOST_OF_AREA = 0.99  # share of the area that counts, as in DartProposal.strain
 
 @dataclass(frozen=True)
 class CutFigures:
-    energy: float  # symmetric Dirichlet energy: mean over the area of |J|^2 + |1/J|^2; 4 without distortion
+    # symmetric Dirichlet energy: the mean over the area of |J|² + |J⁻¹|², in which J is the Jacobian of the map to the
+    # plane; 4 without distortion
+    energy: float
     strain: float  # DartProposal.strain of the whole surface
-    length: float  # all cuts on the surface, each edge counted once, divided by the square root of the area
+    length: float  # length of all cuts on the surface, each edge counted once, over the square root of the area
     # The differences between the flat lengths of both sides of each cut edge are added. The sum is divided by the
     # length of all cuts on the surface. 0.01 is 10 mm per meter of cut.
     mismatch: float

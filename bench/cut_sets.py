@@ -19,7 +19,7 @@ SOFT = 0.2  # maximum stretch of plush and stable knits
 HEIGHT = 300  # mm of the finished toy, along its largest side
 ALLOWANCE = 6  # mm: 5 mm, the usual allowance of plush, and 1 mm for turning the toy right side out
 BEND = 30  # degrees; a sharper turn of an outline counts as a bend
-SAME_PLACE = 1e-4  # share of the largest side: maximum distance between a vertex and the mirror image of another vertex
+SAME_PLACE = 1e-4  # share of the largest side; a vertex about this close to a mirrored vertex is its mirror image
 HEAD = ["mesh", "triangles", "pieces", "with room", "strain", "length", "narrowest, mm", "bends", "symmetric", "s"]
 
 
@@ -48,7 +48,7 @@ def is_symmetric(edges: np.ndarray, images: list[int]) -> bool:
 
 
 def num_bends(pieces: list[wirewarp.Piece], edges: np.ndarray) -> int:
-    """Return the number of vertices inside seams at which an outline of a flat piece turns by more than BEND."""
+    """Return the number of inner vertices of seams at which an outline of a flat piece turns by more than BEND."""
     inside = np.flatnonzero(np.bincount(edges.ravel()) == 2)
     bent: set[int] = set()
     for piece in pieces:
@@ -79,7 +79,7 @@ class Cut:
 
 
 def best_cut(mesh: Mesh, smooth: bool = False) -> Cut:
-    """Return the set with the fewest pieces up to the strain SOFT, or else the set with the least strain."""
+    """Return the set with the fewest pieces and a strain of at most SOFT, or else the set with the least strain."""
     begin = time.process_time()
     sets = wirewarp.propose_seams(*mesh, narrowest=2 * ALLOWANCE / scale_of(mesh), smooth=smooth)
     seconds = time.process_time() - begin

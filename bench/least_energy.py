@@ -38,8 +38,8 @@ class Triangles:
         height = np.linalg.norm(np.cross(first, second), axis=1) / length
         self.index, self.fixed = index, fixed
         self.shares = length * height / (length * height).sum()
-        # For each triangle, a matrix has two edges as its columns, in the plane of the triangle. These are the inverse
-        # matrices.
+        # These are the inverses of a matrix for each triangle. The columns of the matrix are two edges of the triangle,
+        # in the plane of the triangle.
         self.inverse = np.zeros((len(points), 2, 2))
         self.inverse[:, 0, 0] = 1 / length
         self.inverse[:, 0, 1] = -(first * second).sum(axis=1) / (length**2 * height)
@@ -70,7 +70,7 @@ class Triangles:
 def minimize(triangles: Triangles, uv: np.ndarray) -> np.ndarray:
     energy, gradient = triangles.energy(uv)
     past = deque([energy], maxlen=STEPS)
-    # These are the last steps, each with its change of the gradient.
+    # The last steps are kept, each with the change of the gradient that it caused.
     moves: deque[tuple[np.ndarray, np.ndarray]] = deque(maxlen=STEPS)
     while True:
         step = direction(gradient, moves)

@@ -62,7 +62,7 @@ def plot_lengths(comparison: Comparison, path: Path) -> None:
         for name in MARKERS:
             if outcome := comparison.outcomes.get(name):
                 error = max(outcome.edge_error, LEAST_ERROR)
-                # If energies are the same, later markers are larger, so that all can be seen.
+                # If energies are nearly the same, later markers are larger, so that all markers can be seen.
                 around = sum(math.isclose(outcome.energy, energy, rel_tol=SAME_ENERGY) for energy in energies)
                 energies.append(outcome.energy)
                 look = style(name) | {"markersize": MARKER_SIZE * (1 + around / 2)}

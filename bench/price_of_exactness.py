@@ -6,8 +6,8 @@ PYTHONPATH=results python bench/price_of_exactness.py [--most-triangles N] [--mo
 Surfaces are flattened along OptCuts' cuts with exact lengths, and with elastic seams. OptCuts' cuts for smaller bounds
 on the energy are longer. Some of these cuts keep the energy below BOUND with exact lengths. The price of exactness is
 the length of the shortest of them, divided by the length of OptCuts' cuts for BOUND. The second table has the lengths
-of cuts for smaller bounds. Environment variables: as for compare_cuts.py. This program uses and extends the results of
-compare_cuts.py.
+of both programs' cuts for BOUND and for smaller bounds. Environment variables: as for compare_cuts.py. This program
+uses and extends the results of compare_cuts.py.
 """
 
 import argparse
@@ -83,7 +83,7 @@ class Runs:
         return kept_flat(folder_of(self.results, bound) / mesh.name)
 
     def lengths_within(self, mesh: Path) -> list[float | None]:
-        """Return the lengths of the shortest cuts that suffice with exact seams, and with elastic seams.
+        """Return the lengths of OptCuts' shortest cuts that suffice with exact seams, and with elastic seams.
 
         Cuts suffice if Flat.least is at most BOUND and no piece overlaps itself.
         """

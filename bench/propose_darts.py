@@ -46,7 +46,10 @@ def spread(vertices: np.ndarray, choice: list[int], count: int) -> list[int]:
 
 
 def every_dart(shape: Shape, piece: wirewarp.Piece) -> list[np.ndarray]:
-    """Return the edges (k, 2) of each dart: shortest paths from spread points of the outline to others inside."""
+    """Return the edges (k, 2) of each dart: a shortest path from a point on the outline to a point inside.
+
+    spread() chooses the points.
+    """
     faces = piece.source_vertex[piece.faces]
     neighbors: dict[int, set[int]] = {int(v): set() for v in faces.ravel()}
     for face in faces:

@@ -5,7 +5,7 @@ PYTHONPATH=results WIREWARP_BPY_PYTHON=PYTHON python bench/real_meshes.py FOLDER
 
 PYTHON is a Python with the module bpy. FOLDER and its subfolders contain the mesh files. FOLDER/_panels contains the
 panels, with wires in NAME.wires.json beside NAME.obj. OUTPUT is not published. COUNTS, from which docs/benchmarks.md is
-written, only contains the number of files with each outcome.
+written, only contains numbers: of panels, of files, and of files with each outcome.
 """
 
 import argparse

@@ -14,7 +14,7 @@ GAP = 0.04  # gap between pieces, as a fraction of the square root of the area o
 
 @dataclass(frozen=True)
 class Arrangement:
-    """The place of each piece. All flattenings have the same cells, which are large enough for the piece of each."""
+    """The places of the pieces. A piece has the same cell in all flattenings, large enough for each of its shapes."""
 
     # by flattening and piece: positions (p, 2), with the middle of the piece's box at 0
     turned: list[list[np.ndarray]]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writes the section on fabrics: how far their threads stretch in pieces flattened for them, and in other pieces."""
+"""Writes the section on fabrics: how far threads stretch in pieces flattened for a fabric, and without a fabric."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ DRAWN = {  # rotation and tilt of the model in degrees, preferred width over hei
     "Fitted top": ((-28, 8), 1.4),
     "Hat": ((-30, 24), 1.0),
 }
-WORN = ("Fitted top", "Hat", "Wetsuit upper body", "Jeans")  # samples in the shape of a body
+WORN = ("Fitted top", "Hat", "Wetsuit upper body", "Jeans")  # samples whose fit on a body is simulated
 
 
 @dataclass(frozen=True)
@@ -85,7 +85,7 @@ def range_of(values: list[float]) -> str:
 
 
 def worn_subsection(inputs: Inputs) -> str:
-    """Return the part on the results of wear_in_newton.py."""
+    """Return the subsection on the results of wear_in_newton.py."""
     rows = [
         [
             f"{name}, {choice[0].lower()}{choice[1:]}",

@@ -83,7 +83,7 @@ def draw(inputs: Inputs, name: str, as_made: Strained) -> str:
 
 
 def in_each_cloth(shape: Shape) -> dict[str, Strained]:
-    """Return the results in each fabric, by description. Samples with a stretch have results of knits with it, too."""
+    """Return the results in each fabric, by description. If the sample has a stretch, knits are stretched, too."""
     found = {cloth or "no fabric": made_in(shape, cloth) for cloth in CLOTHS}
     if any(shape.stretch):
         across, along = (f"{100 * share:.0f}%" for share in shape.stretch)

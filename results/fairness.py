@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writes the part on the fairness of the refined method: its effect on shape, energy and angles."""
+"""Writes the subsection on the fairness of the refined method: its effect on shape, energy and angles."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def subsection(inputs: Inputs) -> str:
 
 {table(HEADER, rows)}
 
-All wires are rigid. Fairness is the shortest wavelength of a line that is not smoothed, divided by the square root of
-the piece's area. Lengths are exact for every value. With larger values, lines are smoother and the fabric between them
-is more distorted. Without fairness, rigid outlines would buckle into zigzags. The default is 0.05.
+All wires are rigid. Fairness is the shortest wavelength that is not smoothed in outlines and wires, divided by the
+square root of the piece's area. Lengths are exact for every value. With larger values, lines are smoother and the
+fabric between them is more distorted. Without fairness, rigid outlines would buckle into zigzags. The default is 0.05.
 """

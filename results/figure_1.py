@@ -21,7 +21,7 @@ CASES = {  # by title: method, and tolerances of both wires
     f"Refined:\nmeridian elastic, ±{100 * TOLERANCE:.0f}%": ("refined", ONE),
     f"Refined:\nboth elastic, ±{100 * TOLERANCE:.0f}%": ("refined", BOTH),
 }
-DRAWN = 4  # the first cases are drawn
+DRAWN = 4  # number of drawn cases, from the first
 HEADER = ["", "*E*", "max *E_r*", "Meridian", "Cross arc", "angles: rms", "largest", "flipped"]
 
 

@@ -19,7 +19,7 @@ CASES = {  # by title: method, and tolerance of both wires
     "Refined, ±3%": ("refined", 0.03),
     "Refined, ±5%": ("refined", 0.05),
 }
-DRAWN = 4  # the first cases are drawn
+DRAWN = 4  # number of drawn cases, from the first
 
 
 def section(inputs: Inputs) -> str:

@@ -16,7 +16,7 @@ from measures import piece_areas
 from palette import CLOTH, ENERGY_MAP, INK, LENGTH_MAP, RATIO_MAP, TURNED_OVER
 from shapes import Shape
 
-ROUND = (1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0)  # a scale ends at one of these times a power of ten
+ROUND = (1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0)  # the end of a scale is one of these numbers times a power of ten
 
 
 @dataclass(frozen=True)
@@ -32,7 +32,7 @@ class PieceLines:
 class Map:
     title: str
     colors: Colormap
-    values: Callable[[Shape, wirewarp.Piece], np.ndarray]  # for each face, or for each edge of piece_lines()
+    values: Callable[[Shape, wirewarp.Piece], np.ndarray]  # by face; by edge of piece_lines() if on_lines
     base: float  # value without distortion
     shown: float  # share of the values that are within the scale
     is_signed: bool

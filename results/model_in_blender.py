@@ -8,7 +8,7 @@ import numpy as np
 
 
 def add_model(vertices: np.ndarray, faces: Sequence[Sequence[int]], seams: np.ndarray) -> bpy.types.Mesh:
-    """Make a new file with this model only. It is active and in Edit Mode, with all faces selected."""
+    """Make a new file with this model only. The model is active and in Edit Mode, with all faces selected."""
     bpy.ops.wm.read_factory_settings(use_empty=True)
     mesh = bpy.data.meshes.new("Model")
     mesh.from_pydata(vertices.tolist(), [], faces)

@@ -30,7 +30,7 @@ def rotation(turned: float, tipped: float) -> np.ndarray:
 
 
 def draw_model(axes: Axes, shape: Shape, turned: float, tipped: float) -> None:
-    """Draw triangles from the farthest to the nearest, so that near ones cover far ones. Then draw visible lines."""
+    """Draw triangles, the farthest first, so that near triangles cover far triangles. Then draw visible lines."""
     points = shape.vertices @ rotation(turned, tipped).T
     triangles = points[shape.triangles()]
     triangles = triangles[np.argsort(triangles[:, :, 2].mean(axis=1), kind="stable")]

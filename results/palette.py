@@ -11,7 +11,7 @@ CLOTH = "#ece8df"
 TURNED_OVER = "#d6006e"
 RIGID, ELASTIC = "#22262e", "#e08a00"
 
-STEPS = 20  # number of colors of a scale: few, so that values can be read, and 256 colors suffice for a picture
+STEPS = 20  # number of colors of a scale: few, so that values can be read, and so that a picture needs only 256 colors
 # Colors of lines on a light surface: blue if shorter, dark if unchanged, orange if longer.
 LENGTH_MAP = LinearSegmentedColormap.from_list("length", ["#1f9bff", "#1c5f9e", INK, "#b0480a", "#ff8a1f"], STEPS + 1)
 RATIO_MAP = matplotlib.colormaps["YlGnBu"].resampled(STEPS)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writes the part on subdivision: how E of the quarter sphere with rigid wires changes if the mesh becomes finer."""
+"""Writes the subsection on subdivision: how E of the quarter sphere with rigid wires changes on finer meshes."""
 
 from __future__ import annotations
 

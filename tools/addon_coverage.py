@@ -17,7 +17,7 @@ NEEDS_WINDOW = {  # modules that run in a window only; all other modules are tes
     "addon/wirewarp/overlay/view3d.py": "draws in a view and in a UV editor",
     "addon/wirewarp/overlay/screen.py": "draws text",
 }
-REGISTERING = {"attach", "detach", "register", "unregister"}  # these run for every module, even an untested one
+REGISTERING = {"attach", "detach", "register", "unregister"}  # these functions run in every module, even without a test
 
 
 def begin(kind: str) -> dict[str, str]:
@@ -30,11 +30,11 @@ def begin(kind: str) -> dict[str, str]:
 
 
 def show(kind: str) -> None:
-    """Print the share of covered lines and the least covered modules, of both kinds of tests.
+    """Print the share of covered lines and the least covered modules, for both kinds of tests together.
 
     Raises StepError if the tests of this kind run no function of a module that they should test.
     """
-    if os.environ.get("PYTEST_ADDOPTS"):  # it may select a part of the tests
+    if os.environ.get("PYTEST_ADDOPTS"):  # this may select a part of the tests, which covers less
         return
     found = _report(*KINDS)
     shares = {name: file["summary"]["percent_covered"] for name, file in found["files"].items()}
@@ -64,7 +64,7 @@ def _report(*kinds: str) -> dict:
 
 
 def _is_run(module: Path, file: dict | None) -> bool:
-    """Return whether the body of a function was run; True for a module without functions."""
+    """Return whether the tests ran the body of any function of the module. True for a module without functions."""
     bodies = list(_bodies(module))
     return not bodies or (file is not None and any(not body.isdisjoint(file["executed_lines"]) for body in bodies))
 

@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Tests the wheel of the Python package for Linux on ARM, with QEMU.
 
-The tests use Debian's Python for ARM. apt downloads its packages into a folder, in which they are unpacked but not
-installed.
+The tests use Debian's Python for ARM. apt downloads its packages, which are unpacked into a folder but not installed.
 """
 
 import shutil
@@ -29,8 +28,8 @@ QEMU_APT = ("qemu-user",)
 PYTHON_APT = (f"python{DEBIAN_VERSION}-minimal", f"libpython{DEBIAN_VERSION}-stdlib", "libstdc++6")
 FOLDER = BUILD / "arm"
 PLATFORMS = ("manylinux_2_28_aarch64", "manylinux2014_aarch64")  # pip's names; each package has a wheel for one of them
-# These tests check lengths, errors and pattern files. Other tests are left out, because QEMU is slow, and some start
-# programs of this machine.
+# These tests check lengths, errors and pattern files. Other tests are left out, because QEMU is slow, and because some
+# of them run programs for this machine's processor.
 TESTS = ("test_readme", "test_errors", "test_results", "test_wire_and_options", "test_pattern_files")
 
 

@@ -44,7 +44,7 @@ def measure_peers(python: Path, is_full: bool) -> Path:
 
 
 def measure_real_meshes(python: Path) -> list[str | Path]:
-    """Measure the meshes in the folder WIREWARP_MESHES. Return options for write_page.py, none if it is not set."""
+    """Measure the meshes in the folder that WIREWARP_MESHES names, if any. Return options for write_page.py."""
     folder = os.environ.get("WIREWARP_MESHES")
     if not folder:
         say("real meshes are NOT MEASURED: WIREWARP_MESHES names no folder")

@@ -16,7 +16,7 @@ DRIVE = f"import sys; sys.path.insert(0, {str(DRIVER)!r}); import drive; drive.m
 def run_tours(
     script: Path, names: Sequence[str], environment: dict[str, str], seconds: float, display: int = 99
 ) -> tuple[int, str]:
-    """Run tours in the window. Return the exit code (-9 after `seconds`) and the output.
+    """Run tours in the window. Return the exit code (-9 if the tours take longer than `seconds`) and the output.
 
     names: generator functions of `script`
     display: number of the first virtual screen to try, different for tours that start at the same time

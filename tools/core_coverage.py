@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Measures which lines of the core its tests run. The program in build/asan counts runs, and gcovr reports them."""
+"""Measures which lines of the core are run by its tests. The program in build/asan counts, and gcovr reports."""
 
 import json
 from pathlib import Path
@@ -12,7 +12,7 @@ GCOVR = "gcovr==8.8"
 
 
 def begin() -> None:
-    """Delete earlier counts, also of sources that were moved, because gcovr would fail on these."""
+    """Delete earlier counts, and all files for sources that were moved or deleted, on which gcovr would fail."""
     for counts in OBJECTS.rglob("*.gcda"):
         counts.unlink()
     run(["ninja", "-C", TREE, "-t", "cleandead"])
@@ -28,8 +28,8 @@ def show() -> None:
     """
     gcovr = venv("coverage", DEBIAN_PYTHON, GCOVR).parent / "gcovr"
     report = TREE / "coverage.json"
-    # The counts of headers are incomplete, because the linker may keep a copy that was compiled with a test. This copy
-    # does not count its runs.
+    # Headers are excluded, because their counts are incomplete: of a function in a header, the linker may keep the copy
+    # that was compiled with a test, and this copy does not count its runs.
     sources: list[str | Path] = ["--root", ROOT, "--filter", "native/src/", "--exclude", r".*\.h$"]
     # Without these options, gcovr would fail on a function that starts on several lines, on a count that threads have
     # damaged, and on high counts.

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     import lief
 
 LIEF = "lief==1.0.0"
-PYTHONS_OWN = re.compile(r"_{0,3}Py[A-Z_]")  # Python's functions and objects; macOS adds a "_"
+PYTHONS_OWN = re.compile(r"_{0,3}Py[A-Z_]")  # Python's functions and objects; macOS puts a "_" before them
 MACHINES = {
     "linux-x64": "X86_64",
     "linux-arm64": "AARCH64",

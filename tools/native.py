@@ -32,7 +32,7 @@ def run_native_tests(preset: str) -> None:
 
 
 def native_tests() -> None:
-    """Test the core with the OpenMesh of the wheels, so that ccache then has the objects for the wheels."""
+    """Test the core with the OpenMesh that the wheels use, so that ccache then has the objects to build the wheels."""
     require_apt(*NATIVE_APT)
     build_native("release", "wirewarp_tests", FETCHCONTENT_SOURCE_DIR_OPENMESH=str(openmesh_source()))
     run_native_tests("release")

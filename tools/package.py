@@ -37,7 +37,8 @@ from tools.zig import ZIG
 from tools.zips import LEGACY_TAG, VERSION
 
 DIST = ROOT / "dist"
-# These are the Blenders of blender.org by version of Python. Debian's Blender 4.3 has Python 3.13.
+# These are Blenders by version of Python: Debian's Blender 3.4, and 4.1 and later of blender.org. Debian's Blender 4.3
+# has Python 3.13.
 BLENDERS = {"3.11": "Blender 3.4 to 5.0", "3.13": "Blender 5.1 and later"}
 PYTHONS = tuple(BLENDERS)
 LEGACY_PYTHON = "3.11"

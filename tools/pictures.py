@@ -29,10 +29,10 @@ TOURS = (
     "ring",
     "export",
 )
-SHEET, DOTS = 6, 60  # number of the page of the PDF in the picture, and dots per inch of the picture
+SHEET, DOTS = 6, 60  # for the picture of a sheet: number of the page in the PDF, and dots per inch
 DRAWN = {"pattern": 2600, "marker": 1100}  # width of each picture in pixels, by the name of its SVG file and style
-# The picture shows this part of the pattern: the left sleeve and the neck of the front. The numbers are its left, top,
-# right and bottom edge in pixels.
+# The picture of the pattern shows only this part: the left sleeve and the neck of the front. The numbers are its left,
+# top, right and bottom edge in pixels.
 PART = (970, 0, 1930, 1000)
 AT_ONCE = 4  # number of Blenders at a time, which mostly wait for their windows
 SECONDS = 600.0  # limit for a busy machine; a tour takes about ten seconds on an idle machine

@@ -57,7 +57,7 @@ def source_package() -> Path:
 
 
 def source_package_tests() -> None:
-    """Build a wheel from the source package as pip does, without other sources. Run the examples on this wheel."""
+    """Build a wheel from the source package as pip does, without other sources. Test this wheel with a few tests."""
     unpacked, compiled = FOLDER / "unpacked", FOLDER / "compiled"
     for folder in (unpacked, compiled):
         shutil.rmtree(folder, ignore_errors=True)

@@ -113,6 +113,7 @@ def run_in_wine(command: list[str | Path], **more: str) -> None:
 
 def windows_python(name: str, version: str, requirements: tuple[str, ...], *alone: str) -> Path:
     """Return python.exe of this version with these packages, in the folder `name`.
+
     alone: packages that are installed without their dependencies, because bpy needs a numpy that Wine cannot run.
     """
     folder = FOLDER / name

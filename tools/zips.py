@@ -84,12 +84,12 @@ def legacy_zip(folder: Path, platform: str) -> Path:
 
 
 def extension_zips(folder: Path) -> list[Path]:
-    """Return the extension zips of all systems in the folder, by name."""
+    """Return the extension zips of all systems in the folder, sorted by name."""
     return [path for path in map(partial(extension_zip, folder), sorted(PLATFORMS.values())) if path.is_file()]
 
 
 def store_zips(folder: Path) -> list[Path]:
-    """Return the extension zips in the folder that Blender's store accepts, by name."""
+    """Return the extension zips in the folder that Blender's store accepts, sorted by name."""
     return [path for path in extension_zips(folder) if path != extension_zip(folder, NOT_IN_STORE)]
 
 

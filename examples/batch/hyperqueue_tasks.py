@@ -20,7 +20,7 @@ from hyperqueue import Client, Job, LocalCluster
 from hyperqueue.cluster import WorkerConfig
 
 BATCH = (sys.executable, "-m", "wirewarp", "batch")
-TRIES = 3  # a task fails after it has lost this number of workers; before, another worker continues the task
+TRIES = 3  # a task fails after it has lost this number of workers; until then, another worker continues the task
 
 
 def main() -> int:
