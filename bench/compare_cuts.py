@@ -28,8 +28,8 @@ from tables import table
 from text import wrap
 from which_commit import commit
 
-TARGETS = (0.5, 0.25, 0.1, 0.05)  # strains: OptCuts leaves about 0.5; 0.05 is the default target of cut sets
-LADDER = 60  # number of requested proposals, more than any cut set has
+TARGETS = (0.5, 0.25, 0.1, 0.05)  # strains: from about what OptCuts leaves, 0.5, to the default of cut sets, 0.05
+LADDER = 60  # largest number of proposed sets for a target, enough for all sets
 # Number of the shortest sets to which darts are added. On the mesh caesar1, the third set gave the shortest cuts.
 FEWEST = 5
 SHARE = 0.5  # share of LIMIT; after this time, no seams are removed, because removal may take minutes for a set

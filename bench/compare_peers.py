@@ -51,7 +51,7 @@ def compare_seams() -> Comparison:
 
 
 def compare_hard(rounds: int | None) -> list[Comparison]:
-    """Compare the refined method with ARAP on jittered sheets and on sheets with many wires, in turn."""
+    """Compare the refined method with ARAP, in turn, on jittered sheets and on sheets with many wires."""
     jittered = [bumpy_sheet(size, jitter=JITTER, wires=wires) for size in JITTERED_SIZES for wires in (2, 8)]
     nets = [bumpy_sheet(NET_SIZE, wires=wires) for wires in NETS]
     names = [flatteners.REFINED_ELASTIC, flatteners.ARAP]
@@ -59,7 +59,7 @@ def compare_hard(rounds: int | None) -> list[Comparison]:
 
 
 def load(path: Path) -> dict[str, list[Comparison]]:
-    """Return what main() has written: "sheets" by size, "hard" sheets, and "seams", the sheet in two pieces."""
+    """Return what main() has written: "sheets" in all sizes, "hard" sheets, and "seams" of the sheet in two pieces."""
     found = json.loads(path.read_text())
     return {key: [from_dict(comparison) for comparison in comparisons] for key, comparisons in found.items()}
 

@@ -25,7 +25,7 @@ class Outcome:
     mismatch: float  # difference in length between the sides of the worst seam, in the surface's units; 0 without seams
     flipped: int
     iterations: int | None  # number of iterations of libigl; None for other methods
-    counts: dict[str, float | str]  # counts of work in the report on the first piece
+    counts: dict[str, float | str]  # counts of work, objective and termination in the report on the first piece
 
 
 @dataclass(frozen=True)

@@ -25,7 +25,7 @@ def wires_across(lines: np.ndarray, number: int) -> list[np.ndarray]:
 
 
 def bumpy_sheet(triangles: int, in_two_pieces: bool = False, jitter: float = 0.0, wires: int = 8) -> Surface:
-    """Return the sheet of native/bench/bumpy_sheet.h, 2 units wide, or 0.5 m wide in two pieces.
+    """Return the sheet of native/bench/bumpy_sheet.h, 2 units wide. In two pieces, it is 0.5 m wide.
 
     jitter: largest shift of inner vertices in x and y, in grid edges
     wires: an even number

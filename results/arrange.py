@@ -36,7 +36,7 @@ def turn_like(uv: np.ndarray, model: np.ndarray) -> np.ndarray:
 
 
 def turn_upright(uv: np.ndarray, points: np.ndarray) -> np.ndarray:
-    """Return uv, rotated so that up on the surface is up in the plane; for a level piece, back is up.
+    """Return uv, rotated so that up on the surface is up in the plane. For a level piece, the back is at the top.
 
     points (p, 3): the vertices on the surface.
     """

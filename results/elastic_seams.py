@@ -18,7 +18,7 @@ FLAT = 1e-9  # shapes with less energy count as undistorted
 
 
 def with_elastic_seams(shape: Shape, chains: list[list[int]], tolerance: float) -> tuple[wirewarp.FlattenResult, float]:
-    """Return a flattening with an elastic wire along every seam, and its processor seconds."""
+    """Return a flattening with elastic wires along these chains, none for tolerance 0, and its processor seconds."""
     along_seams = [wirewarp.Wire(chain, tolerance) for chain in chains if tolerance > 0]
     begin = time.process_time()
     result = flatten(shape, along_seams)

@@ -17,7 +17,7 @@ from text import count, picture
 
 LIMIT, STEPS = 0.15, 150
 KINK = 0.2  # share of the range of the derivative; a larger change within a step counts as a kink
-PIECES = {  # title by sample and index of the piece
+PIECES = {  # titles by name of the sample and index of the piece
     ("Fitted top", 0): "front of the fitted top",
     ("Wetsuit upper body", 0): "front of the wetsuit",
     ("Wetsuit collar", 0): "wetsuit collar",

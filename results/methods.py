@@ -59,7 +59,7 @@ def blender(shape: Shape, unwraps: Unwraps, method: str) -> wirewarp.FlattenResu
 
 
 def arap(shape: Shape, unwraps: Unwraps) -> wirewarp.FlattenResult:
-    """Return libigl's ARAP of each piece, from Blender's angle-based unwrap."""
+    """Return libigl's ARAP of each piece, which starts from Blender's angle-based unwrap."""
     start = blender(shape, unwraps, "ANGLE_BASED")
     corner_uv = np.empty_like(start.corner_uv)
     for piece in start.pieces:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs ./dev bench: measures time and memory of the core, Blender and other flatteners, and writes a page about it."""
+"""Runs ./dev bench: measures time and memory of the core, Blender and other flatteners, and writes a page with them."""
 
 import os
 from pathlib import Path

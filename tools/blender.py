@@ -34,7 +34,7 @@ NUMPY = {"3.11": "numpy==1.26.4", "3.13": "numpy==2.5.5"}  # for Blender up to 5
 DEBIAN_BLENDER = {"3.11": "3.4", "3.13": "4.3"}.get(DEBIAN_VERSION, "")
 ADDON_MODULE = LEGACY_MODULE if DEBIAN_VERSION == LEGACY_PYTHON else EXTENSION_MODULE
 RUNNER = ROOT / "tests" / "addon" / "run_in_blender.py"
-BLENDERS = 2  # number of Blenders at once, because the tests in a Blender use little more than one core
+BLENDERS = 2  # number of Blenders that run tests at the same time; each uses little more than one core
 BPY = {"bpy==4.2.23": "3.11", "bpy==4.5.15": "3.11", "bpy==5.0.1": "3.11", "bpy==5.2.3": "3.13"}
 EXTENSION_PROGRAM = "addons_core/bl_pkg/cli/blender_ext.py"  # the program behind `blender --command extension`
 

@@ -34,7 +34,7 @@ DRAWN = {"pattern": 2600, "marker": 1100}  # width of each picture in pixels, by
 # The picture of the pattern shows only this part: the left sleeve and the neck of the front. The numbers are its left,
 # top, right and bottom edge in pixels.
 PART = (970, 0, 1930, 1000)
-AT_ONCE = 4  # number of Blenders at a time, which mostly wait for their windows
+AT_ONCE = 4  # number of Blenders at a time: several, because they mostly wait for their windows
 SECONDS = 600.0  # limit for a busy machine; a tour takes about ten seconds on an idle machine
 
 

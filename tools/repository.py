@@ -14,7 +14,8 @@ from tools.package import DIST, package
 from tools.zips import extension_zips
 
 REPOSITORY = DIST / "repository"
-PAGE = ROOT / "tools" / "repository.html"  # template; Blender replaces ${body} by the table of zips, ${date} by the time
+# In this template, Blender replaces ${body} by the table of zips, and ${date} by the time.
+PAGE = ROOT / "tools" / "repository.html"
 # This bpy generates the list. It is the newest that runs in Debian's Python.
 GENERATOR = next((each for each in reversed(BPY) if BPY[each] == DEBIAN_VERSION), "")
 

@@ -21,7 +21,7 @@ from tools.environment import BUILD, NotTestedError, StepError, say
 PASSED, FAILED, NOT_TESTED = "passed", "FAILED", "NOT TESTED"
 EXIT_CODES: dict[int | None, str] = {0: PASSED, 1: FAILED, 2: NOT_TESTED}
 LOGS = BUILD / "log"
-AT_ONCE = 2  # number of steps at a time, because a step may use only one core
+AT_ONCE = 2  # number of steps at a time: more than one, because a step may use only one core
 FAILURE_LINES = 400  # number of last lines shown of a failed step, enough for some failed tests with their values
 PROCESSES = multiprocessing.get_context("fork")
 
