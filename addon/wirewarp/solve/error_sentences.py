@@ -163,7 +163,7 @@ def _also(flipped: int, overlapping: int) -> str:
 def _lengths_not_kept(facts: ErrorFacts) -> str:
     line = facts.wire_text(facts["wires"]) if facts["wires"] else "the outline"
     if facts.get("tolerance") is not None:
-        fault = f"The piece stretches {line} beyond its tolerance of {percent(facts['tolerance'])}"
+        fault = f"The piece does not keep the length of {line} within its tolerance of {percent(facts['tolerance'])}"
     else:
         too = "long" if facts["difference"] > 0 else "short"
         worst = f"the worst, on {line}, is {percent(abs(facts['difference']))} too {too}"

@@ -70,7 +70,7 @@ constexpr Entry kEntries[] = {
       WIREWARP_NAMED_WIRES ", both missing for the ease of a side; ease: the ease"}},
     {ErrorCode::ease_without_side,
      {"ease_without_side", "An ease names two vertices that are not a side of a seam or of the outline.",
-      "Name each side by an edge of the outline, with its vertices in the order of the triangle there.", ""}},
+      "Name each side by its edge, with the vertices in the order of the triangle on that side.", ""}},
     {ErrorCode::side_in_two_eases,
      {"side_in_two_eases", "A side of an edge is in two eases, or twice in one ease.",
       "Put each side in only one ease.", ""}},

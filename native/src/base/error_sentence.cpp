@@ -239,11 +239,12 @@ std::string also(int num_flipped, int num_overlapping) {
 
 std::string lengths_not_kept(const Parts& parts) {
   const std::string line = parts.get<std::vector<int>>("wires").empty() ? "the outline" : parts.wires();
-  const std::string fault =
-      parts.has("tolerance")
-          ? "The piece stretches " + line + " beyond its tolerance of " + percent(parts.real("tolerance"))
-          : "The piece does not keep the length of " + parts.edges() + " (the worst, on " + line + ", is " +
-                percent(parts.real("difference")) + " too " + (parts.real("difference") > 0 ? "long)" : "short)");
+  const std::string fault = parts.has("tolerance")
+                                ? "The piece does not keep the length of " + line + " within its tolerance of " +
+                                      percent(parts.real("tolerance"))
+                                : "The piece does not keep the length of " + parts.edges() + " (the worst, on " + line +
+                                      ", is " + percent(parts.real("difference")) + " too " +
+                                      (parts.real("difference") > 0 ? "long)" : "short)");
   return fault + also(parts.number("num_flipped"), parts.number("num_overlapping")) +
          ". Add a seam where the piece curves most" +
          (parts.is("has_wires") ? ", or give its wires more tolerance." : ".");

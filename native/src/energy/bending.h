@@ -29,8 +29,8 @@
 
 namespace wirewarp {
 
-/// The vertices of a term are b, a, c in this order, because only the last two of a QuadraticForm may have no common
-/// face.
+/// The vertices of a term are b, a, c in this order, because only the last two vertices of a QuadraticForm's term may
+/// have no common face.
 using Bending = QuadraticForm<Eigen::Matrix2d, 3>;
 
 /// Returns F, without terms where wires end inside the chart.

@@ -22,8 +22,8 @@ void check_stiffness(const std::string& name, double value) {
   if (!(value > 0 && std::isfinite(value))) refuse(name, value, "be positive and finite");
 }
 
-// stiffness: across the grain, along the grain, and against shear. stretch: maximum across and along the grain that a
-// hand can reach and the fabric recovers from.
+// stiffness: across the grain, along the grain, and against shear. stretch: largest stretch across and along the grain
+// that a hand can cause and from which the fabric recovers.
 Cloth fabric(std::array<double, 3> stiffness, std::array<double, 2> stretch, double squeeze = 1,
              std::optional<double> locking = {}) {
   return {stiffness[0], stiffness[1], stiffness[2], squeeze, {}, locking, stretch};

@@ -27,7 +27,7 @@ Eigen::Matrix4d jacobian(const Eigen::Matrix2d& map, const ClothLaw::Invariants&
   return rows;
 }
 
-/// The energy of a thread, stiffness (r − D)²/D, with its reach r, which is p or q, and the determinant D.
+/// The energy of a thread: stiffness (r − D)²/D. The reach r is p for weft and q for warp, and D is the determinant.
 struct Thread {
   Thread(double thread_stiffness, double squeeze, double reach, double determinant)
       : stiffness(reach < determinant ? thread_stiffness * squeeze : thread_stiffness), ratio(reach / determinant) {}
@@ -126,7 +126,7 @@ Eigen::Matrix4d ClothLaw::hessian(const Eigen::Matrix2d& map) const {
 
 Eigen::Matrix4d ClothLaw::convex_hessian(const Eigen::Matrix2d& map) const {
   const Eigen::Matrix4d exact = hessian(map);
-  // A factorization takes a tenth of the time of the eigenvalues.
+  // Tries a factorization first, because it takes a tenth of the time of the eigenvalues.
   if (Eigen::LLT<Eigen::Matrix4d>(exact).info() == Eigen::Success) return exact;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> eigen(exact);
   return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0).asDiagonal() * eigen.eigenvectors().transpose();

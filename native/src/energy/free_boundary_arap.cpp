@@ -20,9 +20,9 @@
 namespace wirewarp {
 namespace {
 
-// The steps end once E falls by a smaller share than this. A start needs no more digits.
+// The steps end once a step lowers E by a smaller share than this. A start needs no more digits.
 constexpr double kSmallestDrop = 1e-6;
-// The longest step over the length of its direction. Farther away, E differs too much from a parabola.
+// The longest step, as a multiple of its direction. Farther away, E differs too much from a parabola.
 constexpr double kLongestStep = 8;
 /// Relative increase of each diagonal entry. It is far above rounding errors, so that the factorization does not fail
 /// on slivers.

@@ -95,8 +95,8 @@ void add_faces(const HalfEdgeMesh& mesh, Springs& springs) {
   }
 }
 
-/// Adds a cone over a hole, as over a circle around the apex. Corners at the loop count as right angles. For a corner
-/// with the angle α at the apex, tan(α/2) counts as length / (2 radius).
+/// Adds a cone over a hole, as if the hole were a circle around the apex. Corners at the loop count as right angles.
+/// For a corner with the angle α at the apex, tan(α/2) counts as length / (2 radius).
 void add_cone(const HalfEdgeMesh& mesh, const HalfEdgeChain& hole, int apex, Springs& springs) {
   const double radius = length_of(mesh, hole) / (2 * kPi);
   for (const HalfedgeHandle h : hole) {

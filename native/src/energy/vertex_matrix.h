@@ -22,7 +22,7 @@ class VertexMatrix {
   /// pairs: coupled vertices in any order; repetitions and pairs of a vertex with itself are allowed.
   VertexMatrix(int num_vertices, const std::vector<VertexPair>& pairs);
 
-  /// Returns the block of a coupled pair. row > column.
+  /// Returns the block of a coupled pair. Needs row > column.
   Block block(int row, int column) const;
 
   void set_zero() { lower_.coeffs().setZero(); }

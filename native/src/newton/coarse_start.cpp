@@ -12,8 +12,8 @@ namespace wirewarp {
 namespace {
 
 constexpr double kCoarsening = 4;  // coarse edge length over fine edge length; 4 leaves a sixteenth of the faces
-// Least ratio for which a coarse copy is made. 2 leaves a quarter of the faces. With more faces, the copy saves no
-// time.
+// Least ratio of coarse to fine edge length for which a coarse copy is made. The ratio 2 leaves a quarter of the faces.
+// With more faces, the copy saves no time.
 constexpr double kLeastCoarsening = 2;
 // Largest ratio of coarse edge length to the shortest wavelength of the wires. Longer edges cannot follow the wires.
 constexpr double kPerWiggle = 0.9;

@@ -16,8 +16,8 @@
 namespace wirewarp {
 namespace {
 
-// Wires with larger strains are freed: first with kKept and, if that does not help, with kPerhapsKept. Smoothing alone
-// leaves strains of 1e-4.
+// Wires with larger strains are freed: first with kKept and, if that does not help, with kPerhapsKept. kKept is larger
+// than the strains of 1e-4 that smoothing alone leaves.
 constexpr double kKept = 5e-4, kPerhapsKept = 3e-5;
 // A wire is freed if its strain_rms is larger. A smaller value may vanish if other wires change more.
 constexpr double kUneven = 5e-3;
@@ -118,8 +118,8 @@ class ToleranceSearch {
     return tolerances;
   }
 
-  /// Returns the wires with the lowest common tolerance in kLadder, below `below`, that are_good accepts. Returns no
-  /// wires if there are too many, or if the highest tolerance does not work.
+  /// Returns the wires with the lowest common tolerance that are_good accepts, among the values of kLadder below
+  /// `below`. Returns no wires if there are too many, or if the highest tolerance does not work.
   Tolerances lowest_shared(const Tolerances& wires, double below,
                            const std::function<bool(const Tolerances&)>& are_good) const {
     Tolerances lowest;

@@ -18,7 +18,7 @@ struct LengthDiagnosis {
   ///
   /// - Up to 8 wires have individual tolerances.
   /// - More wires share a tolerance: the wires that the relaxed shape changes.
-  /// - If this more than halves the tolerance, all wires that change when they are free share it instead.
+  /// - Instead, all wires that change when they are free share a tolerance if it is less than half as large.
   /// - Infinite: no tolerance up to 50% helps, or there are too many wires to try.
   /// - Empty list: no shape was found even with all wires free.
   std::vector<ProposedTolerance> tolerances{};

@@ -67,7 +67,7 @@ LanczosTrustRegion::LanczosTrustRegion(const Operator& times_hessian,
   eigenvectors_ = eigen.eigenvectors();
 }
 
-/// Finds y(σ) = β₀ (T + σ)⁻¹ e₁ with the σ >= 0 that makes T + σ positive and |y| <= Δ, by bisection on σ.
+/// Finds y(σ) = β₀ (T + σ)⁻¹ e₁ with the smallest σ >= 0 that makes T + σ positive and |y| <= Δ, by bisection on σ.
 ModelStep LanczosTrustRegion::step(double radius) const {
   const Eigen::VectorXd force = first_ * eigenvectors_.row(0).transpose();
   const auto solution = [&](double shift) -> Eigen::VectorXd {

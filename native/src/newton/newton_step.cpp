@@ -15,8 +15,8 @@ struct NewtonStep : Step {
   Eigen::VectorXd multipliers;  // λ at the end of the step
 };
 
-/// Returns the minimum of g·d + ½ d·H d for J d - T Δh = -c and h + Δh in its bounds. Solves for the change of λ: then
-/// an old factor causes only small errors.
+/// Returns the minimum of g·d + ½ d·H d for J d - T Δh = -c and h + Δh in its bounds. Solves for the change of λ, not
+/// for λ, so that an old factor causes only small errors.
 NewtonStep newton_step(const NewtonState& state) {
   const LengthConstraints& constraints = state.constraints;
   const Eigen::VectorXd residual = constraints.residual(state.now.uv, state.now.variation);
@@ -56,7 +56,7 @@ bool take_steps_with_factor(NewtonState& state, double slope) {
     const double fall = std::abs(step.slope / slope);
     if (!(fall < NewtonConstants::falls_fast)) break;
     slope = step.slope;
-    // The estimated decrease of f after this step is `left`.
+    // `left` is the estimated decrease of f that remains after this step.
     const double left = is_first ? std::abs(slope) : fall * std::abs(slope);
     const bool is_last = left < state.worthwhile_decrease();
     move_along(step, state);

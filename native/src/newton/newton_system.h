@@ -91,7 +91,7 @@ class NewtonSystem {
   /// Returns d on the wires and λ for h = 0.
   Solution solve_on_wires(const Positions2& r1, const Eigen::VectorXd& r2) const;
 
-  /// Returns d everywhere and λ to about five digits, by one solve.
+  /// Returns d everywhere, and λ, both to about five digits, by one solve.
   Solution solve_roughly(const Reduced& reduced, const Eigen::VectorXd& variation) const;
 
   /// Returns S of the last factorization, one row and column per elastic part: the stiffness against changes of h if d

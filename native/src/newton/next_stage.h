@@ -7,8 +7,8 @@
 
 namespace wirewarp {
 
-/// Minimizes from the shape of an earlier stage. Sews slits that are shut in this shape, where the set of exact shapes
-/// is not smooth. If flips are forbidden, tries injective_start() after a failure.
+/// Minimizes from the shape of an earlier stage. Sews slits that are shut in this shape, because the set of exact
+/// shapes is not smooth there. If flips are forbidden, tries injective_start() after a failure.
 Solution minimize_next(Problem& problem, const Stage& stage, const Shape& start, const Control& control);
 
 }  // namespace wirewarp

@@ -17,7 +17,7 @@ namespace wirewarp {
 ///
 /// If no start leads to exact lengths, returns the last shape that was tried, with one of these statuses:
 /// - cancelled: the caller stopped
-/// - infeasible: any start was infeasible
+/// - infeasible: at least one start was infeasible
 /// - singular: otherwise
 Solution refine_chart(Problem& problem, const InternalOptions& options, const Control& control);
 

@@ -28,7 +28,8 @@ Positions2 turned(const Positions2& uv, double angle) {
   return uv * Eigen::Rotation2Dd(angle).toRotationMatrix().transpose();
 }
 
-/// Returns the angle after which the energy of a turned cloth repeats. A quarter turn exchanges weft and warp.
+/// Returns the angle after which the energy of a turned cloth repeats. If weft and warp are equally stiff, this is a
+/// quarter turn, which exchanges them.
 double period(const Cloth& cloth) { return cloth.weft == cloth.warp ? kPi / 2 : kPi; }
 
 class ClothRefinement {

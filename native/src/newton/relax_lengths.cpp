@@ -134,8 +134,8 @@ double RelaxedLengths::value(const Iterate& iterate, double smoothing) const {
   return result;
 }
 
-/// Returns the step to the minimum of f and springs. The current weights define the stiffness of the springs. With d
-/// eliminated, a dense system in Δh remains.
+/// Returns the step to the minimum of f plus the energy of springs. The current weights define the stiffness of the
+/// springs. With d eliminated, a dense system in Δh remains.
 Step RelaxedLengths::step(double smoothing, const StopToken& stop) {
   Positions2 gradient;
   objective_.value_and_gradient(now_.uv, gradient);

@@ -11,7 +11,7 @@ namespace {
 constexpr int kOrdinarySteps = 5;  // the token is polled once per this many steps
 constexpr int kMaxSteps = 60;      // with 30, some nets stop at errors of 1e-11
 constexpr int kRemembered = 5;     // number of previous steps; nets of 128 wires take 10% longer with 3
-constexpr double kMostLeft = 0.9;  // largest share of the error after a step; 0.45 costs 5% more factorizations
+constexpr double kMostLeft = 0.9;  // largest share of the error that a step leaves; 0.45 costs 5% more factorizations
 
 /// Anderson acceleration: finds the combination of previous steps that minimizes the linearly extrapolated error.
 class StepsBefore {

@@ -42,7 +42,7 @@ bool is_border(const HalfEdgeMesh& mesh, const Sides& side, HalfedgeHandle h) {
   return side[mesh.face_handle(h).idx()] != side[mesh.opposite_face_handle(h).idx()];
 }
 
-/// Returns how much longer the border becomes if all faces around a vertex move to the side `to`, in scene units.
+/// Returns by how many scene units the border becomes longer if all faces around a vertex move to the side `to`.
 double growth_of_border(const HalfEdgeMesh& mesh, const Prices& prices, const Sides& side, VertexHandle v, char to) {
   const auto price = [&](HalfedgeHandle h) { return prices[mesh.edge_handle(h).idx()]; };
   double growth = 0;
@@ -56,9 +56,9 @@ double growth_of_border(const HalfEdgeMesh& mesh, const Prices& prices, const Si
   return growth;
 }
 
-/// Moves the border over single vertices as long as this makes it shorter.
+/// Moves the border across one vertex after another, as long as each move makes the border shorter.
 void shorten_border(const HalfEdgeMesh& mesh, const Prices& prices, Sides& side) {
-  constexpr double kRounding = 1e-12;  // gains below this share of the vertex's longest edge are rounding errors
+  constexpr double kRounding = 1e-12;  // decreases below this share of the vertex's longest edge are rounding errors
   std::vector<VertexHandle> queue(mesh.vertices_begin(), mesh.vertices_end());
   while (!queue.empty()) {
     const VertexHandle v = queue.back();
@@ -73,8 +73,8 @@ void shorten_border(const HalfEdgeMesh& mesh, const Prices& prices, Sides& side)
   }
 }
 
-/// Distances count as equal if they differ by less than this share of the distance between the two ends. So rounding
-/// errors do not choose sides.
+/// Distances of a face from two vertices count as equal if they differ by less than this share of the distance between
+/// the vertices. So rounding errors do not choose sides.
 constexpr double kSameDistance = 1e-9;
 
 /// Returns 1 for each face that is clearly nearer to the second vertex than to the first, otherwise 0.
@@ -107,8 +107,9 @@ struct FaceGeometry {
   Positions3 middle, area;  // per face: centroid; normal with the face's area as length
 };
 
-/// Returns 1 for each face on the side of the first face that is clearly off the middle; otherwise 0. along: position
-/// of each face along an axis whose direction is arbitrary.
+/// Returns 1 for each face that is clearly on one side of the middle, otherwise 0. As the direction of the axis is
+/// arbitrary, this is the side of the first face that is clearly off the middle. along: position of each face on the
+/// axis.
 Sides sides_along(Eigen::VectorXd along) {
   // This tolerance covers the small rotation of axes that principal_axes() allows.
   const double middle = 1e-5 * along.cwiseAbs().maxCoeff();
@@ -119,7 +120,8 @@ Sides sides_along(Eigen::VectorXd along) {
   return side;
 }
 
-/// Returns the sides of planes across the principal axes, then front and back as seen along these axes.
+/// Returns divisions of the faces: by planes perpendicular to the principal axes, then into front and back as seen
+/// along these axes.
 std::vector<Sides> sides_of_axes(const HalfEdgeMesh& mesh) {
   const FaceGeometry faces(mesh);
   const Eigen::VectorXd areas = faces.area.rowwise().norm();
@@ -178,7 +180,7 @@ std::vector<CutMask> bisections(const HalfEdgeMesh& mesh, const CutMask& forbidd
     if (!is_known && length_of_cut(mesh, cut) > 0) cuts.push_back(std::move(cut));
   };
   // On a coarse mesh, shortening may reduce a border to nothing, so the original border is added, too. On fine meshes,
-  // original borders are jagged: without this limit, 43 models have 154 pieces in total, not 93.
+  // original borders are jagged: without the limit kCoarse, 43 models have 154 pieces in total, not 93.
   constexpr std::size_t kCoarse = 1000;
   for (Sides& side : all_sides) {
     keep_together(mesh, forbidden, side);

@@ -8,8 +8,8 @@
 
 namespace wirewarp {
 
-/// Returns the charts that result from cutting a chart along edges, each with its parts of the wires. Their sources are
-/// the vertices, faces and wire parts of the given chart.
+/// Cuts a chart along edges. Returns the resulting charts with their parts of the wires. The sources of these charts
+/// are the vertices, faces and wire parts of the given chart.
 std::vector<Chart> cut_apart(const Chart& chart, const CutMask& cut);
 
 /// Returns a connected chart with its vertices and faces in the given order. The sources of the result are the

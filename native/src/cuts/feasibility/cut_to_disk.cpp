@@ -17,12 +17,12 @@ namespace {
 /// shortest.
 constexpr int kBasePoints = 8;
 
-/// Relative tolerance for lengths of cuts, and for detours over the longest path. With it, rotating the mesh does not
-/// change the choice.
+/// Lengths of cuts count as equal if they differ by less than this share. Detours (see edges_left_over()) count as
+/// equal if they differ by less than this share of the longest path. So rotating the mesh does not change the choice.
 constexpr double kTie = 1e-9;
 
 /// Returns the inner edges that neither `paths` nor a tree of faces uses: two per handle, and one per boundary loop
-/// except one. Leaves out forbidden and unreachable edges.
+/// after the first. Leaves out forbidden and unreachable edges.
 std::vector<EdgeHandle> edges_left_over(const HalfEdgeMesh& mesh, const CutMask& forbidden,
                                         const ShortestPaths& paths) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();

@@ -6,7 +6,7 @@
 namespace wirewarp {
 
 /// Returns a short cut that opens all handles and connects all boundary loops (Erickson, Har-Peled 2004). The cut is
-/// empty for disks and spheres. No cut follows a forbidden edge, so handles and loops may remain.
+/// empty for disks and spheres. No cut follows a forbidden edge, so handles and separate loops may remain.
 CutMask cut_to_disk(const HalfEdgeMesh& mesh, const CutMask& forbidden);
 
 }  // namespace wirewarp

@@ -19,11 +19,11 @@ class MirroredCuts {
 
   void forbid_edges_without_image(CutMask& forbidden) const;
 
-  /// Returns two symmetric cuts. Each consists of the part of the cut on one side of the plane, and of the mirror image
-  /// of this part. Without a plane, returns the given cut alone.
+  /// Returns two symmetric cuts. Each consists of the cut's edges on one side of the plane, of their mirror images, and
+  /// of the edges that are their own images. Without a plane, returns the given cut alone.
   std::vector<CutMask> both_ways(const CutMask& cut) const;
 
-  /// Returns one cut along all edges in the plane, then one cut along each connected run of these edges.
+  /// Returns one cut along all inner edges in the plane, then one cut along each connected run of these edges.
   std::vector<CutMask> lines_in_plane() const;
 
  private:

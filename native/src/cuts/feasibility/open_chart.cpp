@@ -28,8 +28,8 @@ namespace {
 /// cut once more. No model needed a third cut.
 constexpr int kMostDepth = 3;
 
-/// Number of cuts of one chart that lies_flat() judges. With 2, garments are cut into more pieces. With 5, the cuts are
-/// no better.
+/// Largest number of cuts of a piece that are tested with lies_flat(). With 2, garments are cut into more pieces. With
+/// 5, the cuts are no better.
 constexpr int kMostJudged = 3;
 
 /// The price of a cut is its length over √area, plus this factor times its distortion over area. 43 models have these
@@ -231,7 +231,7 @@ CutMask OpeningSearch::open(const Chart& piece, int depth) const {
   CutMask cut = best->cut;
   for (const std::size_t p : failing) {
     const Chart& part = best->pieces[p];
-    const bool is_cut = !is_empty(map_.on_part(part, cut));  // by the mirror image of another part's cut
+    const bool is_cut = !is_empty(map_.on_part(part, cut));  // whether another part's mirrored cut cuts this part
     if (depth > 0 && !is_cut && part.mesh.n_faces() > 1) unite(cut, open(part, depth - 1));
   }
   return cut;

@@ -6,8 +6,8 @@
 
 namespace wirewarp {
 
-/// Returns the rank of each value, from 0 for the lowest. A value that exceeds the next lower value by at most `same`
-/// has the same rank. Values must not be NaN.
+/// Returns the rank of each value, from 0 for the lowest. If a value exceeds the next lower value by at most `same`, it
+/// has the rank of this lower value. Values must not be NaN.
 std::vector<int> ranks_of(const std::vector<double>& values, double same);
 
 /// Returns the indices of the values, highest rank first. Values of one rank keep their order.

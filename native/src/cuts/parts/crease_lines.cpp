@@ -14,9 +14,9 @@
 namespace wirewarp {
 namespace {
 
-/// The band around a loop extends this many radii towards the limb's tip and towards the body. If the limb's axis meets
-/// the body at 45 degrees, the whole crease is within two radii. Towards the tip, one is enough, because lines widen at
-/// the crease.
+/// The band around a loop extends this many radii of the loop towards the limb's tip and towards the body. If the
+/// limb's axis meets the body at 45 degrees, the whole crease is at most two radii from the loop. Towards the tip, one
+/// radius is enough, because lines widen at the crease.
 constexpr double kTowardsTip = 1, kTowardsBody = 2;
 
 /// The conductance of an edge is halved if its concave curvature times the loop's radius equals kConcave. For much

@@ -2,7 +2,7 @@
 // Finds the crease between a limb and the body. Both are easiest to flatten if the loop between them follows the
 // crease.
 //
-//   u      potential: 0 at the limb's end of a band, 1 at the body's end
+//   u      potential: 0 at the limb's end of a band around the loop, 1 at the body's end
 //   w_ij   conductance of the edge from vertex i to vertex j, low where the surface is concave along the edge
 //
 // At each vertex i inside the band, Σ_j w_ij (u_i - u_j) = 0. u changes most at the crease, so lines of equal u follow

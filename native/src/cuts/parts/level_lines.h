@@ -12,7 +12,8 @@
 
 namespace wirewarp {
 
-/// Returns the lines from outline to outline, then the closed lines. A closed line ends with its first point.
+/// Returns the lines along which `values` equals `level`: first the lines from outline to outline, then the closed
+/// lines. A closed line ends with its first point.
 std::vector<MeshPath> level_lines(const HalfEdgeMesh& mesh, const Eigen::VectorXd& values, double level);
 
 /// Returns the total length of the lines that level_lines() returns, in scene units.

@@ -16,8 +16,8 @@
 namespace wirewarp {
 namespace {
 
-/// Number of sample points for the average distance of a vertex from the surface. With 40, the average has an error of
-/// about 1%. A tip differs more from its surroundings.
+/// Number of points on the surface from which average_distance() averages the distances of each vertex. With 40, the
+/// average has an error of about 1%, which is less than its difference between a tip and the surroundings.
 constexpr std::size_t kSamples = 40;
 
 /// Shares of √area. The ears of a bear of 30 cm are 0.24 apart: twice kAroundTip, and four times kBetweenTips. So both
@@ -29,21 +29,22 @@ constexpr double kAroundTip = 0.12, kBetweenTips = 0.06;
 /// Largest number of tips. A figure with ten fingers has fewer.
 constexpr std::size_t kMostTips = 24;
 
-/// kLevels: number of distances from a tip at which L / √A (see necks.h) is measured. At a neck, L / √A is the least
-/// value among kAround distances on each side. These are 5% of the greatest distance, so narrower dips are ignored.
+/// kLevels: number of distances from a tip at which L / √A (see necks.h) is measured. At a neck, L / √A has its least
+/// value among kAround of these distances on each side. These are 5% of the greatest distance, so narrower dips are
+/// ignored.
 constexpr int kLevels = 120, kAround = 6;
 
 /// Least and largest area of the part at a tip, as a share of the surface's area. A bear's ear has the share 0.024, and
 /// its head 0.4.
 constexpr double kSmallest = 0.006, kLargest = 0.55;
 
-/// Largest L / √A of a neck. kShortIfLarge applies to parts above the share kLarge of the area.
+/// Largest L / √A of a neck. For parts with more than the share kLarge of the area, kShortIfLarge replaces kShort.
 /// - Small parts: bear's ears 2.27, star's arms 2
 /// - Large parts: bear's head 1.16, rabbit's head 1.46, but 2.3 at a star's middle, which is not a neck
 constexpr double kShort = 2.4, kShortIfLarge = 1.5, kLarge = 0.25;
 
-/// Beyond a neck, L grows by the factor kWidens before the area grows by the factor kSoon. This is necessary, but not
-/// sufficient: L is constant on a cylinder, but on a cone it grows by 1.34 while the area grows by 1.8.
+/// Beyond a neck, L grows by the factor kWidens before the area of the part at the tip grows by the factor kSoon. This
+/// excludes cylinders, where L is constant, but not cones, where L grows by 1.34 while the area grows by 1.8.
 constexpr double kWidens = 1.12, kSoon = 1.8;
 
 /// Relation of two parts by their common area:
@@ -162,7 +163,7 @@ Distances NeckSearch::average_distance() const {
 }
 
 /// Returns the distances of all vertices from each tip, but only from one tip of each mirrored pair. The distances from
-/// a tip in the mirror plane are symmetric.
+/// a tip in or near the mirror plane are symmetric.
 std::vector<Distances> NeckSearch::distances_from_tips() const {
   const Distances average = average_distance();
   const double size = std::sqrt(area_);
@@ -244,7 +245,8 @@ NeckSearch::Candidate NeckSearch::in_crease(const Candidate& candidate) const {
   return moved;
 }
 
-/// Accepts a neck, together with its mirror image, if both fit all accepted necks. Returns whether they fit.
+/// Accepts a neck, together with its mirror image, if both fit each other and all accepted necks. Returns whether they
+/// fit.
 bool NeckSearch::accept(const Candidate& candidate) {
   std::vector<Candidate> added{candidate};
   if (!image_.empty()) {

@@ -13,7 +13,7 @@ namespace wirewarp {
 namespace {
 
 /// Weight of a part's centroid beside the middles of its outlines, which have the weight 1. The weight is small,
-/// because the centroid should decide only if all middles are on one line.
+/// because the centroid should determine the plane only if all middles are on one line.
 constexpr double kCentroid = 0.1;
 
 /// Planes count as the same if the cosine of the angle between their normals is above this value. Two planes at this

@@ -24,17 +24,17 @@ namespace wirewarp {
 namespace {
 
 /// A piece counts as larger only if its area exceeds the other area by this factor. So rounding errors in rotated input
-/// do not decide.
+/// do not decide which piece is larger.
 constexpr double kClearlyLarger = 1 + 1e-9;
 
 /// Progress once the sets are found, before they are smoothed. Rough, because it only affects the bar.
 constexpr double kSearched = 0.7;
 
-/// Progress once the piece is divided into parts. This is the whole time of most searches, but a quarter of the time of
-/// searches that continue along edges.
+/// Progress once the piece is divided into parts. The division takes the whole time of most searches, but only a
+/// quarter of the time if the search continues along edges.
 constexpr double kDivided = 0.5;
 
-/// Two decreases of strain by a cut: of the largest strain of all pieces, and of the strain of the piece that it cuts.
+/// By how much a cut lowers two strains: the largest strain of all pieces, and the strain of the piece that it cuts.
 using Gain = std::pair<double, double>;
 
 /// Returns the `count` cuts with the largest gains. A mirrored pair counts as one cut. DartProposal::twin becomes an
@@ -76,8 +76,8 @@ bool is_second_of_pair(const std::vector<DartProposal>& proposals, std::size_t i
 
 double strain_left(const DartProposal& dart) { return dart.strain_with_twin.value_or(dart.strain); }
 
-/// A dart along edges must leave less strain than each smooth dart by this share, because its elbows are hard to sew. A
-/// smaller gain is not noticeable: 0.5% of stretch if a piece needs 10%.
+/// A dart along edges is added only if it leaves at least this share less strain than the best smooth dart, because its
+/// elbows are hard to sew. A smaller difference is not noticeable: of 10% of stretch, it is 0.5%.
 constexpr double kWorthElbows = 0.05;
 
 std::vector<DartProposal> with_best_along_edges(std::vector<DartProposal> smooth,
@@ -170,13 +170,13 @@ std::vector<DartProposal> sets_along_edges(const FlatPieces& pieces, std::size_t
       if (smooth.strain < kMostStrain && smooth.length <= cut_options.longest) sets[i] = std::move(smooth);
     }
   };
-  if (cut_options.is_smooth) was_stopped(smooth_all);  // if canceled, the remaining sets keep their edges
+  if (cut_options.is_smooth) was_stopped(smooth_all);  // if canceled, the remaining sets stay along edges
   progress.begin_part(0, 1);
   return sets;
 }
 
-/// Returns the cut sets that divide the piece into its parts. If none is easy to sew, adds sets along edges. Their
-/// search takes 2 to 3 times as long, but may save half of the pieces.
+/// Returns the cut sets that divide the piece into its parts. If none is easy to sew, adds sets along edges. The search
+/// for them takes 2 to 3 times as long as the division, but may save half of the pieces.
 std::vector<DartProposal> cut_sets(const FlatPieces& pieces, std::size_t piece, const CutOptions& cut_options,
                                    const ExactEvaluation& exact, CutProgress& progress) {
   if (!cut_options.is_smooth || !can_be_divided(*pieces[piece], exact))
@@ -186,7 +186,7 @@ std::vector<DartProposal> cut_sets(const FlatPieces& pieces, std::size_t piece, 
   try {
     parts = part_sets(pieces, piece, cut_options, exact, progress);
   } catch (const FactorizationFailed&) {
-    parts = {};  // the search along edges does not need the matrices of the necks
+    parts = {};  // the search along edges needs no necks, whose matrix had no factor
   }
   std::vector<DartProposal> sets = std::move(parts.sets);
   if (sets.empty()) return sets_along_edges(pieces, piece, cut_options, exact, progress, kDivided);

@@ -24,8 +24,8 @@ struct Start {
   bool backwards = false;
 };
 
-/// Describes a vertex of the outline and the edge after it, without positions. It contains the rank of the edge's
-/// length, the rank of the angle inside, and the number of edges at the vertex.
+/// Describes a vertex of the outline and the edge after it by numbers that do not depend on positions: the rank of the
+/// edge's length, the rank of the inner angle, and the number of edges at the vertex.
 using OutlineStep = std::array<int, 3>;
 
 /// Returns the walk around the outer loop with the chart on the left, and the walk in the opposite direction, both from
@@ -64,7 +64,8 @@ std::size_t least_rotation(const std::vector<OutlineStep>& ring, WorkMeter& work
       ++same;
       continue;
     }
-    // No rotation that starts in the compared section of the greater rotation is the least.
+    // No rotation that starts in the compared section of the greater rotation is the least, so these starts are
+    // skipped.
     (of_b < of_a ? a : b) += same + 1;
     if (a == b) ++b;
     same = 0;
@@ -141,8 +142,8 @@ std::vector<VertexHandle> breadth_first(const HalfEdgeMesh& mesh, Start start) {
   return walk.order();
 }
 
-/// Returns the start of the numbering at one of the longest edges. A surface of revolution is slow: it has one longest
-/// edge per segment, and each needs a walk over the whole surface.
+/// Returns a start at one of the longest edges: the one whose walk comes first if walks are compared step by step. A
+/// surface of revolution takes long: it has one longest edge per segment, and each needs a walk over the whole surface.
 Start start_on_closed(const HalfEdgeMesh& mesh, const StopToken& stop) {
   double longest = 0;
   for (const EdgeHandle e : mesh.edges()) longest = std::max(longest, edge_length(mesh, mesh.halfedge_handle(e, 0)));

@@ -29,7 +29,7 @@ constexpr double kNearFlat = 0.02;
 
 InternalOptions brief(InternalOptions options) {
   options.max_factorizations = kMaxFactorizations;
-  options.makes_injective = false;  // cuts that fold a piece are bad, and fixing folds takes as long as ten trials
+  options.makes_injective = false;  // cuts that fold a piece are bad, and fixing folds takes as long as ten evaluations
   options.target = Target::rough;
   options.cloth.reset();  // a fabric doubles the time of an evaluation, and exact evaluations use it later
   return options;

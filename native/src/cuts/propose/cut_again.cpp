@@ -14,7 +14,7 @@
 namespace wirewarp {
 namespace {
 
-/// The default of the parameter `snap` of cut_mesh(), because users of a set cut along its lines with the default.
+/// The default of the parameter `snap` of cut_mesh(), because users who cut along the lines of a set use this default.
 constexpr double kCutSnap = 0.05;
 
 }  // namespace

@@ -11,7 +11,8 @@ namespace wirewarp {
 
 CutMesh uncut(const FlattenInput& input);
 
-/// Returns the mesh `before`, cut along more paths that do not collapse. Its edges include earlier cuts. Its sources:
+/// Returns the mesh `before`, cut also along the paths that do not collapse (see not_collapsed()). The edges of the
+/// result include earlier cuts. The sources of the result:
 /// - faces and corners: in the first, uncut mesh
 /// - vertices and divided edges: in `before`
 /// - edge_paths: incomplete, do not use

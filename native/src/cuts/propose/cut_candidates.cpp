@@ -14,7 +14,7 @@
 namespace wirewarp {
 namespace {
 
-/// Share of the outline on each side of a landing within which no point has a cheaper path. Both sides together are
+/// A landing has a cheaper path than all points within this share of the outline on each side. Both shares together are
 /// about the distance between two points spread along the outline.
 constexpr double kWindow = 1.0 / 24;
 
@@ -23,7 +23,7 @@ constexpr double kWindow = 1.0 / 24;
 constexpr double kCorner = kPi / 6;
 
 /// A value counts as larger only if it exceeds the other value by this factor, so that rounding errors in rotated input
-/// do not decide.
+/// do not decide which value is larger.
 constexpr double kClearly = 1 + 1e-9;
 
 /// Largest distance, over √area, between ends of cuts that count as near each other. The points spread over the inside

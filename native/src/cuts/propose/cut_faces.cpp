@@ -12,7 +12,7 @@ namespace {
 /// Consecutive edges of a wire.
 struct WireRun {
   int wire;   // index in the whole input
-  int begin;  // first edge of the run, counted along the wire
+  int begin;  // index of the run's first edge in the wire
 };
 
 /// Some faces of an input as a separate input, which keeps the order of vertices and faces.

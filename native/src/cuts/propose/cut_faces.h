@@ -9,7 +9,7 @@
 namespace wirewarp {
 
 /// Cuts some faces of an input along seams and along the outline of these faces. The result is as from
-/// cut_into_charts(), but wire parts have other numbers. Throws Stopped.
+/// cut_into_charts(), but the parts of a wire have other numbers, and `is_boundary_wire` is not set. Throws Stopped.
 /// - faces: sorted
 Charts cut_faces(const FlattenInput& input, const std::vector<int>& faces, const std::vector<VertexPair>& seams,
                  const StopToken& stop);

@@ -9,8 +9,8 @@
 
 namespace wirewarp {
 
-/// Reports the progress of a search as stage "cuts", only in the thread that created this object. Each poll advances by
-/// a share of the rest of the range, because the duration is unknown.
+/// Reports the progress of a search as stage "cuts", only in the thread that created this object. Each poll advances
+/// the progress by a share of the rest of its range, because the duration is unknown.
 class CutProgress {
  public:
   /// rounds: largest number of consecutive searches.

@@ -25,18 +25,19 @@
 namespace wirewarp {
 namespace {
 
-/// Largest number of cuts after the opening cut. A cut and its mirror image count as one. A plush animal may get two
-/// cuts for each of its twenty parts.
+/// Largest number of cuts after the cut that makes the piece flat. A cut and its mirror image count as one. A plush
+/// animal may get two cuts for each of its twenty parts.
 constexpr std::size_t kMostCuts = 40;
 
-/// Limits of a round:
+/// Limits of one call of cut_once_more():
 /// - kPlaces: number of seams, and number of darts, that are candidates; the second is needed if the first fails
-/// - kMostTrials: number of exact evaluations; one was enough in each of forty rounds on a koala
+/// - kMostTrials: number of exact evaluations; one was enough in each of forty calls for a koala
 constexpr int kPlaces = 2;
 constexpr std::size_t kMostTrials = 5;
 
-/// A cut is worth sewing if it removes at least this share of its part's energy. A set is listed if it lowers the
-/// strain of a shorter set by more than this share. Smaller gains cannot be felt: 2% of 25% is 0.5%, as kMayStay.
+/// A cut is worth sewing if it removes at least this share of its part's energy. A set is listed if its strain is lower
+/// than the strain of a shorter set by more than this share. Smaller gains cannot be felt: 2% of 25% is 0.5%, as
+/// kMayStay.
 constexpr double kWorthSewing = 0.02;
 
 /// Lower strains count as this strain, because ratios of such strains are meaningless: 0.1 mm in a piece of 1 m.
@@ -46,8 +47,8 @@ constexpr double kFlat = 1e-4;
 /// models of a cow and a penguin.
 constexpr double kOpened = 0.1, kCut = 0.5;
 
-/// - kStrainStep: ratio of the strains for which sets are merged; by default, the strains are 5%, 10% and 20%
-/// - kMergedSets: largest number of merged sets, which matters for low targets
+/// - kStrainStep: ratio of consecutive strains for which sets are merged; by default, these strains are 5%, 10% and 20%
+/// - kMergedSets: largest number of merged sets; without it, low targets would have more
 constexpr double kStrainStep = 2;
 constexpr std::size_t kMergedSets = 3;
 
@@ -55,8 +56,8 @@ constexpr std::size_t kMergedSets = 3;
 /// 0.95, most corners of a whale remained.
 constexpr double kMergeShare = 0.85;
 
-/// Cuts that remove at least this share of the energy are tried first, because small darts are slow to sew. Compared
-/// with 0, 0.5 takes two thirds of the time, but sets are 10% longer.
+/// Cuts that remove at least this share of the energy are tried first, because small darts are slow to sew. With 0.5
+/// instead of 0, the search takes two thirds of the time, but sets are 10% longer.
 constexpr double kLargeGain = 0.25;
 
 /// Least solidity of a joined piece. With 0, arms, ears and half a body of a rabbit become one piece. With 0.6, a bear
@@ -175,8 +176,8 @@ void CutSetSearch::add_bisections(const CutSet& set, std::size_t part, std::vect
   run_on_all_cores(bisections.size(), exact_.stop(), [&](std::size_t i) {
     const CutMask own = map_.on_part(chart, bisections[i]);
     const double cut = trials.energy_when_cut(own, exact_.stop()), uncut = trials.energy_uncut();
-    // An energy is infinite if the coarse shape folds. If both are infinite, only an exact evaluation can measure the
-    // gain.
+    // An energy is infinite if the coarse shape folds. If both energies are infinite, only an exact evaluation can
+    // measure the gain.
     const double gain = std::isinf(uncut) && std::isinf(cut) ? kWorthSewing : 1 - cut / uncut;
     tried[i] = {bisections[i], gain, gain / length_of_cut(chart.mesh, own)};
   });
@@ -254,7 +255,7 @@ std::vector<DartProposal> CutSetSearch::best_of(const std::vector<CutSet>& sets)
   std::reverse(best.begin(), best.end());
   const auto count = static_cast<std::size_t>(cut_options_.count);
   if (best.size() <= count) return best;
-  // Chooses sets with about equal ratios of consecutive strains.
+  // Chooses sets so that the ratios of consecutive strains are about equal.
   std::vector<DartProposal> chosen{best.front()};
   const double least = std::max(best.front().strain, kFlat), ratio = best.back().strain / least;
   for (std::size_t i = 1; i < best.size() && chosen.size() < count; ++i) {
@@ -330,7 +331,7 @@ bool CutSetSearch::add_smooth(std::vector<CutSet>& sets) {
     merger.go_on(may_have_more ? merger.smooth(levels[i + 1].allowed, false) : smooth);
   }
   if (sets.back().proposal.strain <= levels.back().allowed) return true;
-  sets.push_back(fine);  // add_merged() merges its pieces along edges
+  sets.push_back(fine);  // add_merged() merges the pieces of this set along edges
   return false;
 }
 

@@ -42,7 +42,7 @@ class CutSetSearch {
                CutProgress& progress);
 
   /// Returns the sets, the longest first; DartProposal::piece is not set. If canceled, returns the sets found so far.
-  /// Throws no_proposal, and Stopped if no set was found.
+  /// Throws no_proposal if there is no set, and Stopped if it is canceled before it finds a set.
   std::vector<DartProposal> search();
 
  private:

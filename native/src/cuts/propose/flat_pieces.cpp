@@ -264,7 +264,7 @@ std::vector<Chart> ExactEvaluation::changed_charts(const FlatPieces& before, con
 FlatPieces ExactEvaluation::with_cut(const FlatPieces& before, const std::vector<VertexPair>& edges,
                                      const std::vector<VertexPair>& opened) const {
   Selection changed = changed_pieces(before, edges, opened), solved = changed;
-  // If the fabric is stretched, neighbors share the lengths of seams.
+  // If the fabric is stretched, neighbors share the lengths of seams, so they change, too.
   if (is_stretched(options_)) {
     changed = with_neighbors(before, changed);
     solved = with_neighbors(before, changed);  // includes all pieces on which the lengths of changed pieces depend

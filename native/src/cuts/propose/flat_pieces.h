@@ -50,8 +50,9 @@ PieceFigures figures_of(const FlatPieces& pieces);
 
 PieceFigures figures_of(const FlatPieces& pieces, const Chart& chart);
 
-/// Returns whether cutting a chart makes another piece lose its flat shape, or strains it more than any piece before.
-/// Elastic seams and stretched fabric couple pieces. before, after: all pieces of the input.
+/// Returns whether cutting a chart makes another piece lose its flat shape, or strains it more than any piece before. A
+/// cut can change other pieces, because elastic seams and stretched fabric couple them. before, after: all pieces of
+/// the input.
 bool spoils_others(const FlatPieces& before, const FlatPieces& after, const Chart& chart);
 
 /// Pieces on a mesh that divides the faces of a surface.
@@ -76,7 +77,7 @@ bool is_part_of(const Chart& part, const Chart& chart);
 /// Returns whether the outline of a chart runs through a piece.
 bool cuts_inside(const FlatPiece& piece, const Chart& chart);
 
-/// Returns the pieces with one of these edges on their outline.
+/// Returns the pieces with at least one of the given edges on their outline.
 FlatPieces pieces_beside(const FlatPieces& pieces, const std::vector<VertexPair>& edges);
 
 /// A checked input, and its surface moved to the middle of the material.
@@ -102,7 +103,7 @@ class ExactEvaluation {
   /// Returns the pieces of the input with its own seams. Throws Stopped.
   FlatPieces uncut() const;
 
-  /// Returns the pieces with more seams along `edges` and without the seams `opened`; flattens only pieces that may
+  /// Returns all pieces after adding the seams `edges` and removing the seams `opened`. Flattens only pieces that may
   /// change. May be called in any thread. Throws Stopped.
   FlatPieces with_cut(const FlatPieces& before, const std::vector<VertexPair>& edges,
                       const std::vector<VertexPair>& opened = {}) const;

@@ -14,7 +14,7 @@ constexpr double kWidthError = 0.07;
 /// Returns the width of a flat shape at its narrowest place, but at most `most`.
 /// - This is the diameter of the largest disk that can move through the shape.
 /// - Scraps below a tenth of the area are ignored.
-/// - The result differs from wirewarp.pattern.piece_width() by at most kWidthError.
+/// - The result differs from wirewarp.pattern.piece_width() by at most kWidthError times `most`.
 double flat_width(const HalfEdgeMesh& mesh, const Positions2& uv, double most);
 
 /// Returns whether a piece has a flat shape narrower than `narrowest`, in scene units. 0 allows any width.

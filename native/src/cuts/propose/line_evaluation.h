@@ -42,7 +42,7 @@ class CutSurface {
   /// Returns the edges of the cut if they are all edges of the input, otherwise none.
   std::vector<VertexPair> edges() const;
 
-  /// Returns the length of the cut in the middle of the material, scene units.
+  /// Returns the length of the cut in scene units, measured in the middle of the material's thickness.
   double length() const;
 
  private:

@@ -30,8 +30,8 @@ namespace {
 /// depend on the input's orientation.
 constexpr double kSameLength = 1e-9;
 
-/// Largest number of factorizations for a joined piece; most pieces that overlap themselves use all. With 40, sixteen
-/// models have the same sets.
+/// Largest number of factorizations for a joined piece; most pieces that overlap themselves use all of them. With 40,
+/// sixteen models have the same sets as with 20.
 constexpr int kMergeFactorizations = 20;
 
 /// Pieces whose free maps exceed a limit are not flattened, which saves three quarters of the time.
@@ -52,8 +52,9 @@ constexpr double kNoFlatShape = std::numeric_limits<double>::infinity();
 /// Returns whether a strain is within a limit. Even with an infinite limit, pieces must have a flat shape.
 bool is_allowed(double strain, double limit) { return strain < kNoFlatShape && strain <= limit; }
 
-/// Estimates the least strain of a chart as the strain of its free map, divided by kMostFreeStrain; infinite if too
-/// much is folded. A free map is a flat shape without fixed lengths.
+/// Estimates the least strain of a chart as the strain of its free map, divided by kMostFreeStrain. A free map is a
+/// flat shape without fixed lengths. If too much of it is folded, the estimate is infinite. If there is no free map,
+/// the estimate is 0.
 double least_strain(const Chart& chart, const StopToken& stop) {
   if (chart.error || is_outline_too_short(chart)) return kNoFlatShape;
   const auto free = attempt([&] { return std::optional(free_boundary_arap(chart, kFreeSteps, {}, stop)); });
@@ -231,8 +232,7 @@ bool SectionMerger::open_one(bool is_half) {
   return true;
 }
 
-/// Returns the last trial of a section for which all pieces that the trial replaces are in the state; nullptr if there
-/// is none.
+/// Returns the last trial of a section that replaces only pieces of the current state; nullptr if there is none.
 const SectionMerger::Replacement* SectionMerger::known(const CutMask& mask) const {
   const auto trials = known_.find(mask);
   if (trials == known_.end()) return nullptr;
@@ -255,8 +255,9 @@ CutState SectionMerger::replaced(const CutMask& mask, const Replacement& replace
   return state;
 }
 
-/// Returns symmetric candidates, without those that were rejected before beside the same pieces. Candidates beside
-/// narrow pieces come first, because narrow pieces can be joined only while their neighbors have little strain.
+/// Returns symmetric candidates, the longest first. Leaves out candidates that were rejected before, if the same pieces
+/// are still beside them. Candidates beside narrow pieces come first, because narrow pieces can be joined only while
+/// their neighbors have little strain.
 std::vector<CutMask> SectionMerger::list_candidates(bool are_halves) {
   std::vector<HalfEdgeChain> sections;
   for (HalfEdgeChain& whole : sections_of(chart_.mesh, state_.cut)) {
@@ -292,8 +293,8 @@ bool SectionMerger::had_error(const Chart& chart) const {
                      [&](const auto& piece) { return piece->error && is_part_of(chart, piece->chart); });
 }
 
-/// Estimates the least strain of the new pieces without a section from free maps. Stops at the first piece that needs
-/// more than the allowed strain. joined: the pieces beside the section.
+/// Estimates from free maps the least strain that the new pieces have if a section is removed. Stops at the first piece
+/// that needs more than the allowed strain. joined: the pieces beside the section.
 double SectionMerger::least_strain_without(const CutMask& mask, const FlatPieces& joined, double allowed) const {
   double needed = 0;
   for (const Chart& chart : exact_.changed_charts(state_.pieces, {}, edges_of(chart_, mask))) {

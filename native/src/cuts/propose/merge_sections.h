@@ -28,7 +28,7 @@ struct MergeRules {
 };
 
 /// Removes sections of seams from a cut, with their mirror images, the longest first. New pieces must have a flat
-/// shape, and at most the allowed strain or an old piece's strain.
+/// shape, and at most the allowed strain or the strain of an old piece beside the section, whichever is larger.
 class SectionMerger {
  public:
   /// Keeps references to chart, mirrored and exact. state: a cut of the chart, and the pieces with it.
@@ -39,12 +39,13 @@ class SectionMerger {
   /// keeps the last accepted state.
   void run(double most_strain, const std::function<void(double)>& report);
 
-  /// Returns to the first state. From then on, sections beside pieces that are narrower than `first` come first.
+  /// Returns to the first state. From then on, sections beside pieces narrower than the width `first` are tried first.
   /// Unwanted pieces stay unwanted.
   void restart(double first);
 
-  /// Restores the last state without the unwanted pieces, and returns whether the state has changed. Later states
-  /// contain no unwanted piece without a cut inside it. Ignores pieces that the first state contains.
+  /// Restores the last state without the unwanted pieces, and returns whether the state has changed. From then on, no
+  /// piece contains a whole unwanted piece, unless a cut runs inside the latter. Ignores unwanted pieces that the first
+  /// state contains.
   bool undo(const FlatPieces& unwanted);
 
   const CutState& state() const { return state_; }
@@ -81,11 +82,11 @@ class SectionMerger {
   CutState state_;
   const Chart& chart_;
   const MirroredCuts& mirrored_;
-  const bool has_other_measure_;  // strain is measured in threads or beyond eases, so free maps cannot estimate it
+  const bool has_other_measure_;  // whether strain is along threads or beyond eases: free maps cannot estimate it
   const ExactEvaluation& exact_;
   const ExactEvaluation quick_;  // limited to fewer factorizations
   const MergeRules rules_;
-  double first_;                   // least width: sections beside narrower pieces come first
+  double first_;                   // scene units; sections beside pieces narrower than this come first
   std::vector<CutState> earlier_;  // all earlier states, the first state first
   FlatPieces unwanted_;            // see undo()
   double most_strain_ = 0;

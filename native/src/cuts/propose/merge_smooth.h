@@ -12,7 +12,7 @@
 namespace wirewarp {
 
 /// Smooths the lines of a finely cut set, then merges its pieces. In the opposite order, pieces often get too much
-/// strain, because their zigzags worked like small darts.
+/// strain, because smoothing removes zigzags that work like small darts.
 class SmoothMerger {
  public:
   /// least_solidity: as in MergeRules. Keeps all references.

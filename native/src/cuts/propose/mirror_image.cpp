@@ -10,11 +10,12 @@
 namespace wirewarp {
 namespace {
 
-/// Largest distance between a mirrored vertex and its image, over √area. Meshes in single precision that were modeled
-/// with a mirror are symmetric to this precision.
+/// Largest distance, over √area, between the mirrored position of a vertex and the vertex that is its image. Meshes in
+/// single precision that were modeled with a mirror are symmetric to this precision.
 constexpr double kSamePlace = 1e-4;
 
-/// Lengths that differ by less than this factor count as equal, so that rotating the mesh does not change the choice.
+/// Lengths that differ by less than this factor count as equal, so that rotating the mesh does not change the choice of
+/// the plane.
 constexpr double kClearlyLonger = 1 + 1e-9;
 
 /// Largest number of planes that are compared: a surface of revolution has more, but all are alike.
@@ -62,7 +63,7 @@ class MirrorSearch {
   }
 
   /// Returns the image by the mirror plane that contains the greatest length of edges. Each tried plane mirrors a
-  /// corner of the first face to another vertex, because no useful plane contains all corners.
+  /// corner of the first face to another vertex, because no useful plane contains all three corners.
   std::vector<VertexHandle> best_image(const StopToken& stop) const {
     std::vector<VertexHandle> best;
     double longest = -1;

@@ -21,8 +21,8 @@ class NeededStretch {
   /// The piece must have a flat shape.
   double of(const Piece& piece) const;
 
-  /// Returns the strain of each face of a piece with a flat shape. At most 1% of the area exceeds of(); with a fabric,
-  /// this is true for weft and warp separately.
+  /// Returns the strain of each face of a piece with a flat shape. At most 1% of the area exceeds of(). With a fabric,
+  /// this is true for weft and warp separately, so up to 2% may exceed of().
   Eigen::VectorXd of_faces(const Piece& piece) const;
 
  private:

@@ -30,7 +30,7 @@
 namespace wirewarp {
 namespace {
 
-/// Largest number of times that parts are divided by planes. A ball needs three rounds for eight equal parts, and a
+/// Largest number of rounds. Each round divides parts by planes. A ball needs three rounds for eight equal parts, and a
 /// bear seven rounds for a strain of 20%.
 constexpr int kMostRounds = 8;
 
@@ -56,14 +56,14 @@ constexpr double kPartSolidity = 0.85;
 constexpr int kFewPieces = 12;
 
 /// In a second try, parts narrower than kSmall times the least width are joined first. A banana's caps are joined to
-/// its sides only if they come first.
+/// its sides only if the caps come first.
 constexpr double kSmall = 2;
 
 /// Parts are not divided for less strain than this, because the number of parts grows with the inverse of the strain.
 /// All fabrics allow more.
 constexpr double kLeastStrain = 0.02;
 
-/// A model without necks but with long sharp edges is not divided into parts. Its seams belong on these edges:
+/// A model without necks but with long sharp edges is not divided into parts, because its seams belong on these edges.
 /// - kSharpCosine: largest cosine between the normals at a sharp edge, for half of the turn at the edge of a box
 /// - kSharp: least total length of the sharp edges, over √area; 4.9 on a cube, and 0 on a cube with round edges
 constexpr double kSharpCosine = 0.7, kSharp = 0.5;
@@ -161,7 +161,8 @@ class PartSearch {
     const double target = cut_options_.strain.value_or(kTargetStrain);
     std::vector<double> limits = allowed_strains(target, target);
     std::reverse(limits.begin(), limits.end());
-    // The first limits are low, too: with limits of 80% and 40% before 20%, a koala had no set within 20%.
+    // No limit is above kSoftStrain or the target, whichever is larger. With higher limits first (80%, then 40%), a
+    // koala had no set within 20%.
     for (double& limit : limits) limit = std::min(limit, std::max(target, kSoftStrain));
     limits.erase(std::unique(limits.begin(), limits.end()), limits.end());
     while (!limits.empty() && limits.back() < kLeastStrain) limits.pop_back();
@@ -228,7 +229,7 @@ class PartSearch {
   std::optional<Plane> mirror_;
 };
 
-/// Divides parts by planes until each part has at most the strain `limit`, or until the parts or rounds are too many.
+/// Divides parts by planes until each part has at most the strain `limit`, or until there are too many parts or rounds.
 PartSearch::Division PartSearch::divide(CutMesh& mesh, double limit) const {
   for (int round = 0;; ++round) {
     const CutModel model(mesh, mesh.edges, exact_);
@@ -367,7 +368,8 @@ PartSearch::CutSet PartSearch::set_along(const SurfaceLines& lines) const {
   return made;
 }
 
-/// Returns a set with smoother lines, or the given set if smoother lines would need too much strain or be forbidden.
+/// Returns a set with smoother lines. Returns the given set if it exceeds the limit, or if smoother lines would need
+/// too much strain or be forbidden.
 DartProposal PartSearch::smooth_set(const CutSet& made, double limit) const {
   if (made.set.strain > limit) return made.set;
   SmoothLimits limits{limit};

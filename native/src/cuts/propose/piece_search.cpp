@@ -40,7 +40,7 @@ struct Grid {
 };
 
 /// In a quick search, half of the points and faces lead to equally good sets in a quarter of the time. In a thorough
-/// search, they are too few: a hat's best dart had rank eleven.
+/// search, half are too few: a hat's best dart was only the eleventh in their ranking.
 Grid grid_of(Effort effort) { return effort == Effort::thorough ? Grid{{24, 14}, 800} : Grid{{12, 8}, 400}; }
 
 std::string name_of(CutKind kind) { return kind == CutKind::dart ? "dart" : "seam"; }
@@ -63,7 +63,7 @@ std::vector<char> vertices_on_wires(const Chart& chart) {
   return is_on_wire;
 }
 
-/// Forbids edges that may have no seam, vertices on wires, and vertices at which all edges are forbidden.
+/// Forbids edges that must not become seams, vertices on wires, and vertices at which all edges are forbidden.
 Forbidden find_forbidden(const Chart& chart, const VertexPairs& no_seam) {
   Forbidden forbidden{vertices_on_wires(chart), PartMap(chart).mask_of(as_list(no_seam))};
   std::vector<char> has_way(chart.mesh.n_vertices(), 0);

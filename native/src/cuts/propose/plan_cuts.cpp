@@ -55,10 +55,10 @@ class PlanOfCuts {
 
   bool may_be_cut(const FlatPiece& piece) const { return !requested_ || is_part_of(piece.chart, requested_->chart); }
 
-  /// Returns the pieces to try. If seams are planned, pieces that lack seams come first, the largest first. The most
-  /// strained pieces follow, because only their cuts lower the largest strain.
+  /// Returns the pieces to try. If seams are planned, pieces that lack seams come first, the largest first. The other
+  /// pieces follow, the most strained first, because only cuts of the most strained piece lower the largest strain.
   std::vector<int> pieces_in_order() const {
-    std::vector<std::tuple<bool, double, int>> places;  // lacks no seams; negative area or strain; index
+    std::vector<std::tuple<bool, double, int>> places;  // false if it lacks seams; negative area or strain; index
     for (int i = 0; i < static_cast<int>(pieces_.size()); ++i) {
       const FlatPiece& piece = *pieces_[i];
       if (!may_be_cut(piece)) continue;

@@ -15,13 +15,13 @@ struct RankedCut {
 };
 
 struct CutLimits {
-  int places;      // number of best cuts, no two beside each other
+  int places;      // largest number of best cuts, no two beside each other
   double share;    // further cuts are returned, up to this share of all tried cuts
   double longest;  // largest length of a cut, scene units
 };
 
-/// Returns cuts that lower E, the best first; ends may be moved. Includes almost equal cuts, between which only the
-/// fine mesh can decide. Polls `stop` in any thread, and throws Stopped.
+/// Returns cuts that lower E, the best first. Their ends may differ from the ends of the candidates. Includes almost
+/// equal cuts, between which only the fine mesh can decide. Polls `stop` in any thread, and throws Stopped.
 std::vector<RankedCut> rank_cuts(const Chart& chart, const SmoothPathFinder& paths,
                                  const std::vector<CutEnds>& candidates, const InternalOptions& options,
                                  const CutLimits& limits, const StopToken& stop);

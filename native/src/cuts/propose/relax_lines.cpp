@@ -12,12 +12,13 @@
 namespace wirewarp {
 namespace {
 
-/// If a line follows edges, each edge has moved points at the shares kShares of its length. If a line crosses
-/// triangles, it has kPointsPerEdge moved points per edge length. In both cases, points are half an edge length apart.
+/// On a line along edges, the points to move are at the shares kShares of each edge. A line across triangles has
+/// kPointsPerEdge points to move per edge length. In both cases, points are half an edge length apart.
 constexpr double kShares[] = {0.25, 0.75};
 constexpr double kPointsPerEdge = 2;
 
-/// A moved point starts at least this share of its section away from both ends, because an end may be a vertex.
+/// A point to move starts at least this share of its section away from both ends of the section, because an end may be
+/// a vertex.
 constexpr double kFromEnd = 0.1;
 
 /// A point moves by this share of the sum of the vectors to both neighbors. With 1/2, a zigzag would not fade.
@@ -27,8 +28,8 @@ constexpr double kStep = 1.0 / 3;
 /// a longer walk has met an obstacle.
 constexpr double kReach = 4;
 
-/// Lines lead through vertices that are nearer than this share of the crossed edge's length. The share is twice the
-/// snap of cut_mesh(), so that cutting does not bend the line again.
+/// If a line crosses an edge nearer to a vertex than this share of the edge, the line leads through the vertex. The
+/// share is twice the snap of cut_mesh(), so that cutting does not bend the line again.
 constexpr double kSnap = 0.1;
 
 /// A line is not relaxed if it becomes shorter than this share of the longest edge at its ends, because cut_mesh()
@@ -161,8 +162,8 @@ bool LineNetwork::touches_barrier(VertexHandle v) const {
          std::any_of(mesh_.cve_begin(v), mesh_.cve_end(v), [&](EdgeHandle e) { return barriers_[e.idx()] != 0; });
 }
 
-/// Returns whether a relaxed line newly runs along an edge of a barrier or outline, which the original line does not
-/// follow. path: points of the relaxed line.
+/// Returns whether a relaxed line follows an edge of a barrier or outline that the original line does not follow. path:
+/// points of the relaxed line.
 bool LineNetwork::runs_along_barrier(std::size_t line, const MeshPath& path) const {
   for (std::size_t i = 1; i < path.size(); ++i) {
     if (!path[i - 1].is_vertex() || !path[i].is_vertex()) continue;
@@ -214,7 +215,7 @@ void LineNetwork::add_line(const SurfaceLine& line, bool is_ring) {
   edges_.push_back(std::move(edges));
 }
 
-/// Adds the moved points of the sections from `begin` to before `end`; none for a single edge of a barrier.
+/// Adds the points to move in the sections from `begin` to before `end`; none for a single edge of a barrier.
 void LineNetwork::add_points(const SurfaceLine& line, std::size_t begin, std::size_t end,
                              std::vector<std::size_t>& points) {
   const EdgeHandle edge = line.sections[begin].edge;

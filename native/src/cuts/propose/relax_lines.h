@@ -17,22 +17,22 @@ struct RelaxedLine {
   bool is_closed = false;
 };
 
-/// Lines that meet at their ends and do not cross barriers. Points on barriers are fixed, and ends that no other line
-/// meets. Junctions move.
+/// Lines that meet at their ends and do not cross barriers. Points on barriers are fixed, and so are ends that no other
+/// line meets. Junctions move.
 class LineNetwork {
  public:
   /// barriers: one flag per edge. The mesh and the barriers must outlive the network.
   LineNetwork(const HalfEdgeMesh& mesh, const std::vector<SurfaceLine>& lines, const std::vector<char>& barriers);
 
   /// Moves the points of each line by its number of steps, and junctions by the fewest steps of their lines. Returns
-  /// nullopt for lines without steps, too close to a barrier, or too short. Throws Stopped.
+  /// nullopt for each line that has no steps, comes too close to a barrier, or becomes too short. Throws Stopped.
   std::vector<std::optional<RelaxedLine>> relax(const std::vector<int>& steps, const StopToken& stop) const;
 
   /// Returns the mean length of the edges that lines follow, in scene units. If lines cross triangles, returns the
   /// typical edge length of the mesh.
   double mean_edge() const { return edge_length_; }
 
-  /// Returns the number of steps that smooth lines over about this distance, in scene units.
+  /// Returns how many steps are needed to smooth lines over about this distance, in scene units.
   int steps_for(double distance) const;
 
  private:

@@ -77,7 +77,7 @@ class SeamSimplifier {
   }
 
  private:
-  /// Returns all edges that are seams, without duplicates. Adds the seams that must stay to kept_.
+  /// Returns all edges that are seams, without duplicates. Adds to kept_ the seams that must stay.
   std::vector<VertexPair> list_seams() {
     std::set<VertexPair> eased, known;
     for (const Ease& ease : input_.eases) eased.merge(undirected(as_list(ease.half_edges)));

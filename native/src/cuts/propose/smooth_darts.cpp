@@ -26,8 +26,8 @@ constexpr double kElbow = kPi / 12;
 /// - kGainOfBends: a bent line is harder to sew, so it must leave less strain by this share, as for kWorthElbows
 constexpr double kBend = 0.02, kGainOfBends = 0.05;
 
-/// First and last distance by which the ends of a line are moved, over √area. They are half the distance between
-/// candidate points, and the smallest visible change.
+/// First and last distance by which the ends of a line are moved, over √area. The first is half the distance between
+/// candidate points, the last is the smallest visible change.
 constexpr double kFirstMove = 0.1, kLastMove = 0.05;
 
 /// Number of lines whose ends are moved: the best line, and two more that may become better. With two lines, the best
@@ -38,8 +38,8 @@ constexpr std::size_t kMoved = 3;
 /// this share compared with one dart. The value is that of kLeastStep, for moves on the coarse copy.
 constexpr double kLeastMove = 0.01;
 
-/// A tip puckers if the strain around it exceeds this strain, which every fabric allows, and the strain of the uncut
-/// piece.
+/// A tip puckers if the strain around it exceeds both the strain of the uncut piece and this strain, which every fabric
+/// allows.
 constexpr double kAnyFabric = 0.03;
 
 /// The course of a line: straight, or along the bends of the chain with the same ends.
@@ -84,7 +84,7 @@ class SmoothDartSearch {
   std::vector<DartProposal> search(const std::vector<HalfEdgeChain>& chains);
 
  private:
-  /// A line to try. It has the ends of the chain, and is identified by these ends and its course.
+  /// A line to try. It has the same ends as the chain, and is identified by these ends and its course.
   struct Way {
     HalfEdgeChain chain;
     Course course;
@@ -254,8 +254,8 @@ std::vector<SmoothDartSearch::Way> SmoothDartSearch::moved(const SmoothDart& dar
   return ways;
 }
 
-/// Moves the ends of a dart to the ends of the best neighboring dart, as long as this is clearly better. Then tries
-/// shorter steps.
+/// Moves the ends of a dart to the ends of the best neighboring dart, as long as that dart is clearly better. Then
+/// tries shorter steps.
 SmoothDart SmoothDartSearch::move_ends(SmoothDart dart) {
   for (double step = kFirstMove; step >= kLastMove;) {
     std::vector<SmoothDart> neighbors = evaluate(moved(dart, step));

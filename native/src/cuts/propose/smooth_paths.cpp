@@ -105,8 +105,8 @@ HalfEdgeChain SmoothPathFinder::path_to(const SmoothPaths& paths, VertexHandle e
   HalfEdgeChain path;
   for (HalfedgeHandle h = paths.arrival[end.idx()]; h.is_valid(); h = paths.before[h.idx()]) path.push_back(h);
   std::reverse(path.begin(), path.end());
-  // The cheapest path to a half-edge may contain a loop, because sharp turns are forbidden. A cut along the loop would
-  // cut out a separate part.
+  // The cheapest path to a half-edge may contain a loop, because sharp turns are forbidden. Such a path is refused,
+  // because a cut along the loop would cut out a separate part.
   std::vector<VertexHandle> passed;
   for (const HalfedgeHandle h : path) passed.push_back(mesh_.to_vertex_handle(h));
   std::sort(passed.begin(), passed.end());

@@ -27,9 +27,9 @@
 namespace wirewarp {
 namespace {
 
-/// At the highest level, lines are smoothed over kEdges edge lengths or kOfSize √area, whichever is longer. Each level
-/// below halves this. Zigzags need one or two edge lengths, larger bends more. On a front of 30 by 40 cm, kOfSize is 14
-/// mm. The lowest of kLevels levels is half an edge length, less than any zigzag needs.
+/// At the highest level, lines are smoothed over kEdges edge lengths or kOfSize √area, whichever is longer. Each lower
+/// level halves this distance. Zigzags need one or two edge lengths, larger bends more. On a front of 30 by 40 cm,
+/// kOfSize is 14 mm. The lowest of kLevels levels is half an edge length, less than any zigzag needs.
 constexpr double kEdges = 4, kOfSize = 0.04;
 constexpr int kLevels = 4;
 
@@ -49,7 +49,7 @@ constexpr double kMostGrowth = 2;
 constexpr double kFlatFigure = 1e-6;
 
 /// Returns the number of vertices minus the number of edges, and the number of free ends. If lines newly meet or
-/// separate, a number changes.
+/// separate, one of these numbers changes.
 std::array<int, 2> count_ends(const std::vector<VertexPair>& edges) {
   std::map<int, int> count;
   for (const VertexPair& edge : edges) {
@@ -321,7 +321,8 @@ std::vector<char> SmoothSet::most_strained(const FlatPiece& part, const CutMesh&
   return chosen;
 }
 
-/// Returns the set along the lines `paths`. If the set exceeds the limits, lowers some levels and returns nullopt.
+/// Returns the set along the lines `paths`. If the set exceeds the limits, divides the piece differently or spoils
+/// other pieces, lowers some levels and returns nullopt.
 std::optional<DartProposal> SmoothSet::evaluate(const std::vector<SurfacePath>& paths, const CutMesh& cut) {
   const CutSurface surface(piece_.pieces, piece_.index, exact_, cut);
   const FlatPieces &before = surface.before(), &after = surface.after();

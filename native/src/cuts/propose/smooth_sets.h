@@ -22,8 +22,8 @@ struct SmoothLimits {
   double most_strain;
   double most_bends = std::numeric_limits<double>::infinity();  // largest share of the original bends that may remain
   int num_narrow = std::numeric_limits<int>::max();             // largest number of narrow parts, see count_narrow()
-  // If the strain of a part exceeds most_strain by this factor, all lines around the part become less smooth at once.
-  // This saves evaluations, but leaves more bends.
+  // If the strain of a part exceeds most_strain by this factor, all lines around the part, not only one, become less
+  // smooth at once. This saves evaluations, but leaves more bends.
   double far_too_much = std::numeric_limits<double>::infinity();
 };
 
@@ -33,8 +33,8 @@ std::optional<DartProposal> smooth_lines(const DartProposal& set, const SurfaceL
                                          const PieceToCut& piece, const CutOptions& cut_options,
                                          const ExactEvaluation& exact);
 
-/// Returns a set with smoother lines instead of edges, or `set` if none are allowed. The smooth set has at most the
-/// strain `most_strain`, and at most twice the strain of `set`. Throws Stopped.
+/// Returns a set with smoother lines instead of edges, or `set` if no smoother lines are allowed. The smooth set has at
+/// most the strain `most_strain`, and at most twice the strain of `set`. Throws Stopped.
 DartProposal smooth_set(const DartProposal& set, double most_strain, const FlatPieces& pieces, std::size_t piece,
                         const CutOptions& cut_options, const ExactEvaluation& exact);
 

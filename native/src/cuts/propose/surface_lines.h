@@ -18,7 +18,7 @@ namespace wirewarp {
 struct LineSection {
   FaceHandle face;
   Planar from, to;                      // ends, as places in the face: see SurfacePoint
-  VertexHandle vertex_from, vertex_to;  // valid if an end is a vertex
+  VertexHandle vertex_from, vertex_to;  // vertices at these ends; invalid for an end that is not a vertex
   EdgeHandle edge;                      // valid if the section is an edge
 };
 

@@ -16,7 +16,7 @@ class PathMirror {
   /// image: mirror image of each vertex, or empty. Keeps a reference to input.
   PathMirror(const FlattenInput& input, const Chart& chart, const std::vector<VertexHandle>& image);
 
-  /// Makes one path of each mirrored pair the image of the other path. Makes paths symmetric that are their own image.
+  /// Makes one path of each mirrored pair the image of the other path. Makes paths that are their own image symmetric.
   /// images: index of each path's image; its own index if there is none.
   void make_symmetric(const std::vector<std::size_t>& images, std::vector<SurfacePath>& paths) const;
 

@@ -26,7 +26,7 @@ std::shared_ptr<const CachedCharts> Cache::solved() const {
 
 void Cache::hold(std::shared_ptr<const CachedCharts> solved) {
   const std::lock_guard lock(mutex_);
-  solved_.swap(solved);  // the old contents are freed after the lock
+  solved_.swap(solved);  // the old contents are freed after the lock is released
 }
 
 CacheSession::CacheSession(Cache* cache, const FlattenInput& input, const Options& options)

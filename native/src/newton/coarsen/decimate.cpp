@@ -18,7 +18,7 @@ constexpr double kWorstQuality = 0.25;
 // A choice counts as better only if it is better by this factor. So the rounding errors of a rotated or scaled mesh do
 // not change the choice.
 constexpr double kClearly = 1 + 1e-9;
-constexpr double kSharpestTurn = kPi / 4;  // corners of wires that turn more are not removed
+constexpr double kSharpestTurn = kPi / 4;  // wire vertices at which the wire turns more are not removed
 constexpr double kWorthwhile = 0.02;       // a round that removes a smaller share of the vertices is the last one
 
 /// The faces around a vertex, or on one side of its wire. They are laid out in the plane with the vertex at the origin.
@@ -187,7 +187,7 @@ double Decimation::worst_quality_towards(VertexHandle w, double least) const {
   return worst;
 }
 
-/// Returns the half-edge to collapse that leaves the best faces; an invalid handle if every choice is bad.
+/// Returns the half-edge whose collapse leaves the best faces; an invalid handle if every choice is bad.
 HalfedgeHandle Decimation::choose_collapse(VertexHandle v) {
   VertexHandle best;
   double best_quality = kWorstQuality;

@@ -16,8 +16,8 @@ class WireTurns {
  public:
   WireTurns(const CoarseChart& coarse, const Positions2& uv);
 
-  /// Returns the angles between a run's chord and its direction at both ends. With these angles, all runs around a
-  /// vertex turn equally.
+  /// Returns the angles by which a run must be bent at its first and last vertex. After this, all runs that meet at a
+  /// vertex are rotated there by the same angle, compared with the surface.
   const std::array<double, 2>& at_ends(int run) const { return turns_[run]; }
 
  private:

@@ -18,12 +18,12 @@ struct WireRun {
   std::vector<double> headings;  // direction of each unrolled edge relative to the chord
   double walked_length = 0;
   double chord_length = 0;
-  /// By how much one side turns more than the mean of both sides, at the first and at the last vertex.
+  /// By how much each side turns more than the mean of both sides, at the first and at the last vertex.
   double one_sided[2] = {0, 0};
 };
 
-/// Returns the runs, not unrolled, into which the kept vertices divide all wires. Wires may meet or end only at kept
-/// vertices. stays: one flag per chart vertex, true if it is kept.
+/// Returns the runs into which the kept vertices divide all wires. The runs are not unrolled yet. Wires may meet or end
+/// only at kept vertices. stays: one flag per chart vertex, true if it is kept.
 std::vector<WireRun> find_wire_runs(const Chart& chart, const WireNetwork& network, const std::vector<char>& stays);
 
 /// Sets all fields of a run from its half-edges. node_at_arrival: result of nodes_at_arrival() for the network.

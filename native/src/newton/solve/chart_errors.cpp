@@ -135,9 +135,9 @@ std::optional<FlattenError> elastic_outline(const Chart& chart, const std::vecto
   ErrorArguments arguments = arguments_of_wires(wires, indices);
   arguments["name"] = "method";
   arguments["value"] = "wirewarp++";
-  arguments["allowed"] = "be refined, or along seams and outlines " +
+  arguments["allowed"] = "be refined, or " +
                          name_wires(indices, std::get<std::vector<std::string>>(arguments["wire_names"])) +
-                         " must have an ease instead of a tolerance";
+                         " must have an ease instead of a tolerance along seams and outlines";
   return FlattenError(ErrorCode::invalid_option, std::move(arguments),
                       {{}, {edges.begin(), edges.end()}, chart.source_face});
 }

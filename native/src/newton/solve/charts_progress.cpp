@@ -7,8 +7,8 @@
 namespace wirewarp {
 namespace {
 
-// The range of a stage in a chart's share of the time. The number of steps is unknown, so each step advances by a part
-// of the remaining range. All values are rough, because they only affect the progress bar.
+// The range of a stage, as fractions of the chart's time. The number of steps is unknown, so each step advances by a
+// part of the remaining range. All values are rough, because they only affect the progress bar.
 struct Span {
   double begin, end;
 };
