@@ -24,7 +24,8 @@ _unregister: Callable[[], None] | None = None
 
 
 def register() -> None:
-    """Load the library, then register the add-on. Without the library, register only its error and a Flatten button."""
+    """Load the library, then register the add-on. Without the library, register only a panel with the error and the
+    operator Flatten, which shows the error, too."""
     global _unregister
     if hasattr(bpy.types, "OBJECT_OT_wirewarp_flatten"):
         raise RuntimeError("WireWarp is already enabled. Remove the extension or the add-on.")

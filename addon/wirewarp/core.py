@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Imports the core library, the package wirewarp, which no other module imports itself.
+"""Imports the core library, the package wirewarp. Other modules import its names from this module.
 
 - Legacy add-on: the library and its requirements are in _core.
 - Extension: Blender installs both from wheels.

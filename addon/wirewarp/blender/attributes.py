@@ -112,7 +112,8 @@ def check_room(target: bpy.types.Object, attribute: Attribute, what: str) -> Non
 
 def check_free(target: bpy.types.Object, name: str, what: str) -> None:
     """Raises ObjectError if an attribute, UV map or vertex group has this name. what: the feature that needs it."""
-    # These share one set of names. If a name is taken, Blender renames the new item or does not create it.
+    # The four kinds of data below share one set of names. If a name is taken, Blender renames the new item or does not
+    # create it.
     holders = {
         "Vertex Groups": target.vertex_groups,
         "Attributes": target.data.attributes,

@@ -16,8 +16,8 @@ NOT_IN_NAMES = re.compile(r'[/\\:*?"<>|\x00-\x1f]')  # characters that some oper
 
 
 def given_file(path: str) -> Path:
-    """Return the path, with "//" replaced by the folder of the Blender file. Raise OSError if this file was never
-    saved."""
+    """Return the path, with "//" at its beginning replaced by the folder of the Blender file. Raise OSError if the path
+    begins with "//" and the Blender file was never saved."""
     if path.startswith("//") and not bpy.data.filepath:
         raise OSError('"//" is the folder of the Blender file, so save the file first')
     return Path(bpy.path.abspath(path))

@@ -169,17 +169,17 @@ def write_faces(mesh: bpy.types.Mesh, starts: np.ndarray, sizes: np.ndarray) -> 
 
 
 def add_seams(mesh: bpy.types.Mesh, edges: np.ndarray) -> None:
-    """Make these edges (k,) of a mesh in Object Mode seams. Other edges do not change."""
+    """Mark these edges (k,) as seams, in Object Mode. Other edges do not change."""
     _set_edge_flags(mesh, SEAM, "use_seam", edges, flag=True)
 
 
 def remove_seams(mesh: bpy.types.Mesh, edges: np.ndarray) -> None:
-    """Remove the seams of these edges (k,) of a mesh in Object Mode. Other edges do not change."""
+    """Remove the seam marks of these edges (k,), in Object Mode. Other edges do not change."""
     _set_edge_flags(mesh, SEAM, "use_seam", edges, flag=False)
 
 
 def add_sharp_edges(mesh: bpy.types.Mesh, edges: np.ndarray) -> None:
-    """Make these edges (k,) of a mesh in Object Mode sharp. Other edges do not change."""
+    """Mark these edges (k,) as sharp, in Object Mode. Other edges do not change."""
     _set_edge_flags(mesh, "sharp_edge", "use_edge_sharp", edges, flag=True)
 
 

@@ -94,7 +94,7 @@ _UNITS = {
     "INCHES": "in",
     "THOU": "thou",
 }
-# New files use meters or feet. Lengths are shown in these units instead, because fabric is cut in mm or inches.
+# New files use meters or feet. Lengths are shown in mm or inches instead, because fabric is cut in these units.
 _CUTTERS = {"METRIC": "mm", "IMPERIAL": "in"}
 
 
@@ -109,7 +109,7 @@ def length_text(scene: bpy.types.Scene) -> LengthText:
 
 
 def meters_per_blender_unit(scene: bpy.types.Scene) -> float:
-    """Return the length of one Blender unit in meters, 1 without a unit system."""
+    """Return the length of one Blender unit in meters, or 1 without a unit system."""
     return scene.unit_settings.scale_length if scene.unit_settings.system != "NONE" else 1.0
 
 
@@ -136,7 +136,8 @@ def size_text(target: bpy.types.Object, scene: bpy.types.Scene) -> str:
 
 
 def likely_units(target: bpy.types.Object) -> Sequence[float]:
-    """Return up to SHOWN lengths of a Blender unit in meters with which the model can be sewn, the likeliest first."""
+    """Return up to SHOWN possible lengths of a Blender unit in meters, the likeliest first. With each of them, the
+    model has a size that can be sewn."""
     largest = max(target.dimensions)
     return [unit for unit in UNITS if SMALLEST <= largest * unit <= LARGEST][:SHOWN]
 
@@ -147,5 +148,6 @@ def height_of(target: bpy.types.Object) -> float:
 
 
 def unit_text(target: bpy.types.Object, unit: float) -> str:
-    """Return the name of the unit, and the size of the model with this unit. unit: in meters."""
+    """Return the name of the unit, and the size that the model has if it was modeled in this unit. unit: its length in
+    meters."""
     return f"{UNITS[unit]}: {LengthText('cm', 100.0).rough(max(target.dimensions) * unit)}"

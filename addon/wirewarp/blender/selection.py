@@ -152,13 +152,15 @@ def _show(context: bpy.types.Context, target: bpy.types.Object) -> None:
 
 
 def _find_edges(mesh: bpy.types.Mesh, pairs: ArrayLike) -> tuple[np.ndarray, list[int]]:
-    """Return a mask (e,) of the mesh's edges between these pairs, and the vertices of pairs without an edge."""
+    """Return a mask (e,) of the mesh's edges between these pairs of vertices, and the vertices of pairs without an
+    edge."""
     edges, ends = edge_vertices(mesh), np.asarray(pairs, dtype=np.int64).reshape(-1, 2)
     return are_among(edges, ends), ends[~are_among(ends, edges)].ravel().tolist()
 
 
 def _mask(target: bpy.types.Object, elements: bpy.types.bpy_prop_collection, indices: ArrayLike) -> np.ndarray:
-    """Return a mask of these indices. Raises ObjectError if an index is beyond the object's elements."""
+    """Return a mask of the elements with these indices. Raises ObjectError if an index is beyond the object's
+    elements."""
     wanted, mask = np.asarray(indices, dtype=np.int64), np.zeros(len(elements), dtype=bool)
     if np.any((wanted < 0) | (wanted >= len(elements))):
         raise changed_error(target.name)

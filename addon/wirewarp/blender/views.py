@@ -17,8 +17,8 @@ MARGIN = 1.15  # size of the visible area, as a multiple of the extent of the po
 # A surface has a front if its mean normal has at least this length. Around a ring, the normals cancel out. A band
 # around 270 degrees of a cylinder has this length.
 ONE_SIDE = 0.3
-# A surface counts as visible if the cosine of the angle between its mean normal and the direction to the eye is at
-# least this value. Otherwise, it looks less than 30% as wide as from the front.
+# A surface counts as visible if the angle between its mean normal and the direction to the eye has at least this
+# cosine. Otherwise, it looks less than 30% as wide as from the front.
 SEEN = 0.3
 # If the eye's elevation above flat pieces is below the first angle, the view turns to the second angle.
 # Pieces look a quarter as high as they are at 15 degrees, and two thirds as high at 40 degrees.
@@ -74,7 +74,7 @@ class Projection:
 def fit(points: np.ndarray, view: Projection) -> tuple[np.ndarray, float]:
     """Return the point to look at (3,), and the eye's distance at which the points (n,3) fill the view.
 
-    - Orthographic view: a factor for the present distance instead.
+    - For an orthographic view, a factor for the present distance is returned instead of the distance.
     - Covered parts of the view and MARGIN stay free.
     """
     x, y, z = (points @ view.axes).T

@@ -128,7 +128,8 @@ class ExportChoices:
     made: pattern.PatternOptions
     drawn: frozenset[str]  # kinds of lines, marks and texts, as in Pattern.with_only
     options: Mapping[str, Any] = field(default_factory=dict)  # options of Pattern.write
-    in_rows: bool = False  # whether pieces are arranged in rows or keep their places; ignored with a marker
+    # If true, pieces are arranged in rows, otherwise they keep their places. With a marker, this has no effect.
+    in_rows: bool = False
     cloth: Cloth | None = None  # fabric on which the pieces are nested; None without a marker
     seconds: float = 0.0
     anew: bool = False  # whether to search even if a marker is stored

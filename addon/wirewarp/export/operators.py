@@ -39,7 +39,7 @@ class OBJECT_OT_wirewarp_export(PatternExport, PatternSettings, bpy.types.Operat
     )
     format: EnumProperty(
         name="Format",
-        description="File format. If a script does not set it, the file extension decides",
+        description="File format. If a script does not set it, the file extension determines it",
         items=[(key, each.label, each.description) for key, each in FORMATS.items()],
     )
     drawn: EnumProperty(

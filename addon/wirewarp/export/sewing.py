@@ -51,7 +51,7 @@ def add_sewing_object(source: bpy.types.Object) -> bpy.types.Object:
 
 
 def sewing_edges(pieces: FlatPieces, seams: Iterable[list]) -> np.ndarray:
-    """Return pairs (k,2) of flat vertices to sew together, each from one vertex of the model.
+    """Return pairs (k,2) of flat vertices to sew together. Both vertices of a pair are the same vertex of the model.
 
     seams: edges of each seam as vertex pairs of the model
     Raises ObjectError if the pieces lack a seam.
@@ -68,7 +68,7 @@ def sewing_edges(pieces: FlatPieces, seams: Iterable[list]) -> np.ndarray:
 def _joining(sides: dict[tuple[int, int], list[tuple[int, int]]], edge: tuple[int, int]) -> Iterator[tuple[int, int]]:
     if edge not in sides:
         raise object_error("edited_pieces", EDITED)
-    own = sides[edge]  # if there are more than two, each side is joined to the next side
+    own = sides[edge]  # if a seam has more than two sides, each side is joined to the next side
     for first, second in zip(own[:-1], own[1:], strict=True):
         for a, b in zip(first, second, strict=True):
             if a != b:  # both sides of a dart share the vertex at its tip

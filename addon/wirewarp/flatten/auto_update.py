@@ -126,8 +126,8 @@ MOST = 32  # more than the kinds of operators in a session; an update that needs
 
 
 class UpdateSteps(FlattenSteps):
-    """Mixin of the operators that update flat pieces. There is one operator for each kind of undo step that an update
-    has joined: see updating_in."""
+    """Mixin of the operators that update flat pieces. There is one operator for each name of an undo step that an
+    update has joined: see updating_in."""
 
     bl_label = LABEL
     bl_options = {"INTERNAL", "UNDO_GROUPED"}
@@ -154,8 +154,8 @@ class UpdateSteps(FlattenSteps):
         """Do not move the view, because the user is working in it."""
 
     def give_up(self, context: bpy.types.Context, code: str, sentence: str, level: str) -> set[str]:
-        """End the run without a result. If mode or scene have changed, make the models due again. If a model has
-        changed, it is due already."""
+        """End the run without a result. If the mode or the scene has changed, make the models due again. A model that
+        has changed is due already."""
         if code == "elsewhere":
             sources = filter(None, map(find_source, self._models))
             put_back(list(sources), bpy.data.scenes.get(self._scene, context.scene))

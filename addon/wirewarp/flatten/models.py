@@ -57,7 +57,7 @@ class Outcome:
     seams: Sequence[SeamIdentity] = ()
     arrays: MeshArrays | None = None  # the model, with the present ids of its seams
     pieces: FlatMesh | None = None  # None if there is no layout
-    is_elsewhere: bool = False  # whether some pieces are in new places
+    is_elsewhere: bool = False  # whether some pieces are in new places, or the layout is much larger than before
 
 
 def solve_models(
@@ -116,7 +116,8 @@ def _solve(model: Model, choices: FlattenChoices, meters: float) -> Steps[Outcom
 
 
 def _try_uv_seams(model: Model, choices: FlattenChoices, meters: float, report: ObjectReport) -> Steps[UvSeams | None]:
-    """Return the result with the seams of the model's own UV map; None if it is not needed or not better."""
+    """Return the result with the seams of the model's own UV map; None if no such result is needed, or it is not better
+    than the result with the marked seams."""
     arrays = model.arrays
     is_strained = not len(arrays.seams) and any(piece.is_strained for piece in report.pieces)
     if not (report.issues or is_strained):

@@ -35,7 +35,7 @@ HARMLESS_KINDS = ("TIMER", "WHEEL", "TRACKPAD", "NDOF", "WINDOW")
 
 
 class FlattenSteps(WindowSteps, FlattenSettings):
-    tries_uv_seams = True  # whether to try UV seams; the attempt takes as long as the run
+    tries_uv_seams = True  # whether to try UV seams; the attempt takes as long as the rest of the run
 
     @property
     def report_file(self) -> Path | None:

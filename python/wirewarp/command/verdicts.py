@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Defines the possible results of a model, and makes the line that reports a result."""
+"""Defines the verdicts on a model, and makes the line of the output that reports the verdict."""
 
 from collections.abc import Callable, Sequence
 from functools import wraps
@@ -13,8 +13,8 @@ from .request import AnyRequest, InputError
 READY, NEEDS_STRETCH = "ready to cut", "needs stretch fabric"
 FAILED, REFUSED, STOPPED = "not ready to cut", "refused", "stopped"
 PROPOSED, NOTHING = "proposed", "nothing to propose"
-# The command ends with the exit code of the worst model. NEEDS_STRETCH has code 0, because some fabric stretches far
-# enough.
+# The command ends with the exit code of the worst model. NEEDS_STRETCH has code 0, because the model can be cut from
+# stretch fabric.
 EXIT_CODES = {READY: 0, NEEDS_STRETCH: 0, PROPOSED: 0, FAILED: 1, NOTHING: 1, REFUSED: 2, STOPPED: 3}
 Line = dict[str, Any]
 R = TypeVar("R", bound=AnyRequest)
@@ -49,7 +49,8 @@ def unfinished(word: str, code: str, problem: str) -> Line:
 
 
 def with_faults_answered(work: Callable[[R], Line]) -> Callable[[R], Line]:
-    """Return a function that calls work. If work raises an error, the function returns a line with the fault."""
+    """Return a function that calls work. If work raises one of the errors below, the function returns a line with the
+    fault."""
 
     @wraps(work)
     def answer(request: R) -> Line:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Replaces files only when they are complete, and returns the date to write into them."""
+"""Replaces a file only when the new file is complete, and returns the date to write into files."""
 
 import datetime
 import os
@@ -16,7 +16,8 @@ def today() -> datetime.date:
 
 @contextmanager
 def replaced_file(path: Path) -> Iterator[Path]:
-    """Yield the path of a temporary file in the same folder. It replaces the file at `path` if no error is raised.
+    """Yield the path of a temporary file in the same folder. At the end, the temporary file replaces the file at
+    `path`, unless an error was raised.
 
     Raises OSError if the folder is missing or `path` is not a file.
     """

@@ -8,13 +8,16 @@ from dataclasses import dataclass
 import numpy as np
 import pyclipper
 
-GRID = 1e-4  # millimeters; finer than any cutter; 100 m still fit in Clipper's fast integers of 30 bits
+# This step of Clipper's grid, in millimeters, is finer than any cutter. 100 m still fit in Clipper's fast integers of
+# 30 bits.
+GRID = 1e-4
 ON_LINE = 1e-3  # millimeters; a point closer to a line counts as on the line; 10 times GRID
 DEPTH = 1e-4  # share of the diagonal of the smaller shape's box; shapes that overlap less deeply only touch
 STEPS, ROUNDS = 8, 3  # of the search for an innermost point; the last steps are 2% of the shape's size
 SAMPLES = 100  # number of points on the outline from which distances are measured, enough for placing text
 PAIRS = 1_000_000  # number of pairs of points and sides compared at a time; an array of pairs has 16 MB
-RESOLUTION = 2.0**30  # steps of Clipper's grid across all outlines; up to this size, Clipper is exact and fast
+# This is the number of steps of Clipper's grid across all outlines. Up to this number, Clipper is exact and fast.
+RESOLUTION = 2.0**30
 
 
 def lengths_along(points: np.ndarray) -> np.ndarray:
@@ -71,7 +74,8 @@ def distances_to(points: np.ndarray, outlines: Sequence[np.ndarray]) -> np.ndarr
 
 
 def innermost_point(outlines: Sequence[np.ndarray], lines_inside: Sequence[np.ndarray]) -> tuple[np.ndarray, float]:
-    """Return a point (2,) inside closed outlines (k,2), approximately the farthest from all lines, and its distance."""
+    """Return the point (2,) inside closed outlines (k,2) that is approximately the farthest from all lines, and its
+    distance from the nearest line."""
     closed = [np.concatenate([outline, outline[:1]]) for outline in outlines]
     spacing = sum(float(lengths_along(outline)[-1]) for outline in closed) / SAMPLES
     around = [sampled(outline, spacing) for outline in closed]
@@ -104,7 +108,7 @@ def crossings(point: np.ndarray, direction: np.ndarray, a: np.ndarray, b: np.nda
     - a, b (s,2): ends of all segments
     """
     along, to = b - a, a - point
-    with np.errstate(divide="ignore", invalid="ignore"):  # for a segment parallel to the line, the slope is 0
+    with np.errstate(divide="ignore", invalid="ignore"):  # divides by 0 for a segment parallel to the line
         slope = _cross(direction, along)
         distance, share = _cross(to, along) / slope, _cross(to, direction) / slope
     found: np.ndarray = distance[(share >= -1e-9) & (share <= 1 + 1e-9)]
@@ -120,7 +124,10 @@ class Rays:
         self._b = np.concatenate([b, *(line[1:] for line in lines)])
 
     def length(self, point: np.ndarray, direction: np.ndarray) -> float:
-        """Return the length along the unit vector from the point to the nearest line, or infinity if no line is hit."""
+        """Return the length from the point to the nearest line in a direction, or infinity without a line there.
+
+        direction (2,): unit vector.
+        """
         distances = crossings(point, direction, self._a, self._b)
         nearest = float(distances[distances > -ON_LINE].min(initial=math.inf))
         return nearest if nearest >= ON_LINE else 0.0

@@ -8,7 +8,7 @@ import numpy as np
 from .geometry import Rays, innermost_point
 from .model import Line
 
-GRAIN = 0.7  # length of the grain arrow as a share of the distance across the piece
+GRAIN = 0.7  # length of the grain arrow, as a share of the piece's extent along the grain at this place
 
 
 def grain_line(

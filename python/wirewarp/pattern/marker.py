@@ -13,7 +13,7 @@ from .geometry import Motion
 from .model import PatternPiece
 from .units import UnitSystem
 
-SAME = 0.1  # millimeters by which outlines may differ from the outlines of the marker
+SAME = 0.1  # millimeters by which outlines may differ from the outlines for which the marker was made
 SHEETS_APART = 50.0  # millimeters between sheets that are drawn one above the other
 
 
@@ -77,7 +77,7 @@ class Marker:
     gap: float  # smallest distance between pieces
     placements: tuple[Placement, ...]
     efficiency: float  # share of the fabric that becomes pieces; the last sheet counts as a whole
-    by: str  # the search that found the marker: "slides", or only for rolls "spyrrow"
+    by: str  # the search that found the marker: "slides", or "spyrrow" (only for rolls)
     made_of: tuple[Size, ...]  # sizes of the pieces, in the order of the pattern
     warnings: tuple[str, ...] = ()
 
@@ -86,7 +86,7 @@ class Marker:
         return 1 + max(placement.sheet for placement in self.placements)
 
     def is_of(self, pieces: Sequence[PatternPiece]) -> bool:
-        """Return whether the marker was made from pieces of these sizes. Pieces on the fold must be opened."""
+        """Return whether the marker was made from pieces with the same sizes. Pieces on the fold must be opened."""
         sizes = [size_of(piece) for piece in pieces]
         return len(sizes) == len(self.made_of) and all(map(Size.is_like, sizes, self.made_of))
 

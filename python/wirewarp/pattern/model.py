@@ -36,7 +36,7 @@ class Line:
     role: LineRole
     points: np.ndarray  # (k,2)
     closed: bool = False  # a closed line does not repeat its first point
-    name: str = ""  # name of the seam, such as "Seam 3", or the wire
+    name: str = ""  # name of the seam (such as "Seam 3"), fold or wire
     width: float | None = None  # stitching lines: width of the allowance
     seam: int | None = None  # stitching lines: index into the result's seams; None if nothing is sewn to it
     joins: str = ""  # stitching lines: names of the other pieces that are sewn to the line

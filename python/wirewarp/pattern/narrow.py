@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Finds the narrowest width of flat pieces. This width decides whether they can be sewn with an allowance."""
+"""Finds the narrowest width of flat pieces. The width shows whether a piece has room for its allowances."""
 
 from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING
@@ -15,7 +15,9 @@ if TYPE_CHECKING:
 
 SCRAP = 0.1  # share of the area; parts below it, such as the tip of a tail, do not count
 MOST = 0.5  # least share of the area that disks must cover; far below 1, because disks never fill corners
-# As shares of the radius of a disk with equal area:
+# Disks of STEPS radii are tried, up to the radius of a disk with equal area. Then the interval between two radii is
+# halved HALVINGS times. As shares of the largest radius:
+#
 # - A waist is found if it is narrower than its surroundings by 1/24.
 # - The error after ten halvings is 1/24,000, less than a thread in a piece a meter wide.
 STEPS, HALVINGS = 24, 10

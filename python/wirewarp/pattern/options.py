@@ -20,7 +20,7 @@ class PatternOptions(TypedDict, total=False):
     # first vertex to the second.
     side_allowances: npt.ArrayLike | None
     folds: npt.ArrayLike | None  # (k,2) edges of the outline at which the fabric is folded instead of cut
-    pairs: bool  # draw equal pieces once ("Cut 4"), and mirror images, too ("Cut 1 pair") (False)
+    pairs: bool  # draw equal pieces once ("Cut 4"), and a piece and its mirror image once ("Cut 1 pair") (False)
     on_fold: bool  # draw one half of each symmetric piece ("Cut 1 on the fold") (False)
     measures: Sequence[tuple[str, float]]  # names and finished lengths on the proof sheet (rigid wires)
     notch_spacing: float  # distance between notches along seams; 0 for none (100)

@@ -208,7 +208,8 @@ class Pattern(PatternData):
     ) -> Marker:
         """Do the work of nesting() in one call. progress("nesting", fraction) is called about ten times a second.
 
-        If it returns False, the best marker so far is returned; without a marker, FlattenError ("cancelled") is raised.
+        If `progress` returns False, the best marker so far is returned; without a marker, FlattenError ("cancelled") is
+        raised.
         """
         return in_one_go(self.nesting(width, length, **options), progress)
 

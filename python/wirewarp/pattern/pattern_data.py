@@ -74,7 +74,7 @@ class PatternData:
     walks: list[SeamWalk] = field(default_factory=list)  # sides and lengths of each seam, by the index of the seam
     steps: list[SewingStep] = field(default_factory=list)  # in an order in which the seams can be sewn
     measures: list[tuple[str, float]] = field(default_factory=list)  # names and finished lengths in millimeters
-    marker: Marker | None = None  # the marker that is drawn; each copy of a piece is then in `pieces`
+    marker: Marker | None = None  # the marker that is drawn; with a marker, `pieces` has each copy of a piece
 
     @property
     def allowance_text(self) -> str:

@@ -20,7 +20,8 @@ def kept(line: WireReport | BoundaryReport) -> bool:
 def asked_of_wire(wire: WireReport, ease: float) -> float:
     """Return the target length of the wire with its ease, without the change h that its tolerance allows.
 
-    A kept wire's flat length is used, because only this length contains the fabric's built-in stretch.
+    If the wire's lengths are kept, its flat length is used, because only this length contains the fabric's built-in
+    stretch.
     """
     return wire.length_2d * (1 + ease) / (1 + wire.variation) if kept(wire) else wire.length_3d * (1 + ease)
 
@@ -28,7 +29,7 @@ def asked_of_wire(wire: WireReport, ease: float) -> float:
 def asked_of_outline(piece: Piece, vertices: np.ndarray, sides: dict[tuple[int, int], float]) -> list[float]:
     """Return the target length of each section of the outline, including the change h of wires along the outline.
 
-    vertices (n,3): vertices of the model. sides: eases of one side, by directed edge.
+    vertices (n,3): vertices of the model. sides: eases by directed edge, for edges with an ease on one side.
     """
     if all(map(kept, piece.boundaries)):
         return [chain.length_2d for chain in piece.boundaries]
@@ -45,7 +46,7 @@ def asked_of_outline(piece: Piece, vertices: np.ndarray, sides: dict[tuple[int, 
 
 
 def _mean_ratio(chain: BoundaryReport, ratios: dict[tuple[int, int], float], vertices: np.ndarray) -> float:
-    """Return the mean ratio of target to length on the model, weighted by the lengths of the edges.
+    """Return the mean ratio of the target length to the length on the model, weighted by the lengths of the edges.
 
     ratios: ratios by directed edge; edges without a ratio have the ratio 1.
     """

@@ -57,7 +57,8 @@ def _outlines(piece: Piece) -> Iterator[tuple[np.ndarray, np.ndarray]]:
 
 
 def _curved(points: np.ndarray) -> Iterator[tuple[int, float]]:
-    """Yield the rows of points (k,2) at which a curve turns too far, and the turns in radians. points: in meters."""
+    """Yield the rows of points (k,2) at which a curve has a visible corner, and the turns there in radians. points: in
+    meters."""
     along = np.diff(points, axis=0)
     lengths = np.linalg.norm(along, axis=1)
     crossed = along[:-1, 0] * along[1:, 1] - along[:-1, 1] * along[1:, 0]

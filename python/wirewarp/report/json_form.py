@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Writes and reads a report as JSON. The keys are the names of fields in model.py.
 
-- lengths and areas: in units of the model, and in meters under the name with "_m" or "_m2"
+- lengths and areas: in units of the model, and in meters and square meters under the name with "_m" or "_m2"
 - derived values (DERIVED): written for scripts, but not read
 - missing numbers: null
 - infinite tolerance of a free wire: "inf", because JSON has no infinity

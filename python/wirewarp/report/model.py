@@ -122,13 +122,14 @@ class Threads:
 
     @property
     def excess(self) -> float:
-        """Return the needed stretch minus the limit, in the worse direction. The result is above 0 if `over`."""
+        """Return the needed stretch minus the limit, in the worse direction. The result is above 0 if `over` is
+        true."""
         return max(map(self._excess, WAYS))
 
     @property
     def shown(self) -> float:
-        """Return the figure to show: the stretch in the direction that exceeds its limit most. If none exceeds its
-        limit, return the larger stretch."""
+        """Return the figure to show: the stretch in the direction that exceeds its limit most. If neither direction
+        exceeds its limit, return the larger stretch."""
         worse: float = getattr(self, max(WAYS, key=self._excess))
         return worse if self.over else max(self.across, self.along)
 
@@ -211,7 +212,7 @@ class Piece:
 
 @dataclass(frozen=True, kw_only=True)
 class LooserWire:
-    """A proposed tolerance within which a wire can keep its length."""
+    """A proposed tolerance for a wire, so that all wires of the piece can have their lengths."""
 
     name: str
     tolerance: float
@@ -232,7 +233,7 @@ class Issue:
     edges: Pairs = field(default_factory=list)
     faces: list[int] = field(default_factory=list)
     wires: list[int] = field(default_factory=list)  # indices of the wires that the sentence names
-    proposed_seams: Pairs = field(default_factory=list)  # edges that fix the piece if they become seams
+    proposed_seams: Pairs = field(default_factory=list)  # edges; if these become seams, the piece can be flattened
     proposed_tolerances: list[LooserWire] = field(default_factory=list)
     both_sides: bool = False  # whether the proposal is for this piece and its mirror image
 

@@ -55,12 +55,12 @@ def open_edges(report: Report) -> list[tuple[str, int, Chain]]:
 
 
 def issue_text(report: Report, issue: Issue) -> str:
-    """Return the sentence of an issue after the name of its piece."""
+    """Return the sentence of an issue, with the name of its piece before it."""
     return issue.sentence if issue.piece is None else f"{report.pieces[issue.piece].name}: {issue.sentence}"
 
 
 def hint_text(report: Report, hint: Hint) -> str:
-    """Return the short sentence of a hint after the name of its piece or wire."""
+    """Return the short sentence of a hint, with the name of its piece or wire before it."""
     if hint.wire is not None:
         return f'"{report.wires[hint.wire].name}" {hint.short}'
     return hint.short if hint.piece is None else f"{report.pieces[hint.piece].name}: {hint.short}"

@@ -4,7 +4,7 @@
 - σ1, σ2: larger and smaller principal stretch of the map from flat to model
 - stretch of a triangle: max(σ1, 1/σ2) - 1, so compression counts as the stretch that would undo it
 - figure of a piece: the stretch that 99% of its area stays below, without the changes that eases intend
-- figure with a fabric: the same for the stretch along its threads (Threads), in the worse direction
+- figure with a fabric: the same figure for the stretch along the fabric's threads (Threads), in the worse direction
 """
 
 import math
@@ -146,8 +146,8 @@ def connected_regions(piece: Piece, members: np.ndarray) -> list[np.ndarray]:
     triangles = np.flatnonzero(members)
     neighbors = _neighbors(np.asarray(piece.faces)[triangles], len(piece.vertices))
     labels = np.arange(len(triangles))
-    # Each triangle gets the lowest label of its neighbors. Replacing each label by the label of the triangle with this
-    # number saves rounds over long distances.
+    # In each round, each triangle gets the lowest label of itself and its neighbors. Labels are numbers of triangles,
+    # so each label is then replaced by the label of that triangle, which saves rounds over long distances.
     while True:
         lowest = np.minimum(labels, labels[neighbors].min(axis=1))
         lowest = lowest[lowest]

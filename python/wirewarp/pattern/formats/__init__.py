@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Lists the kinds of files for patterns, and writes and checks a file."""
+"""Lists the kinds of files for patterns. Writes a file, then reads it again and checks it."""
 
 from collections.abc import Mapping
 from inspect import signature

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Writes DXF for apparel CAD: ASTM D6673 as AccuMark reads it, and AAMA-292 as CLO and Optitex read it.
 
-Polylines have the closed flag and also repeat a point, as these programs write them.
+Closed polylines have the closed flag, and also repeat their first point at the end, as these programs write them.
 """
 
 import math
@@ -18,7 +18,7 @@ from ..units import INCH
 from .dxf_tags import Tags, block_names, escaped_text, plain_text, section
 
 LONGEST_NAME = 20  # number of letters; AccuMark cuts off longer names
-CORNER = math.radians(30)  # radians; a point with a larger turn of the outline is a turn point, otherwise a curve point
+CORNER = math.radians(30)  # radians; points at which the outline turns more are turn points, others are curve points
 TURN_POINT, CURVE_POINT = "2", "3"
 NOTCH_WIDTH = 2.0  # millimeters at the edge of the piece
 TEXT_HEIGHT = 5.0  # millimeters
@@ -96,7 +96,7 @@ class _Writer:
         fields |= {"Size": "1"} if self._is_aama else {}
         middle = piece.bounds[0] + piece.size / 2
         self._add_fields(tags, fields, middle)
-        # Apparel DXF has no entity for leader lines.
+        # Leader lines are left out, because apparel DXF has no entity for them.
         for line in (line for line in piece.lines if line.role not in LEADERS.values()):
             self._add_line(tags, line.role, line.points, line.closed)
         for point in piece.points:
@@ -115,7 +115,7 @@ class _Writer:
         return tags
 
     def control(self) -> Tags:
-        """Return the block of the control square. After import, the length of its side shows the unit of the file."""
+        """Return the block of the control square. After import, its side must be 100 mm long."""
         tags = self._opened("CONTROL_100MM")
         square = CONTROL * np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]) - (2 * CONTROL, 0)
         tags.polyline("1", square, closed=True, repeat=True)
@@ -140,12 +140,12 @@ class _Writer:
             if role == "grain":
                 tags.line("5", points)  # layer 5 is for the reference line of grading
             return
-        # An open cutting line belongs to a half piece. AccuMark needs a repeated first point, but no closed flag.
+        # An open cutting line belongs to a half piece. AccuMark needs its first point again, but no closed flag.
         if role == "cut" and not closed:
             points = np.concatenate([points, points[:1]])
         tags.polyline(layer, points, closed, repeat=True)
         if role == "sew" and self._is_aama:
-            tags.polyline("8", points, closed, repeat=True)  # AAMA has no layer 14 for stitching lines
+            tags.polyline("8", points, closed, repeat=True)  # also as internal lines: AAMA has no layer 14
         self._add_kinds_of_points(tags, points, closed)
 
     def _add_kinds_of_points(self, tags: Tags, points: np.ndarray, closed: bool) -> None:

@@ -26,8 +26,8 @@ def escaped_text(text: str) -> str:
 
 
 def block_names(names: list[str], longest: int) -> list[str]:
-    """Return unique block names of at most `longest` capitals, digits and underscores. A name without such letters
-    becomes PIECE_3 for the third piece."""
+    """Return unique block names of at most `longest` capitals, digits and underscores. If no letter of the third
+    piece's name can be used, its block is PIECE_3."""
     found: list[str] = []
     for number, name in enumerate(names, start=1):
         plain = re.sub(r"[^A-Z0-9]+", "_", plain_text(name).upper()).strip("_")[:longest] or f"PIECE_{number}"
@@ -61,7 +61,8 @@ class Tags:
         return pairs if z is None else [*pairs, (first + 20, self.number(z))]
 
     def polyline(self, layer: str, points: np.ndarray, closed: bool, repeat: bool = False) -> None:
-        """Add a polyline. repeat: whether a closed line ends with its first point, for readers that ignore the flag."""
+        """Add a polyline. repeat: whether a closed line repeats its first point at the end, for readers that ignore the
+        closed flag."""
         corners = np.concatenate([points, points[:1]]) if closed and repeat else points
         self.add((0, "POLYLINE"), (8, layer), (66, 1), (70, int(closed)), *self.at(np.zeros(2), z=0.0))
         for corner in corners:

@@ -42,6 +42,6 @@ class Format:
     read_cut_lines: Callable[[Path], Iterator[np.ndarray]]
     options: tuple[Option, ...] = ()
     has_pages: bool = False  # whether the writer also accepts `paper` and `keep_places`
-    is_along_cloth: bool = False  # whether x is along the fabric in markers
+    is_along_cloth: bool = False  # whether files of markers have x along the fabric; otherwise, y is along it
     # This function returns the size (2,) of a file without pages, in millimeters.
     size_of: Callable[[PatternData], np.ndarray] = lambda pattern: pattern.size

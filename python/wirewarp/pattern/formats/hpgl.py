@@ -12,7 +12,7 @@ from .file_format import Format
 from .read_back import read_plt
 
 UNITS = 40  # units of HPGL in a millimeter
-AT_ONCE = 100  # number of points in one command, because some plotters can store only short commands
+AT_ONCE = 100  # largest number of points in a command, because some plotters can store only short commands
 CUT_PEN = 1
 
 

@@ -101,7 +101,8 @@ def _with_texts_on_sheets(planned: Plan[PatternData]) -> Steps[Plan[PatternData]
             if np.all(line.min(axis=0) < high[index]) and np.all(line.max(axis=0) > low[index])
         ]
         can_cross = borders or any(text.is_beside for text in piece.texts)
-        if can_cross and piece.of_role("sew") and piece.texts:  # names are placed along stitching lines
+        # If the stitching lines are left out, names along them cannot be placed again.
+        if can_cross and piece.of_role("sew") and piece.texts:
             near = np.all((low - BORDER < high[index]) & (high + BORDER > low[index]), axis=1)
             others = [line for n in np.flatnonzero(near) if n != index for line in cut[n]]
             sheets = planned.text_sheets._replace(borders=borders, others=[*others, *beside])

@@ -65,7 +65,10 @@ class Content:
         return "\n".join(parts)
 
     def _outlines(self, line: str, middle: np.ndarray, along: np.ndarray) -> str:
-        """Return commands for non-Latin letters as filled outlines. along (2,): direction and height of the text."""
+        """Return commands that draw a line with non-Latin letters as filled outlines.
+
+        along (2,): vector in the direction of the line, as long as the text is high.
+        """
         try:
             drawn = line_of(line)
         except NoLettersError as error:

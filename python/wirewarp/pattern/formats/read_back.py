@@ -25,8 +25,8 @@ QUARTER_TURNS = [np.linalg.matrix_power(np.array([[0.0, 1.0], [-1.0, 0.0]]), cou
 def check(found: Iterator[np.ndarray], outlines: Sequence[np.ndarray]) -> Steps[float]:
     """Return the largest error of a point in the file, in millimeters.
 
-    Places and quarter turns of outlines are not compared, because packing changes them. Raises RuntimeError above
-    WORST, and for missing or additional outlines.
+    Places and quarter turns of outlines are not compared, because packing changes them. Raises RuntimeError for an
+    error above WORST, and for missing or additional outlines.
     """
     waiting = [_normalized(outline) for outline in outlines]
     worst, count = 0.0, 0

@@ -188,7 +188,8 @@ def _add(parent: ElementTree.Element, tag: str, **attributes: str) -> ElementTre
 
 
 def _free_id(name: str, taken: set[str]) -> str:
-    """Return the name as a unique id for XML: without spaces, and without a digit at the beginning. Add it to taken."""
+    """Return the name as a unique id for XML: without spaces, and without a digit at the beginning. Add it to
+    `taken`."""
     plain = re.sub(r"[^\w.-]", "_", name)
     plain = plain if re.match(r"[^\W\d]", plain) else f"_{plain}"
     free, number = plain, 2

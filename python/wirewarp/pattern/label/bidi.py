@@ -14,7 +14,8 @@ T = TypeVar("T")
 
 
 def levels(letters: Sequence[str]) -> list[int]:
-    """Return the embedding level of each letter. Even levels run from left to right, odd levels from right to left."""
+    """Return the embedding level of each letter. Letters with even levels run from left to right, letters with odd
+    levels from right to left."""
     kinds = [unicodedata.bidirectional(letter) for letter in letters]
     base = int(next((kind for kind in kinds if kind in STRONG), "L") != "L")
     outer = "LR"[base]
@@ -29,8 +30,8 @@ def levels(letters: Sequence[str]) -> list[int]:
 
 
 def in_visual_order(runs: Sequence[T], run_levels: Sequence[int]) -> list[T]:
-    """Return the runs in their order from left to right. By rule L2, sequences of runs are reversed, beginning with the
-    highest level and ending with the lowest odd level."""
+    """Return the runs in their order from left to right. By rule L2, sequences of runs are reversed once for each
+    level: from the highest level to 1, each sequence of runs with at least this level."""
     order = list(range(len(runs)))
     for level in range(max(run_levels, default=0), 0, -1):
         begin = None
@@ -117,8 +118,8 @@ def _closing(bracket: str) -> str:
 
 
 def _neutral(weak: Sequence[str], outer: str) -> list[str]:
-    """Return the classes after rules N1 and N2: spaces and signs get the common direction of both neighbors, or the
-    direction of the line."""
+    """Return the classes after rules N1 and N2: spaces and signs get the direction of their neighbors if both neighbors
+    have the same direction, otherwise the direction of the line."""
     found = list(weak)
     for begin, end in _spans(weak, ("B", "S", "WS", "ON")):
         before = _direction(found[begin - 1]) if begin else outer

@@ -17,7 +17,7 @@ from .room import Room
 from .text_place import place_text
 
 TEXT_HEIGHT, LEAST_HEIGHT = 8.0, 2.5  # largest and smallest height in millimeters; nobody can read smaller letters
-SHOWN_NAMES = 2  # number of names on a card; with more names, the letters would be too small
+SHOWN_NAMES = 2  # largest number of names on a card; with more names, the letters would be too small
 DOWN = np.array([0.0, -1.0])
 
 

@@ -43,8 +43,9 @@ class GlyphPen:
 
 
 SUFFIXES = (".ttf", ".otf", ".ttc", ".woff2")
-NO_TEXT = ("lastresort", "adobeblank")  # names of fonts that draw every letter as a box, or nothing
-STYLES = ("bold", "italic", "oblique", "mono", "serif", "light", "thin", "black", "condensed")  # fonts to try last
+NO_TEXT = ("lastresort", "adobeblank")  # parts of the names of fonts that draw every letter as a box, or draw nothing
+# Fonts with these words in their names are tried last.
+STYLES = ("bold", "italic", "oblique", "mono", "serif", "light", "thin", "black", "condensed")
 _folders: list[Path] = []
 
 
@@ -64,7 +65,7 @@ class Font:
         if path.suffix.lower() == ".woff2":
             from fontTools.ttLib import TTFont
 
-            # Only the letters are loaded, because loading all glyphs takes ten times as long.
+            # Only the list of letters is loaded, because loading all glyphs takes ten times as long.
             with TTFont(path, lazy=True) as quick:
                 self._letters = set(quick.getBestCmap() or {})
         else:

@@ -25,7 +25,7 @@ def grain_beside(
     limits: Sequence[np.ndarray],
     allowance: float,
 ) -> Line:
-    """Return the grain line, moved beside the text if both would cross and the piece has room.
+    """Return the grain line. If it would cross the text and the piece has room, it is moved beside the text.
 
     - outlines: cutting lines
     - lines_inside, limits: as for grain_line()

@@ -16,8 +16,9 @@ from ..pattern_data import GAP, OVERLAP
 from .room import CLEAR, axes, joined, strokes, touches
 from .text_place import text_width
 
-NEAREST, FARTHEST, STEP = 2.0, 40.0, 0.5  # millimeters from the named line to the middle of the text
-TURNS = (0, 30, -30, 60, -60, 90, -90, 135, -135, 180)  # degrees from the direction straight out, the best turn first
+# The distances tried between the named line and the middle of the text, in millimeters, increase by STEP.
+NEAREST, FARTHEST, STEP = 2.0, 40.0, 0.5
+TURNS = (0, 30, -30, 60, -60, 90, -90, 135, -135, 180)  # degrees; 0 is straight out of the piece; best turn first
 # These angles of the text, in degrees, are tried in this order, the easiest to read first. Turned text stays close to a
 # narrow piece.
 ANGLES = (0.0, 90.0, 45.0, -45.0)
@@ -53,9 +54,10 @@ class Beside:
         self._texts: list[Text] = []
 
     def lead(self, texts: Iterable[Text], outward: np.ndarray) -> tuple[Text, Line] | None:
-        """Return the first text with a place outside the piece, and its leader line. Return None without a near place.
+        """Return the first text with a place outside the piece, and its leader line. Return None if no place near the
+        piece is free.
 
-        - texts: alternatives of one line, centered at the place to name
+        - texts: alternative texts, each centered at the place that it names
         - outward (2,): preferred direction, a unit vector
         """
         for placed, points in self._choices(texts, outward):

@@ -63,8 +63,11 @@ def _choices(line: Line) -> Iterator[Text]:
 
 
 def _place_on(points: np.ndarray, along: np.ndarray, share: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return the point (2,) at this share of the length of a line (k,2), and the unit vectors (2,) along the line and
-    into the piece. along (k,): the result of lengths_along() for the line."""
+    """Return a point (2,) of a line (k,2), and the unit vectors (2,) along the line and into the piece.
+
+    - along (k,): the result of lengths_along() for the line
+    - share: share of the line's length from its start to the point
+    """
     row = int(np.searchsorted(along, share * along[-1], side="right")) - 1
     a, b = points[row : row + 2]
     way = (b - a) / np.linalg.norm(b - a)

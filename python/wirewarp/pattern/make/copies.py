@@ -26,8 +26,8 @@ class Copies:
     # These are the other pieces of equal shape, each with its map to the drawn piece.
     others: dict[int, list[tuple[int, Congruence]]]
     folds: dict[int, tuple[np.ndarray, Congruence]]  # the fold (2,2), and the reflection that maps the piece to itself
-    # The keys are seams. The values are the vertices of the model at which whole outlines of a seam begin. Copies map
-    # these starts to each other.
+    # The keys are seams that are sewn along whole outlines. The values are the vertices of the model at which these
+    # seams begin. Copies map these starts to each other.
     starts: dict[int, int]
 
     @property
@@ -46,7 +46,8 @@ def copies_of(laid: Sequence[Laid], pieces: Sequence[PatternPiece], pairs: bool,
     found = Copies({}, {}, fixed_starts(side for own in laid for loop in own.loops for side in loop))
 
     def maps(first: int, second: int, *, is_mirror: bool) -> Iterator[Congruence]:
-        """Yield the maps from the second piece to the first. Maps that reverse the grain are last."""
+        """Yield the maps from the second piece to the first that keep the grain, and then the maps that reverse the
+        grain."""
         reversing: list[Congruence] = []
         for each in congruences(pieces[first], pieces[second], is_mirror=is_mirror):
             grain, own = each.direction(laid[second].grain), laid[first].grain
@@ -76,7 +77,8 @@ def copies_of(laid: Sequence[Laid], pieces: Sequence[PatternPiece], pairs: bool,
         return True
 
     left_out: set[int] = set()
-    # Pieces with a seam all around are last. They often have several maps, and the maps of their neighbors decide.
+    # Pieces with a seam along a whole outline are tried last, because several maps often fit them. The maps of their
+    # neighbors determine where this seam begins, and only one map fits this start.
     order = sorted(range(len(pieces)), key=lambda index: any(side.is_closed for side in _sewn_sides(laid[index])))
     for first, second in combinations(order, 2) if pairs else ():
         if first in left_out or second in left_out:
@@ -135,7 +137,7 @@ def copied_sides(copies: Copies, laid: Sequence[Laid], seams: Sequence[Sequence[
             a, b = side.seam, image.seam
             if a is None or b is None:
                 continue
-            # A reflection reverses the direction of outlines.
+            # A reflection reverses the direction of outlines, so it exchanges the ends of their seams.
             is_turned = (forward[id(side)] == forward[id(image)]) == each.is_mirror
             turns[a].append((b, is_turned))
             turns[b].append((a, is_turned))

@@ -54,8 +54,8 @@ def _mitre(turn: float, a: float, b: float) -> np.ndarray:
 
 
 def _cut_off_mitre(turn: float, a: float, b: float) -> np.ndarray:
-    """Return the mitre. If its point is beyond the limit, it is cut off square to the line from the corner to the
-    point."""
+    """Return the mitre. If its point is beyond the limit, the mitre is cut off square to the line from the corner to
+    the point."""
     limit = MITRE_LIMIT * max(a, b)
     if math.sin(turn) < 1e-6:  # the outline turns back on itself
         return np.array([[limit, -a], [limit, b]])
@@ -69,7 +69,8 @@ def _cut_off_mitre(turn: float, a: float, b: float) -> np.ndarray:
 
 
 def _right_angle(turn: float, a: float, b: float) -> np.ndarray | None:
-    """Return a path that ends the first allowance square to its stitching line; None for turns from 90 degrees."""
+    """Return a path that ends the first allowance square to its stitching line; None for turns of at least 90
+    degrees."""
     if math.cos(turn) < 1e-9:
         return None
     return np.array([[0.0, -a], [0.0, -b / math.cos(turn)]])
@@ -81,7 +82,8 @@ def _fold_back(turn: float, a: float, b: float) -> np.ndarray:
 
 
 def _extend(turn: float, a: float, b: float) -> np.ndarray:
-    """Return the straight path between two points, at which a cutting line meets the other stitching line, extended."""
+    """Return the straight path between two points. At each point, the cutting line of one section meets the extended
+    stitching line of the other section."""
     return np.array([[-a / math.tan(turn), -a], [b / math.sin(turn), 0.0]])
 
 

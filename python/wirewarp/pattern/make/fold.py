@@ -96,7 +96,7 @@ def unfolded(piece: PatternPiece) -> PatternPiece:
             lines.append(line)
         elif line.role not in ("cut", "fold"):
             is_on_fold = np.abs((line.points - start) @ normal).max() <= ON_FOLD
-            # The image is reversed, because the piece must be to the left of a line, where the line's name is.
+            # The image is reversed, so that the piece is to the left of the line. The name of a line is on this side.
             lines += [line] if is_on_fold else [line, replace(line, points=image.points(line.points)[::-1])]
     points = []
     for point in piece.points:
@@ -106,7 +106,8 @@ def unfolded(piece: PatternPiece) -> PatternPiece:
 
 
 def _without_fold(outline: np.ndarray, is_on_fold: np.ndarray) -> np.ndarray:
-    """Return a closed line (k,2) as an open line without its part along the fold. The line must have one such part."""
+    """Return a closed line (k,2) as an open line without its part along the fold. The line must have exactly one such
+    part."""
     first = int(np.flatnonzero(is_on_fold & ~np.roll(is_on_fold, -1))[0])  # row at which the outline leaves the fold
     turned, is_on_fold = np.roll(outline, -first, axis=0), np.roll(is_on_fold, -first)
     return turned[: int(np.flatnonzero(is_on_fold[1:])[0]) + 2]

@@ -97,7 +97,7 @@ def _widths(laid: Sequence[Laid]) -> dict[int, float]:
 
 
 def _legs(laid: Sequence[Laid]) -> set[int]:
-    """Return the id() of each leg of a dart that is not cut out. Such a leg has no allowance for notches."""
+    """Return the id() of each leg of the darts that are not cut out. Such legs have no allowance for notches."""
     darts = (dart for piece in laid for outline in piece.outlines for dart in outline.darts)
     return {id(side) for dart in darts for side in (dart.first, dart.second)}
 
@@ -105,9 +105,9 @@ def _legs(laid: Sequence[Laid]) -> set[int]:
 def _places(
     group: SeamGroup, seams: Sequence[Sequence[SewnSide]], wire_ends: Mapping[int, np.ndarray], spacing: float
 ) -> dict[int, list[float]]:
-    """Return the places of notches of each seam of a group, as SewnLengths from the start of the seam.
+    """Return the places of notches of each seam of a group, as sewn lengths (see SewnLengths) from the seam's start.
 
-    If all sides are whole outlines, one notch is at the start.
+    If all sides are whole outlines and spacing is not 0, one notch is at the start.
     """
     sewn = {seam: SewnLengths.of(seams[seam]) for seam in group.turned if seams[seam]}
     if not sewn:  # true for pieces without a layout
@@ -124,7 +124,7 @@ def _places(
     for place in sorted(ends):
         if APART < place < length - APART and (not taken or place > taken[-1] + APART):
             taken.append(place)
-    # The start can have a notch only if all seams of the group are rings.
+    # The start can have a notch only if all seams of the group are rings, because other seams have a corner there.
     is_ring = all(_is_ring(seams[seam]) for seam in sewn)
     begin = [0.0] if spacing and is_ring else []
     between = symmetric_places if group.is_symmetric else places_along
@@ -152,7 +152,8 @@ def _places_of(own: SewnSide, ends: np.ndarray) -> list[float]:
 
 
 def _free_notches(loop: Sequence[Side], ends: np.ndarray, rays: Rays, widths: Mapping[int, float]) -> list[Point]:
-    """Return notches at ends of wires on sides that are not sewn, and between two sides without a visible corner."""
+    """Return notches at the ends of wires on sides that are not sewn, and where two sides meet without a visible
+    corner."""
     found = []
     for number, side in enumerate(loop):
         forward, length, width = SewnSide(side), float(side.along[-1]), widths[id(side)]

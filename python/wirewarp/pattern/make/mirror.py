@@ -54,8 +54,8 @@ class Congruence:
 def congruences(first: PatternPiece, second: PatternPiece, *, is_mirror: bool) -> Iterator[Congruence]:
     """Yield the reflections or rotations that map the second piece to the first, within ALIKE.
 
-    Reflections with the most upright axes and the smallest rotations come first. Outlines must have equal numbers of
-    points.
+    The first reflection has the most upright axis, and the first rotation has the smallest angle. Outlines must have
+    equal numbers of points.
     """
     outlines = [_outline_loops(piece) for piece in (first, second)]
     if not outlines[0] or [len(loop) for loop in outlines[0]] != [len(loop) for loop in outlines[1]]:
@@ -66,11 +66,12 @@ def congruences(first: PatternPiece, second: PatternPiece, *, is_mirror: bool) -
     steps, turned = np.roll(outer, -1) - outer, np.roll(image, -1) - image
     if abs(np.abs(steps).sum() - np.abs(turned).sum()) > ALIKE:
         return
-    # Each entry of match correlates the steps of both outlines at one phase. The largest entries are in phase, and
-    # their angles are the turns.
+    # Entry i of match correlates the steps of the first outline with the steps of the image, shifted by i rows. At the
+    # largest entries, the outlines match, and the angles of these entries are the turns.
     match = np.fft.ifft(np.fft.fft(steps) * np.conj(np.fft.fft(turned)))
     best = np.flatnonzero(np.abs(match) >= (1 - IN_PHASE) * np.abs(match).max(initial=np.finfo(float).tiny))
-    # The matches are sorted by closeness to the turn -1 (reflection in a vertical axis), or 1 (no rotation).
+    # Reflections are sorted by closeness to the turn -1 (a vertical axis), and rotations by closeness to 1 (no
+    # rotation).
     sign = 1 if is_mirror else -1
     for phase in sorted(best.tolist(), key=lambda phase: round(sign * float(match[phase].real / abs(match[phase])), 6)):
         turn = complex(match[phase] / abs(match[phase]))

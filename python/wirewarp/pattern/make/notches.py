@@ -18,7 +18,8 @@ from .sections import LEAST_GAP, Dart
 DEEPEST = 5.0  # millimeters: largest depth of a notch
 SHARE = 0.5  # depth as a share of the allowance; notches never reach the stitching line
 ACROSS = 0.3  # depth without allowance, as a share of the distance across the piece, so opposite notches do not meet
-NEXT_TO = 2e-3  # millimeters; rays start this far from their own line, so that they miss it; also a tolerance
+# Rays start this far from their own line, in millimeters, so that they miss it. This is also a tolerance of lengths.
+NEXT_TO = 2e-3
 LEAST_SPACING = 1.0  # millimeters between notches
 MOST = 10_000  # largest number of notches along one seam: 10 m at the least spacing
 CLEAR = 0.2  # share of the spacing; no notch is closer to another notch or to the end of the seam
@@ -48,9 +49,10 @@ def check_spacing(spacing: float, seam_names: Sequence[str], sides: Sequence[Seq
 
 
 def places_along(length: float, taken: Sequence[float], spacing: float) -> list[float]:
-    """Return the lengths from the start of a seam to its notches.
+    """Return the lengths from the start of a seam to further notches.
 
-    Together with `taken` (lengths to other notches), they are not symmetric, so a reversed side does not match.
+    These lengths and `taken` (the lengths to other notches) are not symmetric together, so a reversed side does not
+    match.
     """
     if spacing == 0 or length < LEAST_SEAM:
         return []
@@ -78,13 +80,13 @@ def symmetric_places(length: float, taken: Sequence[float], spacing: float) -> l
 
 
 def _is_lopsided(places: np.ndarray, length: float) -> bool:
-    """Return whether the places change by at least LOPSIDED if they are measured from the other end of the seam."""
+    """Return whether some place changes by at least LOPSIDED if the places are measured from the seam's other end."""
     turned = np.sort(length - places)
     return bool(np.abs(np.sort(places) - turned).max() >= LOPSIDED)
 
 
 def notch(own: SewnSide, length: float, rays: Rays, width: float, pair: tuple[int, int] | None = None) -> Point | None:
-    """Return the notch at this length of a side; None if the cutting line is much farther than the width.
+    """Return the notch at this length along a side; None if the cutting line is much farther away than the width.
 
     width: widest allowance of the side, in millimeters. pair: see Point.
     """

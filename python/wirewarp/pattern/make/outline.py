@@ -38,7 +38,8 @@ class FlatPiece:
     name: str
     vertices: np.ndarray  # (p,2) places in millimeters, y upwards
     source_vertex: np.ndarray  # (p,) vertices of the model
-    outline: np.ndarray  # (b,2) edges with one face, as vertices of the piece in the direction of the face
+    # These are the edges (b,2) that belong to only one face, as vertices of the piece in the direction of the face.
+    outline: np.ndarray
     chains: list[Chain]  # chains in the direction of the outline edges
     wires: list[FlatWire]
     grain: np.ndarray = field(default_factory=lambda: np.array([0.0, 1.0]))  # (2,) unit vector, upright by default

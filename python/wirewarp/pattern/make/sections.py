@@ -131,7 +131,7 @@ def outline(loop: Sequence[Side], widths: Widths, rules: Rules) -> Outline:
             # Without a gap, the outline continues past the dart.
             if dart and np.linalg.norm(dart.mouth[1] - dart.mouth[0]) > LEAST_GAP:
                 before, after = by_side[number - 1][-1], by_side[(number + 2) % count][0]
-                # If two darts begin at the same point, no part of the outline is between them.
+                # If two darts begin at the same point, no part of the outline is between them, so the cap is straight.
                 cap = dart.mouth if None in (before.width, after.width) else _cap(dart, before, after)
                 sections.append(Section(cap, _width_before(by_side, number)))
             continue
@@ -152,7 +152,10 @@ def _runs(side: Side, widths: np.ndarray, folds: np.ndarray) -> list[Run]:
 
 
 def _width_before(by_side: Sequence[Sequence[Run]], number: int) -> float:
-    """Return the width of the last allowance before a side. Closed darts have none. number: index of the side."""
+    """Return the width of the last allowance before a side. Closed darts are skipped, because they have no allowance.
+
+    number: index of the side.
+    """
     runs = [run for own in (*by_side[number:], *by_side[:number]) for run in own]
     return next(run.width for run in reversed(runs) if run.width is not None)
 

@@ -55,7 +55,7 @@ def sewing_steps(
 def _gaps(laid: Sequence[Laid], seams: Mapping[int, Sequence[Side]]) -> set[int]:
     """Return one seam for each body without an open edge: its straightest seam that is long enough for an opening.
 
-    If all seams are too short, this is the longest seam.
+    If all seams of a body are too short, return its longest seam.
     """
     bodies = [{piece.index} for piece in laid]
     for sides in seams.values():
@@ -117,7 +117,8 @@ class _Assemblies:
         return "flat" if any(between) else "closing"
 
     def sew(self, sides: Sequence[Side]) -> StepKind:
-        """Sew the first two sides, and return the kind of step. Other sides, for example of a pocket, are on top."""
+        """Sew the first two sides, and return the kind of step. Further sides, for example of a pocket, are sewn on
+        top."""
         kind, (first, second) = self.kind(sides), sides[:2]
         if self._of_side[id(first)] == self._of_side[id(second)]:
             left = self._between(first, second)

@@ -43,9 +43,10 @@ def room(gap: float) -> float:
 
 
 def room_at_edges(gap: float, grain: Grain) -> float:
-    """Return by how many millimeters outlines with room may extend beyond the edges of the fabric.
+    """Return by how many millimeters the outlines of items, which include the room, may extend beyond the fabric.
 
-    If pieces turn freely, this is less than room(), because simplified outlines may be narrower by NEAR.
+    If pieces turn freely, this is less than room(), because a simplified outline may be up to NEAR inside the true
+    outline.
     """
     return room(gap) - (NEAR if grain == "free" else 0.0)
 
@@ -74,8 +75,8 @@ def _upright(piece: PatternPiece) -> float:
 
 
 def _outline(piece: PatternPiece, gap: float, upright: float) -> np.ndarray:
-    """Return the simplified outline of the cutting line with room around it. If the piece is upright, width and height
-    are exact. Parts that touch are united."""
+    """Return the simplified outline of the cutting line with room around it. Its width and height are exact if the
+    piece is upright. Parts that touch are united."""
     offset = pyclipper.PyclipperOffset(arc_tolerance=ROUND / GRID)
     for line in piece.of_role("cut"):
         path = np.rint(line.points / GRID).astype(np.int64)

@@ -31,8 +31,10 @@ class _Profile:
     """The start and end of an item in each row, after one of its turns. Lengths are in millimeters."""
 
     angle: float
-    low: np.ndarray  # (r,) start in each row that the item covers, from the lowest point of the item
-    high: np.ndarray  # (r,) end in each row that the item covers, from the lowest point of the item
+    # For each of the r rows that the item covers, these are the lengths along the fabric from the lowest point of the
+    # whole item to its start and to its end in this row.
+    low: np.ndarray  # (r,)
+    high: np.ndarray  # (r,)
     corner: np.ndarray  # (2,) lower left corner of the box of the turned item
 
     @property
@@ -98,7 +100,8 @@ class SlidePacking:
         return places, (len(fronts), float(fronts[-1].max()))
 
     def _best(self, index: int, front: np.ndarray) -> tuple[_Profile, int, float] | None:
-        """Return the turn, first row and start with which the item ends earliest and wastes least; None without room.
+        """Return the turn, first row and start with which the item ends earliest and wastes least. Return None if there
+        is no room.
 
         front (ROWS,): used length of each row.
         """

@@ -52,7 +52,8 @@ def main() -> None:
 
 
 def _end_with_caller(folder: Path) -> None:
-    """End this process when its caller ends. The standard input then closes, and nobody writes to it before.
+    """End this process when its caller ends. The standard input closes then, and nobody writes to it earlier, so
+    reading it waits until then.
 
     folder: folder with the task, which is removed.
     """

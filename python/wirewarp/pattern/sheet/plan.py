@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Plans the pages of a PDF, each with a part of the pattern and its marks. No other module distinguishes papers."""
+"""Plans the pages of a PDF for each kind of paper. Each page has a part of the pattern and marks."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -38,7 +38,7 @@ class Plan(Generic[P]):
     pattern: P  # pieces in their places on the sheets
     sheets: list[Sheet]
     layers: tuple[str, ...] = ()  # layers of the file besides the layers of the pieces
-    hidden: tuple[str, ...] = ()  # layers that are shown only on request
+    hidden: tuple[str, ...] = ()  # layers that are off until the reader turns them on
     thinnest: float = 0.0  # millimeters: least width of all lines
     cover: Sheet | None = None  # the first page, with a map of the sheets
     text_sheets: Sheets | None = None  # sheets to tape together; each text should be on one sheet
@@ -96,7 +96,8 @@ def _scale_on_first(number: int, pattern: PatternData) -> list[Marks]:
 
 
 def _on_roll(pattern: P, width: float, keep_places: bool) -> P:
-    """Return the pattern in rows across the roll, or in its places. Raises FlattenError if a piece is too large."""
+    """Return the pattern with its pieces in rows across the roll, or in their places. Raises FlattenError if the roll
+    is too narrow or a piece is too large."""
     inner, units = width - 2 * MARGIN, pattern.units
     for piece in pattern.pieces:
         if piece.size[0] > inner or piece.size[1] > LONGEST - 2 * MARGIN - SIZE[1]:
@@ -133,7 +134,7 @@ def _pages_of_rows(pieces: Sequence[PatternPiece]) -> list[list[int]]:
 
 def page_width(marker: Marker, roll: float | None, units: UnitSystem) -> float:
     """Return the width of the pages for a marker, in millimeters. roll: width of the paper, or None for the necessary
-    width. Raises FlattenError if the roll is too narrow."""
+    width. Raises FlattenError if the roll is too narrow, or the marker is too wide for a PDF page."""
     needed = max(marker.width, float(SIZE[0])) + 2 * MARGIN
     if roll is not None and roll < needed - 1e-6:
         raise problem(

@@ -13,8 +13,8 @@ import numpy as np
 from ..geometry import are_inside, sampled
 from ..pattern_data import OVERLAP
 
-# This is the largest number of cells times pieces and turns, in all arrangements on one kind of sheet. So much work
-# takes half a second.
+# If the work on one kind of sheet would exceed this limit, which takes half a second, no further arrangement is tried.
+# The work of an arrangement is the number of cells of all pieces times the number of pieces with all their turns.
 MOST_WORK = 3_000_000
 CELL = OVERLAP  # millimeters, approximately; the overlap of two sheets is one cell
 
@@ -41,7 +41,8 @@ def placed_on_sheets(
     columns: Iterable[int],
     fewest: int,
 ) -> Placed | None:
-    """Return the arrangement with the fewest sheets; None if all that are tried need at least `fewest`.
+    """Return the arrangement with the fewest sheets; None if every arrangement that is tried needs at least `fewest`
+    sheets.
 
     Lengths are in millimeters.
 
@@ -64,7 +65,8 @@ def placed_on_sheets(
         if max(narrowest) > count * per_sheet[0] + 1:  # the overlap at the edge of the last sheet is usable, too
             continue
         for order in orders:
-            # Each piece is tried in about as many cells as the result covers.
+            # Estimate the work: each rotation of each piece is tried in about as many cells as all pieces cover
+            # together.
             work += sum(len(turned) for turned in shapes) * sum(width * height for width, height in sizes)
             if work > MOST_WORK:
                 return best

@@ -110,7 +110,8 @@ def _whole(pattern: P, sheet: np.ndarray) -> Tiles[P] | None:
 
 
 def _taped(pattern: P, paper: str) -> Tiles[P]:
-    """Return the arrangement with the fewest sheets of all that are tried. Raises FlattenError for too many sheets."""
+    """Return the arrangement with the fewest sheets of all arrangements that are tried. Raises FlattenError for too
+    many sheets."""
     sizes = np.array([piece.size for piece in pattern.pieces])
     in_row: tuple[int, float, np.ndarray] | None = None
     tried = []
@@ -166,8 +167,11 @@ def _check_count(count: int, pattern: PatternData) -> None:
 
 
 def _with_tiles(pattern: P, sheet: np.ndarray, columns: int | None = None) -> Tiles[P]:
-    """Return the pattern on sheets. columns: number of columns if the sheets begin at 0, 0, the lower left. None: as
-    many columns as needed, with the sheets beginning at the upper left."""
+    """Return the pattern on sheets.
+
+    - columns: number of columns, with the lower left corner of the sheets at 0, 0
+    - columns=None: as many columns as needed, with the sheets beginning at the upper left of the pattern
+    """
     shown = sheet - 2 * MARGIN
     step, top = shown - OVERLAP, pattern.size[1] + INSET
     if columns is None:
