@@ -121,8 +121,10 @@ def attach() -> Callable[[], None]:
 
 
 LABEL = "Update Flat Pieces"
-JOINING = "OBJECT_OT_wirewarp_update_{}"  # names of the numbered operators of updating_in
-MOST = 32  # more than the kinds of operators in a session; an update that needs one more gets its own undo step
+JOINING = "OBJECT_OT_wirewarp_update_{}"  # class names of the numbered operators that updating_in registers
+# Largest number of these operators, more than the kinds of operators in a session. An update that needs one more gets
+# its own undo step.
+MOST = 32
 
 
 class UpdateSteps(FlattenSteps):

@@ -9,7 +9,8 @@ from pathlib import Path
 
 
 def today() -> datetime.date:
-    """Return today's date. If SOURCE_DATE_EPOCH is set, return its date instead, so that files are reproducible."""
+    """Return today's date. If SOURCE_DATE_EPOCH (a time in seconds) is set, return the date of that time, so that files
+    are reproducible."""
     epoch = os.environ.get("SOURCE_DATE_EPOCH")
     return datetime.datetime.fromtimestamp(int(epoch), datetime.UTC).date() if epoch else datetime.date.today()
 

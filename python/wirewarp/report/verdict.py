@@ -32,7 +32,7 @@ class Kind(StrEnum):
     NEEDS_SEAM = "needs seam"  # a piece, such as a tube, cannot be flattened without another seam
     NO_FABRIC = "no fabric"  # a piece must stretch to more than twice its length
     BEYOND_FABRIC = "beyond fabric"  # a piece must stretch further than the chosen fabric can
-    NEEDS_STRETCH = "needs stretch"  # without a known maximum stretch: not every fabric stretches far enough
+    NEEDS_STRETCH = "needs stretch"  # the maximum stretch is unknown, and not every fabric stretches far enough
     NOT_AS_SEEN = "not as seen"  # modifiers or shape keys were ignored
     TOO_NARROW = "too narrow"  # pieces have no room for their allowances
     READY = "ready"  # all pieces can be cut from the chosen fabric
@@ -146,7 +146,8 @@ def _kind_of_failed(piece: Piece, issues: Sequence[Issue]) -> Kind:
         return Kind.CLOSED
     # A piece with a layout counts as failed, because somebody might cut it by mistake.
     is_uncut = bool(codes) and codes <= SEAM_CODES and not piece.has_layout
-    # If no seam was found that helps, the cause may also be a length of a wire or the stretch of the fabric.
+    # If no seam was found that helps, the cause may also be a length of a wire or the stretch of the fabric, so the
+    # piece counts as failed.
     is_helped = all(issue.proposed_seams for issue in issues if issue.code == "infeasible_lengths")
     return Kind.NEEDS_SEAM if is_uncut and is_helped else Kind.FAILED
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Finds a font on this computer that contains a letter. Fonts in WOFF2, as in Blender, need fonttools."""
+"""Finds a font on this computer that has a given letter. Fonts in WOFF2, as in Blender, need fonttools."""
 
 import io
 import os
@@ -80,7 +80,7 @@ class Font:
         return glyph is not None and bool(self.outline(glyph))
 
     def outline(self, glyph: int) -> list[Part]:
-        """Return the outline of a glyph, by its index, in units of the font."""
+        """Return the outline of the glyph with this index, in units of the font."""
         if glyph not in self._outlines:
             pen = GlyphPen()
             self.shapes.draw_glyph_with_pen(glyph, pen)

@@ -21,7 +21,7 @@ class NoLettersError(Exception):
 
 @dataclass(frozen=True)
 class Line:
-    parts: list[Part]  # outlines; the line begins at 0, 0 on the base line, and 1 is the height of the text
+    parts: list[Part]  # outlines, in units of the text's height; the line begins at 0, 0 on the base line
     width: float  # as a multiple of the height of the text
 
 

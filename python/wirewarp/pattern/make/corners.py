@@ -22,7 +22,8 @@ SHARP = math.radians(30)  # radians; a smaller turn can hardly be seen on fabric
 # If the difference of the widths, divided by the sine of the turn, exceeds this multiple of the larger width, a step
 # replaces the mitre.
 STEEP = 1.5
-SAGITTA = 0.02  # millimeters between the chords of a round corner and its arc: a dot of a printer with 1200 dpi
+# Largest distance between the chords of a round corner and its arc, in millimeters: a dot of a printer with 1200 dpi.
+SAGITTA = 0.02
 
 
 def corner_path(kind: CornerType, turn: float, a: float, b: float) -> np.ndarray | None:

@@ -34,8 +34,8 @@ def folded(piece: PatternPiece, fold: np.ndarray) -> PatternPiece:
 
 
 def _grain(piece: PatternPiece, grain: Line, fold: np.ndarray, outward: np.ndarray) -> Line:
-    """Return the grain arrow. If it is parallel to the fold, it is beside the fold, otherwise where the half has most
-    room."""
+    """Return the grain arrow. If the grain is parallel to the fold, the arrow is beside the fold, otherwise it is where
+    the half has most room."""
     along = (grain.points[1] - grain.points[0]) / np.linalg.norm(grain.points[1] - grain.points[0])
     if abs(along @ outward) < ALONG:
         middle = fold.mean(axis=0)

@@ -12,7 +12,7 @@ from ..model import PatternPiece
 
 # A unit vector with at most this rise counts as level. Rounding must not decide which half is drawn if a fold is level.
 LEVEL = 1e-9
-ALIKE = 0.1  # millimeters between a point and its image, less than the width of a printed line
+ALIKE = 0.1  # millimeters: largest distance between matching points, less than the width of a printed line
 IN_PHASE = 1e-3  # share by which a match may be worse than the best match, because a piece may have several axes
 
 
@@ -127,7 +127,8 @@ def _covers(lines: list[np.ndarray], others: list[np.ndarray]) -> bool:
 
 
 def _crossings(piece: PatternPiece, point: np.ndarray, along: np.ndarray) -> np.ndarray:
-    """Return the lengths (n,) from the point to the places where the line through it crosses the cutting lines."""
+    """Return the lengths (n,) along a line, from `point` on this line to the places where it crosses the cutting
+    lines."""
     aside = np.array([-along[1], along[0]])
     found = []
     for line in piece.of_role("cut"):

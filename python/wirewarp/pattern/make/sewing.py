@@ -113,7 +113,7 @@ class _Assemblies:
         between = self._between(first, second)
         if all(between):
             return "ring"
-        # Sewing successive sides keeps the assembly flat. If the loop has no other side, this closes the body.
+        # Sewing successive sides keeps the assembly flat. If the loop has no other side, sewing them closes the body.
         return "flat" if any(between) else "closing"
 
     def sew(self, sides: Sequence[Side]) -> StepKind:

@@ -96,8 +96,8 @@ def _seam_rows(pattern: PatternData) -> list[Row]:
 
 
 def _notch_rows(walk: SeamWalk, units: UnitSystem) -> list[Row]:
-    """Return the rows for the notches of a seam, as lengths from the same end of all sides. If sides differ, each side
-    has its own rows."""
+    """Return the rows for the notches of a seam, as lengths from the same end of all sides. If the notches of the sides
+    differ, each side has its own rows."""
     sides = [[units.measured(place) for place in places] for places in walk.notches]
     if not any(sides):
         return []

@@ -83,8 +83,8 @@ def placed_on_sheets(
 def _placed(
     shapes: Sequence[Sequence[Shape]], columns: int, per_sheet: np.ndarray, fewest: int
 ) -> tuple[int, np.ndarray, list[int]] | None:
-    """Return the number of sheets, the start cells (p,2) of the pieces, and their turns. Return None if the pieces need
-    at least `fewest` sheets. shapes: by piece, its shape in each rotation."""
+    """Return the number of sheets, the start cells (p,2) of the pieces, and the indices of their rotations. Return None
+    if the pieces need at least `fewest` sheets. shapes: by piece, its shape in each rotation."""
     width = columns * per_sheet[0] + 1
     taken = np.zeros((width, 0), dtype=bool)  # cells of placed pieces
     used = np.zeros((columns, 0), dtype=bool)  # sheets with pieces
