@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Faults of an object and notes about it, in the form of the library's report."""
+"""The error for an object that cannot be flattened or written. It contains an issue of the library's report."""
 
 from .core import Issue
 

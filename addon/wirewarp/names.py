@@ -26,18 +26,18 @@ class Mark(Attribute):
 
 # Marks on the model's mesh. Users and scripts write these, and runs only read them.
 WIRE = Mark("wirewarp_wire", "INT", "EDGE", is_drawn=True)  # random 31-bit id of the wire, 0 none
-TOLERANCE = Mark("wirewarp_tolerance", "FLOAT", "EDGE")  # 0 rigid, finite elastic, inf super-elastic
+TOLERANCE = Mark("wirewarp_tolerance", "FLOAT", "EDGE")  # 0: rigid, finite: elastic, infinite: super-elastic
 EASE = Mark("wirewarp_ease", "FLOAT", "EDGE")  # relative change of the wire's length: 0.05 is 5%
 # SIDE_EASE is the ease of one side of an edge: the side of the face in which the edge begins at this corner.
 SIDE_EASE = Mark("wirewarp_side_ease", "FLOAT", "CORNER", is_drawn=True)
 SIDE_RATIO = Mark("wirewarp_side_ratio", "FLOAT", "EDGE", is_drawn=True)  # like EASE, for one side, see SidedMark
-EASED_SIDE = Mark("wirewarp_eased_side", "INT", "EDGE")  # FACE number of the face on the side with SIDE_RATIO, 0 none
+EASED_SIDE = Mark("wirewarp_eased_side", "INT", "EDGE")  # FACE of the face on the side with SIDE_RATIO, 0 none
 ALLOWANCE = Mark("wirewarp_allowance", "FLOAT", "EDGE", is_length=True)  # see state.allowances
 # SIDE_ALLOWANCE is the allowance of one side of an edge: the side of the face in which the edge begins at this corner.
 SIDE_ALLOWANCE = Mark("wirewarp_side_allowance", "FLOAT", "CORNER", is_length=True)
 SIDE_WIDTH = Mark("wirewarp_side_width", "FLOAT", "EDGE", is_length=True)  # like ALLOWANCE, for one side, see SidedMark
-SIDE = Mark("wirewarp_side", "INT", "EDGE")  # FACE number of the face on the side with SIDE_WIDTH, 0 none
-FACE = Mark("wirewarp_face", "INT", "FACE")  # random 31-bit number of faces beside edges with a marked side, 0 none
+SIDE = Mark("wirewarp_side", "INT", "EDGE")  # FACE of the face on the side with SIDE_WIDTH, 0 none
+FACE = Mark("wirewarp_face", "INT", "FACE")  # random 31-bit number of a face beside an edge with a marked side, 0 none
 MARKS = (WIRE, TOLERANCE, EASE, SIDE_EASE, SIDE_RATIO, EASED_SIDE, ALLOWANCE, SIDE_ALLOWANCE, SIDE_WIDTH, SIDE, FACE)
 # No seam is suggested on faces with a value above 0. A vertex group of the object with this name has the same effect.
 NO_SEAM = "wirewarp_no_seam"
@@ -53,7 +53,7 @@ REPORT = "wirewarp_report"  # report of the run that made the flat pieces, JSON
 REPORT_SEAL = "wirewarp_report_seal"  # digest of the report's text
 MARKER = "wirewarp_marker"  # last marker made by an export: a digest, then JSON
 
-# These attributes of the flat mesh contain the model's element from which each flat element was made.
+# These attributes of the flat mesh contain the index of the model's element from which each flat element was made.
 SOURCE_VERTEX = Attribute("source_vertex", "INT", "POINT")
 SOURCE_CORNER = Attribute("source_corner", "INT", "CORNER")
 SOURCE_FACE = Attribute("source_face", "INT", "FACE")

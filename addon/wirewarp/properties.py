@@ -31,7 +31,7 @@ LEAST_EASE = -0.99  # smallest ease, so that a line keeps some length
 
 
 class EaseAmount:
-    """Settings of an ease, which changes a line's length: shared by the scene's settings and the operator."""
+    """Settings of an ease, which changes a line's length. The scene's settings and the operator share them."""
 
     ease_unit: EnumProperty(
         name="Unit",
@@ -64,7 +64,7 @@ OTHER_ROLL = 8  # number stored in files for ROLL; the library's papers have the
 
 
 class PatternSettings:
-    """Settings of Export and of the preview of pages: shared by the scene's settings and the operator."""
+    """Settings of Export and of the preview of pages. The scene's settings and the operator share them."""
 
     allowance: number(
         "Allowance",
@@ -106,7 +106,7 @@ class PatternSettings:
             (
                 "MARKER",
                 "Marker",
-                "One copy of the pattern, nested as closely as possible on fabric of the width under Fabric Width",
+                "One copy of the pattern, nested as closely as possible on fabric. Fabric Width sets the width",
             ),
             ("AS_LAID_OUT", "As Laid Out", "In their places and directions in the flat object"),
         ],
@@ -181,7 +181,7 @@ def _look_for_changes(settings: bpy.types.PropertyGroup, _context: bpy.types.Con
 
 
 def _aim_at_fabric(settings: bpy.types.PropertyGroup, _context: bpy.types.Context) -> None:
-    """Make the target of suggested cuts the maximum stretch of the fabric, in the direction that stretches less."""
+    """Set the target of suggested cuts to the maximum stretch of the fabric, in the direction that stretches less."""
     if settings.cloth not in {"NONE", "CUSTOM"}:
         settings.aim_stretch = 100 * min(Cloth.preset(settings.cloth.lower()).limits)
 

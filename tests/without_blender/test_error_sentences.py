@@ -95,7 +95,7 @@ def test_broken_guarantees_are_reported_together(said):
         "lengths_not_kept", wrong | {"wires": [], "difference": 0.02}, edges=[(0, 1)]
     )
     beyond = {"wires": [BUST], "tolerance": 0.05, "num_flipped": 0, "num_overlapping": 0, "has_wires": True}
-    assert 'the length of wire "Bust" within its tolerance of 5%. Add' in said("lengths_not_kept", beyond)
+    assert 'keep the length of wire "Bust" within its tolerance of 5%. Add' in said("lengths_not_kept", beyond)
 
 
 @pytest.mark.parametrize(

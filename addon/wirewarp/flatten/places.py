@@ -25,7 +25,7 @@ from ..state.record import layout_of, read_record
 GAP = 0.1  # distance of the pieces from models and obstacles, as a share of the model's largest dimension
 LARGE = 5.0  # largest size of an obstacle, as a multiple of the model's size; rooms and landscapes are larger
 SOLID = {"MESH", "CURVE", "SURFACE", "META"}
-Box = np.ndarray  # (2,3), the lowest and the highest corner
+Box = np.ndarray  # (2,3) lowest and highest corner of a box in the world
 TURNED = 0.999  # cosine of 2.5 degrees, the largest angle by which a model may be rotated without TURNED_TEXT
 TURNED_TEXT = (
     "The model was rotated after its pieces were laid out, and Keep Places left the pieces as they were. To make them "
@@ -36,11 +36,11 @@ TURNED_TEXT = (
 def free_place(
     scene: bpy.types.Scene, source: bpy.types.Object, size: np.ndarray, models: Sequence[bpy.types.Object]
 ) -> Vector:
-    """Return the lower left corner for pieces of this size (2,), in Blender units.
+    """Return the place (3,) of the lower left corner of a layout of this size (2,), in Blender units.
 
-    - It is to the right of the source and of all flat pieces.
-    - It is as low as the lowest of `models`, the models of this run, but not above or below any of them.
-    - The pieces meet no other object, except objects beyond LARGE.
+    - The layout is to the right of the source and of all flat pieces.
+    - Its height is that of the lowest point of `models`, the models of this run. It is not above or below any of them.
+    - It touches no other visible object, except objects that are more than LARGE times as large as the source.
     """
     own, largest = world_box(source), max(source.dimensions)
     together = [world_box(each) for each in models]
@@ -58,7 +58,7 @@ def _rises(box: Box, floor: float, gap: float) -> bool:
 
 
 def _clear_of(obstacles: Sequence[Box], place: np.ndarray, size: np.ndarray, gap: float) -> np.ndarray:
-    """Return the place (3,), moved to the right until no obstacle is above or below it."""
+    """Return the place (3,), moved to the right until no obstacle is above or below a layout of this size there."""
     for low, high in sorted(obstacles, key=lambda box: box[0, 0]):
         if np.all((low[:2] < place[:2] + size) & (high[:2] > place[:2])):
             place = np.array([high[0] + gap, *place[1:]])
@@ -77,7 +77,7 @@ class Earlier:
 
 def earlier_layout(flat: bpy.types.Object | None, options: dict) -> Earlier | None:
     """Return the pieces in the flat object. Return None if all pieces must be laid out again, because these options
-    change the layout, or because there are no earlier pieces that can be read."""
+    differ from those of the earlier layout, or because there are no earlier pieces that can be read."""
     record = read_record(flat.data) if flat else None
     if record is None or record.layout != layout_of(options):
         return None
@@ -93,7 +93,7 @@ def earlier_layout(flat: bpy.types.Object | None, options: dict) -> Earlier | No
 
 
 def pieces_in_place(flat: FlatMesh, earlier: Earlier | None, spacing: float) -> tuple[FlatMesh, list[int]]:
-    """Return the pieces in their earlier places, if they have any. Also return the ids of pieces that had to move,
+    """Return the pieces, each in its earlier place if it has one. Also return the ids of pieces that had to move,
     because they would overlap other pieces. spacing: see find_places."""
     if earlier is None:
         return flat, []

@@ -40,22 +40,23 @@ def mesh_targets(context: bpy.types.Context) -> list[bpy.types.Object]:
 
 
 def active_target(context: bpy.types.Context) -> list[bpy.types.Object]:
-    """Return a list of the active object, or of its model for flat pieces. The list is empty if the active object is
-    hidden."""
+    """Return a list with the active object or, if it contains flat pieces, with their model. The list is empty if the
+    active object is hidden, or if _model() returns None for it."""
     active = context.view_layer.objects.active
     model = _model(context, active) if active and active.visible_get() else None
     return [model] if model else []
 
 
 def _model(context: bpy.types.Context, target: bpy.types.Object) -> bpy.types.Object | None:
-    """Return the model to flatten for this object; None if the object is not a mesh, or if its model is missing."""
+    """Return the model to flatten for this object; None if the object is not a mesh, or if its model is not in the view
+    layer."""
     model = model_or_self(target)
     is_there = model.name_full in context.view_layer.objects or model == target
     return model if model.type == "MESH" and model_of(model) is None and is_there else None
 
 
 def check_sources(context: bpy.types.Context, sources: list[bpy.types.Object]) -> None:
-    """Raises ObjectError if another run is in progress, or nothing can be flattened."""
+    """Raises ObjectError if another run is in progress, or if nothing can be flattened."""
     refusal = window_run.busy_sentence() or _nothing_to_flatten(context, sources)
     if refusal:
         raise object_error("nothing", refusal)
@@ -96,7 +97,7 @@ def in_suitable_mode(
 ) -> Iterator[None]:
     """Leave Edit Mode if these models cannot be read or written in it, and return to it at the end.
 
-    Otherwise stay in it, because Blender's log would show each change by Auto.
+    Otherwise stay in Edit Mode, because Auto flattens often, and Blender's log would show each change of mode.
     """
     edited = edited_meshes(context)
     if any(_needs_object_mode(source, settings, edited) for source in sources):
@@ -107,7 +108,7 @@ def in_suitable_mode(
 
 
 def _needs_object_mode(source: bpy.types.Object, settings: RunSettings, edited: Collection[bpy.types.Mesh]) -> bool:
-    """Return whether the run reads data that are hidden in Edit Mode, or replaces a mesh in Edit Mode."""
+    """Return whether the run reads data that Edit Mode hides, or replaces a mesh that is in Edit Mode."""
     if settings.use_modifiers:
         return True
     flat = find_flat_object(source)
@@ -237,7 +238,8 @@ def _read(
 
 def _counts(source: bpy.types.Object, edited: Collection[bpy.types.Mesh]) -> dict[str, int]:
     """Return the present numbers of elements."""
-    # If a mesh is in Edit Mode in another view layer, reading the data of Edit Mode would crash Blender.
+    # If a mesh is in Edit Mode in another view layer, the numbers before Edit Mode are returned. Reading its data of
+    # Edit Mode would crash Blender.
     if source.data not in edited:
         return element_counts(source.data)
     with current_mesh(source) as mesh:
@@ -245,7 +247,7 @@ def _counts(source: bpy.types.Object, edited: Collection[bpy.types.Mesh]) -> dic
 
 
 def solved_pieces(source: bpy.types.Object) -> tuple[Cache, Cache]:
-    """Return the object's caches: one for its pieces, and one for the attempt with its UV seams."""
+    """Return the object's caches: one for its pieces, and one for the pieces of the attempt with its UV seams."""
     state = state_of(source)
     if state.solved is None:
         state.solved, state.solved_by_map = Cache(), Cache()

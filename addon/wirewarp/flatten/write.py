@@ -35,8 +35,8 @@ GROWN = 1.5
 
 
 def write_results(context: bpy.types.Context, outcomes: list[Outcome], settings: RunSettings) -> None:
-    """Write the flat object with its maps, the UV map and the report of every model whose run made pieces. Keep the
-    reports of other models in memory."""
+    """For every model whose run made pieces, write the flat object with its color maps, the UV map and the report. Keep
+    the reports of other models in memory."""
     models = [model for outcome in outcomes if (model := find_source(outcome.model))]
     for outcome in outcomes:
         source = find_source(outcome.model)
@@ -74,7 +74,7 @@ def _write_pieces(
     write_pieces(source, outcome.result, arrays, outcome.identities, not settings.use_modifiers)
     write_seams(source, arrays, outcome.seams, not settings.use_modifiers)
     with_names(source, outcome.report)
-    if is_new or failed:  # otherwise the user's choice stays
+    if is_new or failed:  # otherwise the piece that the user has chosen stays chosen
         source.wirewarp_active_piece = outcome.report.tables.pieces[0].index
     if not settings.use_modifiers:
         uv_scale = write_uv(source.data, outcome.pieces, len(arrays.loop_vertices))

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Marks eases, and changes existing wires and seams, on models in Object Mode.
 
-A function plan_... returns a function that writes, so that no object is changed if any is refused.
+Each function plan_... checks a model, and returns a function that writes the change. The caller writes only after all
+checks, so that no object is changed if one is refused.
 """
 
 import math
@@ -86,7 +87,7 @@ def mark_seams(mesh: bpy.types.Mesh, edges: list) -> int:
 
 
 def make_seams(mesh: bpy.types.Mesh, edges: np.ndarray) -> int:
-    """Make the edges of this mask (e,) seams. Return the number of new seams."""
+    """Mark the edges of this mask (e,) as seams. Return the number of new seams."""
     before = read_seams(mesh)
     add_seams(mesh, np.flatnonzero(edges))
     mesh.update()
@@ -128,7 +129,7 @@ def _mask(mesh: bpy.types.Mesh, pairs: list) -> np.ndarray:
 # A piece counts as larger if its area is larger by more than this share. Areas of mirrored pieces differ only by
 # rounding.
 SAME_AREA = 1e-3
-Amount = Callable[[float], float]  # ease of a line as a fraction, from its length in Blender units
+Amount = Callable[[float], float]  # returns the ease of a line as a fraction, from its length in Blender units
 
 
 @dataclass(frozen=True)
@@ -143,7 +144,7 @@ class Eased:
     left_out: int  # number of selected edges that were ignored
 
 
-Planned = Callable[[], Eased]  # writes the change, and cannot fail
+Planned = Callable[[], Eased]  # writes the planned eases, and cannot fail
 
 
 def check_ease_attributes(mesh: bpy.types.Mesh) -> None:
@@ -189,7 +190,7 @@ def plan_sides(target: bpy.types.Object, rows: np.ndarray, amount: Amount, side:
     """
     mesh = target.data
     lines = _sides_of_lines(mesh, rows[on_outlines(mesh)[rows]], _places(target))
-    areas = _piece_areas(mesh)  # the size decides, so that the armholes of two sleeves are eased alike
+    areas = _piece_areas(mesh)  # sizes choose the side, so that the armholes of two sleeves are eased alike
     sides = [line[::-1] if _is_larger(areas, *line) else line for line in lines]
     return _plan(target, [line[side] or line[1 - side] for line in sides], amount, len(rows))
 
@@ -244,7 +245,7 @@ def _sides_of_lines(mesh: bpy.types.Mesh, rows: np.ndarray, places: np.ndarray) 
     """Return the corners at which the edges of each line begin, on both sides.
 
     rows: edges on seams and outlines
-    places (n,3): displayed places of the vertices, which decide where lines are straight
+    places (n,3): displayed places of the vertices, to find out where lines turn
     """
     edges, starts, loop_edges = edge_vertices(mesh), corner_vertices(mesh), corner_edges(mesh)
     corners_of: dict[tuple[int, int], list[int]] = {}
@@ -256,7 +257,7 @@ def _sides_of_lines(mesh: bpy.types.Mesh, rows: np.ndarray, places: np.ndarray) 
         for side, begins in zip(sides, (chain.vertices[:-1], chain.vertices[1:]), strict=True):
             for row, vertex in zip(chain.edges, begins, strict=True):
                 found = corners_of.get((int(rows[row]), vertex), [])
-                side += found if len(found) == 1 else []  # a side with several faces has no corner
+                side += found if len(found) == 1 else []  # if several faces are on a side, it has no single corner
         lines.append(sides)
     return lines
 
@@ -275,7 +276,9 @@ def _piece_areas(mesh: bpy.types.Mesh) -> np.ndarray:
     joined = np.flatnonzero(inside[corner_edges(mesh)])
     pairs = np.stack([faces[joined], first_at[corner_edges(mesh)[joined]]])
     piece = np.arange(len(mesh.polygons))
-    while True:  # each face takes the lowest number among its neighbors, then the number of the face with that number
+    # Numbers are indices of faces. Each face takes the lowest number among its neighbors, then the number of the face
+    # with this index.
+    while True:
         least = piece[pairs].min(axis=0)
         lower = piece.copy()
         for side in pairs:

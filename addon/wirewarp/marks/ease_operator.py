@@ -35,7 +35,7 @@ SIDES = [
     ("NONE", "Clear Ease", "Remove the ease of the selected lines from all sides"),
 ]
 SIDES_APART = "On flat pieces, only the selected side can be eased. Press Ease, or press All Sides on the model."
-NO_SIDES = "select edges on a seam or outline, with one face on the eased side"
+NO_SIDES = "select edges of a seam or outline that have exactly one face on the side to ease"
 NOTHING = {
     "ALL": "select the edges of a line first",
     "ONE": NO_SIDES,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Marks and clears edges of the model. The user selects them on the model or on its flat pieces."""
+"""Marks edges of the model, and clears marks. The user selects the edges on the model or on its flat pieces."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -43,7 +43,7 @@ class Marked(NamedTuple):
 
 
 def plan_wires(target: bpy.types.Object, tolerance: float) -> Callable[[], Marked]:
-    """Plan to make the selected edges wires, one for each line.
+    """Plan to turn the selected edges into wires, one for each line.
 
     If a line contains one whole wire and no other, this wire keeps its id and name.
     Raises ObjectError if an edge has no face, and like check_attributes.
@@ -156,8 +156,11 @@ class SelectedSides:
 
 
 def selected_sides(flat: bpy.types.Object) -> SelectedSides:
-    """Return the sides of the selected outline edges of flat pieces, which must be in Object Mode. Raises ObjectError
-    if the pieces are outdated."""
+    """Return the sides of the model's edges at the outline edges that are selected on flat pieces.
+
+    The flat pieces must be in Object Mode. Raises ObjectError if they are outdated, were edited by hand or were made
+    with modifiers, or if the model is linked.
+    """
     source = model_of(flat)
     if is_earlier(flat):
         raise object_error("earlier_pieces", earlier_sentence(flat))

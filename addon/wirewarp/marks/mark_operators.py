@@ -28,7 +28,7 @@ KINDS = [
 ]
 ALLOWANCES = [
     ("WIDTH", "Allowance", "Set another seam allowance for the selected edges, on all sides"),
-    ("HEM", "Hem", "Set a hem for the selected edges of the outline, which is an allowance that is turned up"),
+    ("HEM", "Hem", "Set a hem, an allowance that is turned up, for the selected edges of the outline"),
     ("FOLD", "Fold", "Set no allowance for the selected edges, because they are cut on the fold or stay raw"),
     ("DEFAULT", "Default", "Use the default allowance for the selected edges again"),
 ]
@@ -126,7 +126,7 @@ class MESH_OT_wirewarp_allowance(bpy.types.Operator):
     bl_label = "Mark Allowance"
     bl_options = {"REGISTER", "UNDO"}
 
-    kind: EnumProperty(name="Kind", description="Allowance outside the edges", items=ALLOWANCES, default="WIDTH")
+    kind: EnumProperty(name="Kind", description="Allowance to set", items=ALLOWANCES, default="WIDTH")
     width: number("Width (mm)", "Width of the seam allowance", (0.1, 10.0, 50.0, 1000.0), step=100, precision=2)
     hem: number("Hem (mm)", "Width of the hem, which is turned up", (0.1, 30.0, 100.0, 1000.0), step=100, precision=2)
 
@@ -335,7 +335,7 @@ class SCENE_OT_wirewarp_set_height(OnMesh, bpy.types.Operator):
 
 def _set_unit(context: bpy.types.Context, meters: float) -> None:
     """Set the length of a Blender unit in meters. Marked lengths and Max Length stay the same in millimeters. Raises
-    ObjectError before any change."""
+    ObjectError like _keep_lengths."""
     scene, settings = context.scene, context.scene.unit_settings
     before = meters_per_blender_unit(scene)
     with in_object_mode(context):
@@ -348,7 +348,8 @@ def _set_unit(context: bpy.types.Context, meters: float) -> None:
 
 
 def _keep_lengths(scene: bpy.types.Scene, factor: float) -> None:
-    """Multiply the marked lengths, which are in Blender units, by this factor. Raises ObjectError before any change."""
+    """Multiply the marked lengths, which are in Blender units, by this factor. Raises ObjectError, before any change,
+    if a mesh is in Edit Mode in another scene or view layer."""
     models = [each for each in scene.objects if each.type == "MESH" and each.data.library is None]
     for model in models:
         check_not_edited(model)

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Draws the panel Mark, which has the same height in all modes and on flat pieces.
 
-Otherwise, buttons below it would move when they enter Edit Mode. Mark is above Flatten, whose verdict grows.
+Otherwise, a button below the panel would move when it enters Edit Mode. Mark is above Flatten, because the verdict in
+Flatten may grow.
 """
 
 from collections.abc import Sequence

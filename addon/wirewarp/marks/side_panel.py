@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Draws the buttons that mark one side of edges, on flat pieces.
 
-The panel is below the lists, because it grows in Edit Mode. Above them, it would move the buttons that enter Edit Mode.
+The panel is below the panels Pieces and Report, because it grows in Edit Mode. Above them, it would move their buttons
+that enter Edit Mode.
 """
 
 import bpy

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The panel with the list of wires, their kinds and lengths, and the operators for the chosen wire."""
+"""The panel that lists wires with their kinds and lengths, and the operators for the chosen wire."""
 
 import math
 from collections.abc import Sequence
@@ -32,7 +32,8 @@ from .mark_operators import WireKind
 
 
 class WireOperator(OnModel):
-    """Mixin of operators for one wire of the active model. They define act(), which is called in Object Mode."""
+    """Mixin of operators for one wire of the active model. The operators define act(), which is called in Object
+    Mode."""
 
     bl_options = {"REGISTER", "UNDO"}
     modes = WORKING_MODES
@@ -221,7 +222,7 @@ class WIREWARP_UL_wires(bpy.types.UIList):
 
 
 def _wire_of(target: bpy.types.Object, entry: bpy.types.PropertyGroup) -> WireSummary | None:
-    """Return the wire of this entry; None if it was removed."""
+    """Return the wire of this entry; None if the wire was removed, or if the marks cannot be read."""
     try:
         wires = shown_wires(target)
     except ObjectError:

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Draws seams, wires, failures, names, a legend and maps on models, on flat pieces and in the UV editor.
 
-- shown finds the objects to draw.
-- objects and failures make arrays and names, which state.drawings keeps.
-- view3d draws.
+- `shown` finds the objects to draw.
+- `objects` and `failures` make arrays and names, which state.drawings keeps.
+- `view3d` draws.
 
 May import: export, ui, state, solve, blender, core, issues, names.
 """

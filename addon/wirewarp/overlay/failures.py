@@ -106,7 +106,7 @@ def _failed_faces(mesh: bpy.types.Mesh, issues: list[Issue]) -> np.ndarray:
 
 
 def _failed_edges(mesh: bpy.types.Mesh, pairs: np.ndarray, issues: list[Issue], faces: np.ndarray) -> np.ndarray:
-    """Return a mask (e,) of the edges of issues, edges at their vertices, and borders of failed faces.
+    """Return a mask (e,) of the edges of issues, edges at vertices of issues, and borders of failed faces.
 
     Edges between failed faces are left out, because they would hide wires and suggested seams.
     """
@@ -130,7 +130,7 @@ def with_cut(failed: Failures | None, ends: np.ndarray) -> Failures | None:
 
 
 def suggested_lines(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> np.ndarray:
-    """Return the ends (2k,3) of the lines of the chosen cut on a model or flat pieces; empty without suggestions."""
+    """Return the ends (2k,3) of the lines of the chosen cut on a model or flat pieces; empty if it cannot be shown."""
     segments = _segments(target)
     if segments is None:
         return NO_LINES
@@ -147,7 +147,7 @@ def suggested_lines(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) ->
 def uv_suggested_lines(model: bpy.types.Object) -> np.ndarray:
     """Return the ends (2k,3) of the lines of the chosen cut in the map of the pieces, for an object in Object Mode."""
     segments = _segments(model)
-    if segments is None or is_modified(model):  # the map is not for the mesh with modifiers
+    if segments is None or is_modified(model):  # the map belongs to the mesh without modifiers
         return NO_LINES
     mesh = model.data
     return places_on(segments, faces_of_corners(mesh), corner_vertices(mesh), uv_places(mesh))

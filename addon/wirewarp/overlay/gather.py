@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Reads the data that the overlay shows for an object into arrays, from the displayed mesh or from the UV map."""
+"""Makes arrays of the data that the overlay shows for an object, from the displayed mesh or from the UV map."""
 
 from contextlib import AbstractContextManager
 from dataclasses import dataclass
@@ -45,8 +45,8 @@ class Triangles:
 @dataclass(frozen=True)
 class ColoredTriangles:
     places: np.ndarray  # (3m,3) float32
-    colors: np.ndarray  # (3m,4) float32, as the screen shows them, sRGB
-    highest: float | None  # the largest value of the map, which may be beyond the color scale
+    colors: np.ndarray  # (3m,4) float32, sRGB, as on the screen
+    highest: float | None  # the largest value of the map, which may be beyond the color scale; None if unknown
 
 
 def colored(triangles: Triangles, corner_colors: np.ndarray, highest: float | None) -> ColoredTriangles:
@@ -60,7 +60,7 @@ def on_model(flat_colors: np.ndarray, source_corner: np.ndarray, count: int) -> 
     """Return the colors (count,4) at the model's corners. flat_colors (k,4): colors at the corners of the flat pieces;
     source_corner (k,): the corner of the model for each corner of the pieces."""
     colors = np.tile(NO_LAYOUT, (count, 1))
-    # Corners that the user has created have no corner on the model.
+    # Corners that the user has added to the flat pieces belong to no corner of the model.
     inside = (source_corner >= 0) & (source_corner < count)
     colors[source_corner[inside]] = flat_colors[inside]
     return colors

@@ -9,9 +9,11 @@ import numpy as np
 from ..core import ease_text, pattern, wire_text
 from ..solve.chains import EdgeMarks, chains_of_marks
 
-# The edges of a line are sorted by distance from its middle. A name may also be at these shares of the sorted list.
+# The edges of a line are sorted by distance from its middle. A name may be on the first edge of the sorted list, or on
+# the edges at these shares of the list.
 ALONG = (0.25, 0.5, 0.75)
-HEAD = 0.25  # length of an arrow's head, as a share of half the length of a grain arrow, or of an ease arrow's length
+# Length of an arrow's head, as a share of half the length of a grain arrow, and of the whole length of an ease arrow.
+HEAD = 0.25
 _TURNS = [np.array([[np.cos(a), -np.sin(a)], [np.sin(a), np.cos(a)]]) for a in np.radians(range(0, 90, 15))]
 # Dashes have the lengths of their style if the object's largest dimension is this many pixels on the screen, as it
 # often is.
@@ -129,7 +131,7 @@ class LineEdges:
     ends: np.ndarray  # (k,2,3) float32, in the object's own space
     normals: np.ndarray  # (k,3) float32, normals of the surface
     vertices: np.ndarray  # (k,2) int32, vertices of the model
-    pieces: np.ndarray  # (k,) int32, index of the flat piece, or its id in the map; 0 on the model
+    pieces: np.ndarray  # (k,) int32: on flat pieces, the index of the piece; in the map, its id; on the model, 0
     seams: np.ndarray  # (k,) bool, whether the edge is a seam
     seam_ids: np.ndarray  # (k,) int32, id of the edge's seam in the last run; 0 none
     outlines: np.ndarray  # (k,) bool, whether the edge has only one face
@@ -148,7 +150,7 @@ class Name:
     reach: float  # distance from the best place to the farthest point of the named line or piece
     piece: int = 0  # piece on which the name needs room
     room: float = np.inf  # size of this piece, see Rooms; infinite on models
-    around: np.ndarray | None = None  # (c,3) outermost points of the piece; a name that does not fit is beside them
+    around: np.ndarray | None = None  # (c,3) outermost points of the piece, for a name that fits only beside it
     is_selected: bool = False  # a name of selected edges is always written
 
 

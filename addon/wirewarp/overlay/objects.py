@@ -92,7 +92,8 @@ def lines_of(target: bpy.types.Object, edges: LineEdges, in_plane: bool) -> Line
 
 
 def _wire_names(target: bpy.types.Object, wire_ids: list[int], report: ObjectReport | None) -> list[str]:
-    """Return the names of wires. On flat pieces, the report has the names, because copies of wires get other ids."""
+    """Return the names of wires. On flat pieces, the names are from the report, because wires that share an id on the
+    model have other ids on the pieces."""
     names = chain_names(model_or_self(target).data, wire_ids)
     given = {wire.wire_id: wire.name for wire in report.wires} if report and model_of(target) else {}
     return [given.get(wire_id, name) for wire_id, name in zip(wire_ids, names, strict=True)]
@@ -115,7 +116,7 @@ def is_modified(source: bpy.types.Object) -> bool:
 
 
 def _seams_of_report(edges: LineEdges, report: ObjectReport) -> np.ndarray:
-    """Return the number of the seam of each edge (k,), counted from 1 in the report; 0 for edges without a seam."""
+    """Return, for each edge, the index of its seam in the report plus 1, (k,); 0 for edges without a seam."""
     numbers = {(min(edge), max(edge)): seam.index + 1 for seam in report.seams for edge in seam.edges}
     pairs = np.sort(edges.vertices, axis=1).tolist()
     return np.array([numbers.get((a, b), 0) for a, b in pairs], dtype=np.int32)

@@ -57,6 +57,7 @@ def lay_out(
 ) -> Legend:
     """Return the legend with its lower right corner at `corner`: lines, notes and color scale, from top to bottom.
 
+    highest: largest value of the map, for the title of the scale; None: not shown
     unit: pixels of the screen per pixel at interface scale 1
     """
     right, bottom = corner
@@ -125,7 +126,7 @@ FONT, FONT_SIZE, MARGIN = 0, 12, 16
 MAX_NAMES = 150
 NAME_TO_LINE = 1.3  # largest length of a name, as a multiple of the length of its line
 SAME = 1.0  # pixels: points this close to the outermost point on a side count as outermost
-COVERED = 0.25  # maximum share of a piece that all its labels may hide
+COVERED = 0.25  # maximum share of a piece that all its labels together may hide
 LONG_COVERED = 0.03  # maximum share of a piece that one label may hide if a shorter text is possible
 LABEL, NAME_COLOR, LEGEND_COLOR = (0.08, 0.08, 0.08, 0.65), (1.0, 1.0, 1.0), (0.9, 0.9, 0.9)
 TEXT_MARGIN = LABEL_MARGIN = 0.3  # margin around each text, in text heights
@@ -148,7 +149,7 @@ class PlacedName(NamedTuple):
     reach: float  # like reach of lines.Name, in pixels
     owner: tuple[str, int]  # object and piece on which the name needs room
     room: float  # like room of lines.Name, in pixels
-    around: np.ndarray | None  # (c,2) outermost points of the piece; a name that does not fit is beside them
+    around: np.ndarray | None  # (c,2) outermost points of the piece, for a name that fits only beside it
     is_selected: bool  # a name of selected edges is always written
 
 
@@ -212,8 +213,8 @@ def _box(points: np.ndarray) -> np.ndarray:
 
 
 def _that_fit(name: PlacedName, covered: float, size_of: Callable[[str], Size]) -> Iterator[str]:
-    """Yield the texts of the name that fit on its line and piece. covered: area of the piece that labels hide, in
-    square pixels."""
+    """Yield the texts of the name that fit on its line and piece. covered: area of the piece that labels already
+    hide, in square pixels."""
     for text in name.texts:
         size = size_of(text)
         is_last = text == name.texts[-1]
@@ -349,8 +350,8 @@ class Taken:
         (width, height), room = size, TEXT_MARGIN * size[1]
         low, high = _box(around)
         across, upward = around[:, 0] - width / 2, around[:, 1] - height / 2
-        # Below, above, right or left of the outermost points, because the middle of the box around a slanted piece may
-        # be far from the piece.
+        # The text is below, above, right or left of the outermost points. It is not at the middle of a side of the box,
+        # because the middle may be far from a slanted piece.
         corners = [
             (across[around[:, 1] <= low[1] + SAME].mean(), low[1] - height - room),
             (across[around[:, 1] >= high[1] - SAME].mean(), high[1] + room),

@@ -32,8 +32,8 @@ from .pages import CutLines, PageChoices, PagePreview, cut_lines, cut_places, pa
 
 MODES = {"OBJECT", "EDIT"}
 STRETCH_MAPS = (STRETCH, ASPECT_RATIO)
-# For these maps, the legend shows the stretch of 99% of the area, as the list of pieces does, instead of the largest
-# value.
+# For these maps, the legend shows the value that 99% of the area does not exceed, like the list of pieces. It does not
+# show the largest value.
 ONE_FIGURE = (*STRETCH_MAPS, *CLOTH_MAPS)
 
 
@@ -84,8 +84,8 @@ def _is_edited(target: bpy.types.Object) -> bool:
 
 
 def map_notes(shown: Sequence[Drawing], color_map: ColorMap) -> list[str]:
-    """Return notes for the legend: why the map is missing on some objects and, for a map of stretch, how much 99% of
-    the area stretches."""
+    """Return notes for the legend: why the map is missing on some objects and, for maps of stretch and shear, the value
+    that 99% of the area does not exceed."""
     reports = [last_report(model_or_self(each.target)) for each in shown if each.surface is not None]
     figure = _figure([report for report in reports if report], color_map)
     return [*missing_maps(shown, color_map), *([f"99% of the area: up to {figure}"] if figure else [])]
@@ -179,7 +179,7 @@ def _or_none(build: Callable[..., Lines], *given: object) -> Lines:
 
 
 def _outlines(context: bpy.types.Context, source: bpy.types.Object, flat: bpy.types.Object) -> PatternParts | None:
-    """Return the outlines of the pieces with allowances. They are kept until model or pieces change."""
+    """Return the outlines of the pieces, with their allowances. The result is kept until model or pieces change."""
     scene, depsgraph = context.scene, context.view_layer.depsgraph
     made_of = stamp(flat), stamp(flat.data), Same(pieces_report(source)), source.name_full
     of_model = stamp(source), stamp(source.data), source.data.is_editmode
@@ -235,7 +235,7 @@ def piece_copies(context: bpy.types.Context, source: bpy.types.Object, flat: bpy
     parts, allowance = _outlines(context, source, flat), context.scene.wirewarp.allowance
     if parts is None:
         return ""
-    # Places of pieces, and one allowance for all edges, do not change which pieces are equal.
+    # Places of pieces, and one allowance for all edges, do not change which pieces are equal, so made_of lacks them.
     marked = (allowance, parts.allowances) if any(parts.allowances) else ()
     made_of = Same(pieces_report(source)), [piece.name for piece in parts.pieces], marked
     darts = (context.scene.wirewarp.darts or "CLOSE").lower()
@@ -280,8 +280,8 @@ class UvDrawing:
 
 
 def uv_drawings(context: bpy.types.Context) -> Iterator[UvDrawing]:
-    """Yield the drawings for the UV editor. In Edit Mode, these are of the models in Edit Mode. In Object Mode, they
-    are of the models that are selected or have selected pieces."""
+    """Yield the drawings for the UV editor. In Edit Mode, yield drawings of the models in Edit Mode. In Object Mode,
+    yield drawings of the models that are selected or have selected pieces."""
     space = context.space_data
     if space.mode != "UV" or not space.overlay.show_overlays or not context.scene.wirewarp.show_lines:
         return

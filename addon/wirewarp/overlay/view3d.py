@@ -61,7 +61,8 @@ def _hidden_by_what_is_in_front() -> Iterator[None]:
 def _apart(context: bpy.types.Context) -> float:
     """Return the factor by which layers are drawn farther apart than usual.
 
-    Models in centimeters or millimeters are far from the eye, where layers at usual distances have the same depth.
+    Models in centimeters or millimeters are far from the eye. There, layers at the usual distances from each other
+    would get the same depth.
     """
     if not context.region_data.is_perspective:
         return 1.0
@@ -221,7 +222,8 @@ def _in_region(context: bpy.types.Context, places: np.ndarray) -> tuple[np.ndarr
 
 
 def _projected(context: bpy.types.Context, places: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return the pixels (n,2) of places (n,3) in the world, the region's size (2,), and a mask of the clip range."""
+    """Return the pixels (n,2) of places (n,3) in the world, the region's size (2,), and a mask of the places in the
+    clip range."""
     size = np.array([context.region.width, context.region.height])
     projected = np.column_stack([places, np.ones(len(places))]) @ np.array(context.region_data.perspective_matrix).T
     in_front = projected[:, 3] > 0

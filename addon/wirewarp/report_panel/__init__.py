@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The result of a run and the next steps: the panels Flatten, Pieces and Report, and their buttons.
+"""The result of a run and the next steps: the panels Flatten, Export, Pieces and Report, and their buttons.
 
 May import: suggest, flatten, marks, overlay, ui, state, solve, blender, properties, core, issues.
 """

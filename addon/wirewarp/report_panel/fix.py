@@ -25,8 +25,8 @@ from ..ui.settings import draw_settings
 from .operators import PROPOSALS, check_flattened, take_proposals
 
 KINDS = [(fault.kind, fault.many.capitalize(), f"All {fault.many} of the model") for fault in FAULTS]
-# This kind is not selected by default, because interior walls may be intended. Some interior faces also look like faces
-# of the shell.
+# This kind is not selected by default, because interior walls may be intended, and because some faces of the shell look
+# like interior faces.
 NOT_UNASKED = "INTERIOR"
 WIDTH = 340  # width of the dialog, in pixels at interface scale 1
 
@@ -85,7 +85,7 @@ class OBJECT_OT_wirewarp_check(BetweenRuns, Repairs, bpy.types.Operator):
             self.report({"INFO"}, f"{', '.join(done)}. Flatten again.")
         else:
             self.report({"INFO"}, f'Nothing was repaired in the mesh of "{source.name}"')
-        # While faults remain, the kinds can be chosen again in Adjust Last Operation.
+        # If the mesh had faults, finish even without a repair, so that Adjust Last Operation offers the kinds again.
         return {"FINISHED"} if self._counts else {"CANCELLED"}
 
     def draw(self, _context: bpy.types.Context) -> None:
@@ -161,8 +161,8 @@ class OBJECT_OT_wirewarp_mend(BetweenRuns, FlattenSteps, bpy.types.Operator):
             (
                 "SUBDIVIDE",
                 "Subdivide",
-                "Add a Subdivision Surface modifier or one more level of it, which makes the model a little smaller, "
-                "turn on Modifiers",
+                "Make the model smoother and a little smaller with a Subdivision Surface modifier or one more level of "
+                "it, turn on Modifiers",
             ),
             ("MODIFIERS", "Modifiers", "Use the mesh with its modifiers and shape keys from now on"),
         ],

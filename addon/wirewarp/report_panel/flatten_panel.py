@@ -39,16 +39,16 @@ from .next_step import (
 )
 
 ICON = "MATCLOTH"
-FAR_ENOUGH = "Fabrics with a tick stretch far enough for the present pieces"
+FAR_ENOUGH = "Ticked fabrics stretch far enough for the present pieces"
 TO_TRY = "Flatten to see whether a fabric stretches far enough"
-# These stretch fabrics are sold for clothes.
+# These elastic fabrics are sold for clothes.
 EVERYDAY = {"fleece", "jersey", "swim"}
 
 
 def fabrics_to_choose(report: ObjectReport, present: str = "") -> tuple[list[str], list[str]]:
     """Return the presets that stretch far enough for these pieces, and the other presets, both by increasing stretch.
 
-    This is an estimate, because fabrics change the pieces. present: fabric that the second list leaves out
+    This is an estimate, because the pieces differ with another fabric. present: fabric that the second list leaves out
     """
     across = max((piece.threads.across if piece.threads else piece.needed for piece in report.pieces), default=0.0)
     along = max((piece.threads.along if piece.threads else piece.needed for piece in report.pieces), default=0.0)
@@ -68,7 +68,7 @@ class VIEW3D_MT_wirewarp_fabrics(bpy.types.Menu):
         layout.operator_context = "INVOKE_DEFAULT"
         found = fabrics_to_choose(report, present) if report else ([], [])
         layout.label(text=FAR_ENOUGH if found[0] else TO_TRY)
-        # Both groups have one heading, because Blender reverses the order of a menu that opens upward.
+        # Both groups share one heading, because Blender reverses the order of a menu that opens upward.
         for icon, names in zip(("CHECKMARK", "BLANK1"), found, strict=True):
             for name in names:
                 button = layout.operator("object.wirewarp_mend", text=fabric_label(name), icon=icon)
@@ -125,7 +125,7 @@ class VIEW3D_PT_wirewarp_flatten(SidebarPanel, bpy.types.Panel):
 def _draw_size(context: bpy.types.Context, layout: bpy.types.UILayout, source: bpy.types.Object) -> None:
     """Draw a question about an implausible size, with buttons for possible units. Files often lack the unit."""
     question, state, report = strange_size(source, context.scene), state_of(source), Same(last_report(source))
-    # After a choice, the rows stay until the next run, so that buttons below do not move under the mouse.
+    # After a choice, the question and its buttons stay until the next run, so that no button below moves.
     if question:
         state.size_asked = question, report
     asked, asked_at = state.size_asked or ("", None)
@@ -259,7 +259,7 @@ def _draw_step(context: bpy.types.Context, layout: bpy.types.UILayout, step: Nex
 
 
 def offered_piece(context: bpy.types.Context, source: bpy.types.Object, report: ObjectReport) -> int | None:
-    """Return the piece for which the panel shows Suggest Darts and Suggest Seams; None without these buttons."""
+    """Return the piece for which the panel shows Suggest Darts and Suggest Seams; None if it does not show them."""
     if untrue_sentence(context.active_object, source, report):
         return None
     left_out = _left_out(context, source, report)
@@ -267,8 +267,8 @@ def offered_piece(context: bpy.types.Context, source: bpy.types.Object, report: 
 
 
 def _left_out(context: bpy.types.Context, source: bpy.types.Object, report: ObjectReport) -> list[str]:
-    """Return "modifiers" and "shape keys" if they shape the model but not the pieces. If Blender evaluates the model's
-    modifiers, the present model decides, otherwise the model of the last run."""
+    """Return "modifiers" and "shape keys" if they shape the model but not the pieces. If Blender does not evaluate the
+    model's modifiers, return the words for the model of the last run."""
     if report.with_modifiers or not shows_modified(source):
         return report.left_out
     if not source.modifiers and not source.data.shape_keys:

@@ -61,7 +61,7 @@ class OBJECT_OT_wirewarp_open_sample(bpy.types.Operator):
             return {"CANCELLED"}
         (sample_scene,) = loaded.scenes
         (model,) = sample_scene.objects
-        if is_first or _is_new(scene):  # the scene may contain Blender's default cube
+        if is_first or _is_new(scene):  # a new scene may contain Blender's default cube
             _take(scene.wirewarp, sample_scene.wirewarp, FlattenSettings.__annotations__)
         if is_first:
             _take(scene.unit_settings, sample_scene.unit_settings, ("system", "scale_length", "length_unit"))
@@ -125,7 +125,7 @@ def draw_first_steps(layout: bpy.types.UILayout) -> None:
 MEND = "object.wirewarp_mend"
 SHOW = "mesh.wirewarp_select_result"
 # Text and icon of the button for each kind of fix, the most urgent first.
-# Faults of the mesh come before seams, because seams would only hide their effects.
+# Faults of the mesh come before seams, because seams would only hide the effects of the faults.
 REMEDIES = {
     "MERGE": ("Merge and Flatten", "AUTOMERGE_ON"),
     "DISSOLVE": ("Dissolve and Flatten", "X"),

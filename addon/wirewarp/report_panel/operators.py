@@ -117,7 +117,7 @@ class MESH_OT_wirewarp_select_result(ReportOperator, bpy.types.Operator):
         name="What",
         description="What to select",
         items=[
-            ("SEAM", "Seam", "Select and show the seam: on the model, or all its sides if flat pieces are active"),
+            ("SEAM", "Seam", "Select and show the seam: on the model, or all sides on flat pieces if these are active"),
             ("WIRE", "Wire", "Select and show the wire: on the model, or on the flat pieces if these are active"),
             ("OUTLINE", "Open Edge", "Select and show the outline section: on the model, or on active flat pieces"),
             ("PIECE", "Piece", "Select and show the piece: on the model, or on the flat pieces if these are active"),

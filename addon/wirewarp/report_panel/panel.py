@@ -44,7 +44,8 @@ def draw_table(
     rows: list[ReportRow],
     names: Mapping[int, bpy.types.PropertyGroup],
 ) -> None:
-    """Draw the table of these rows. names: by the id of a seam, the item with its name, which the user can edit."""
+    """Draw the table of these rows. names: for the id of each seam, the item that contains its name, which the
+    user can edit."""
     units, meters = length_text(context.scene), meters_per_blender_unit(context.scene)
     column = layout.column(align=True)
     wide = is_wide(context)
@@ -142,7 +143,7 @@ ADVICE = {
     TORN: f"{TORN_ADVICE}:",
     WIRE_AT_LIMIT: "A wider tolerance on these wires would lower the distortion:",
     BEYOND_FABRIC: "Your fabric does not stretch far enough at these places. Add a dart or seam:",
-    STRAINED: "The fabric must stretch or be compressed at these places. If yours cannot, add a dart or seam:",
+    STRAINED: "The fabric must stretch or be compressed at these places. If your fabric cannot, add a dart or seam:",
 }
 
 
@@ -150,7 +151,7 @@ def draw_issues(context: bpy.types.Context, layout: bpy.types.UILayout, report: 
     issues = report.issues
     for index, issue in enumerate(issues[:SHOWN_ROWS]):
         _draw_entry(context, layout, issue_text(report, issue), "ISSUE", index, has_shown_place(report, issue))
-        # The buttons are drawn here only if the panel Flatten does not have them.
+        # The buttons that apply suggestions are drawn here only if the panel Flatten does not have them.
         if not report.with_modifiers and (len(issues) > 1 or issue.code == CLOSED_CODE):
             _draw_proposals(context, layout, index, issue)
     if len(issues) > SHOWN_ROWS:
@@ -184,8 +185,8 @@ def draw_hints(context: bpy.types.Context, layout: bpy.types.UILayout, report: O
 def _draw_entry(
     context: bpy.types.Context, layout: bpy.types.UILayout, text: str, what: str, index: int, placed: bool
 ) -> None:
-    """Draw the text, and a button that selects the place if `placed`. what: ISSUE or HINT; index: index of the entry in
-    the report."""
+    """Draw the text and, if `placed`, a button that selects the place. what: ISSUE or HINT; index: index of the entry
+    in the report."""
     row = layout.row(align=True)
     reserved = (6 if what == "ISSUE" else 0) + (22 if placed else 0)
     draw_sentence(context, row, text, "ERROR" if what == "ISSUE" else "DOT", reserved)
@@ -238,7 +239,7 @@ class VIEW3D_PT_wirewarp_report(SidebarPanel, bpy.types.Panel):
 
 
 class ReportSection(SidebarPanel):
-    """Mixin of sub-panels with one table of the report. Their headers show the worst row."""
+    """Mixin of sub-panels with one table of the report. The header of each shows its largest difference."""
 
     bl_parent_id = "VIEW3D_PT_wirewarp_report"
     bl_options = {"DEFAULT_CLOSED"}

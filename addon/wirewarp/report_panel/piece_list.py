@@ -117,9 +117,9 @@ class VIEW3D_PT_wirewarp_pieces(SidebarPanel, bpy.types.Panel):
         if chosen and chosen.has_layout and not _have_buttons(context, source):
             button = self.layout.operator("mesh.wirewarp_select_result", text=SELECT, icon="RESTRICT_SELECT_OFF")
             button.what, button.index = "PIECE", chosen.index
-        if chosen:  # above the figures, so that the suggestions below the buttons stay in view
+        if chosen:  # buttons above the figures, so that the suggestions below the buttons stay in view
             report = shown_report(context)
-            # This is the piece for which the panel Flatten has these buttons.
+            # This is the piece for which the panel Flatten has the buttons Suggest Darts and Suggest Seams.
             offered = offered_piece(context, source, report) if report else None
             has_seams = bool(report and report.seams)
             if chosen.ok and chosen.needed >= WORTH_A_CUT and offered != chosen.index:

@@ -63,7 +63,7 @@ class MeshArrays:
     uv_maps: dict[str, np.ndarray]  # (l,2) float32, the model's own maps by name
     own_map: str  # the map whose island borders can become seams; "": none
     allowance: float  # the widest allowance, in Blender units
-    side_allowances: np.ndarray  # (l,) float32, like side_eases, in Blender units; 0: default, below 0: no allowance
+    side_allowances: np.ndarray  # (l,) float32, as for side_eases, in Blender units; 0: default, below 0: none
     loose_marks: int  # number of edges that are marked as wires, but ignored because they have no face
     loose_eases: int  # number of edges with an ease that has no effect, because they are not wires
     mirrored: bool  # whether the object's matrix mirrors the mesh

@@ -56,7 +56,7 @@ class EdgeMarks:
     """Wires with tolerances and eases: one entry per edge of a mesh, or of some of its edges."""
 
     wire_ids: np.ndarray  # (e,) int32, 0 none
-    tolerances: np.ndarray  # (e,) float32: 0 rigid, finite elastic, inf super-elastic
+    tolerances: np.ndarray  # (e,) float32; 0: rigid, finite: elastic, infinite: super-elastic
     eases: np.ndarray  # (e,) float32: relative change of length, 0.05 is 5%
 
     @classmethod

@@ -173,7 +173,7 @@ def _lengths_not_kept(facts: ErrorFacts) -> str:
 
 
 def _flipped(facts: ErrorFacts) -> str:
-    free = ", or remove a wire nearby or set a tolerance" if facts["has_wires"] else ""
+    free = ", or remove a nearby wire or widen its tolerance" if facts["has_wires"] else ""
     fault = f"The piece is flipped at {facts.face_text}{_also(0, facts.overlapping)}"
     return f"{fault}. Add a seam or a dart there{free}."
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Makes one mesh from the flat pieces, with measures.
+"""Makes one mesh from the flat pieces, with measures of their distortion.
 
 The mesh has the source's faces, including quads and n-gons. Each face has the summed energy and the worst ratio of its
 triangles.
@@ -58,7 +58,7 @@ def _model_lengths(result: FlattenResult, arrays: MeshArrays, choices: FlattenCh
     dx, dy = (np.roll(result.corner_uv, -1, axis=1) - result.corner_uv).transpose(2, 0, 1)  # (m,3), the sides
     # A flat edge (dx, dy) is a sum of two vectors on the model, one along each thread. Their lengths are `across` and
     # `along`, and the shear determines the angle between them.
-    with np.errstate(invalid="ignore"):  # triangles without a layout or without area
+    with np.errstate(invalid="ignore"):  # for triangles without a layout or without area
         across, along = (1 + weft) * dx, (1 + warp) * dy
         worn = np.sqrt(across**2 + along**2 + 2 * towards * np.sin(shear) * across * along).ravel()
     rows = find_edges(np.stack([arrays.triangles, np.roll(arrays.triangles, -1, axis=1)], axis=-1), arrays.edges)
@@ -215,7 +215,7 @@ def _join_pieces(result: FlattenResult) -> tuple[np.ndarray, ...]:
 def _model_areas(result: FlattenResult, arrays: MeshArrays, flat: np.ndarray) -> np.ndarray:
     """Return the areas (m,) of the triangles on the model; for thick materials, in the middle of the thickness.
 
-    flat (m,): flat areas. Triangles without a flat area have the area of the mesh.
+    flat (m,): flat areas. Of triangles without a flat area, the area in the mesh is returned.
     """
     weft, warp, shear = _threads_of_triangles(result)
     with np.errstate(invalid="ignore"):
@@ -243,7 +243,7 @@ def _edges(
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return the edges of the flat mesh, int32: ends (e,2), edge at each corner (l,), edge of the source (e,).
 
-    Sides of faces with the same ends and source edge share an edge.
+    Sides that have the same ends and come from the same source edge share an edge.
     """
     following = next_corners(sizes)
     source_edge = arrays.loop_edges[_edge_corners(source_corner, sizes, arrays)]

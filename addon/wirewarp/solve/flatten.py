@@ -122,7 +122,8 @@ def drop_jobs(*_: object) -> None:
 
 
 def _library_options(choices: FlattenChoices, arrays: MeshArrays) -> Options:
-    """Return the library's options. Their gap is a share of the side of a square with the area of all pieces."""
+    """Return the library's options. The option `gap` is a share of the side of a square with the area of all
+    pieces."""
     options = asdict(choices)
     side, gap = _side(arrays), gap_between(arrays, options.pop("spacing"))
     options |= {"gap": gap / side if side > 0 else 0.0, "grain": _grain_index(arrays)}

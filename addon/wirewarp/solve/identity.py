@@ -28,8 +28,10 @@ WORD_ORDER = (2, 1, 0)  # order of the axes in a name, such as "Upper Front Left
 # A piece gets no word if it is closer to the middle between the outermost pieces than this share of their distance.
 # Of four even rows, the middle rows get a word, because they are 0.17 from the middle.
 IN_THE_MIDDLE = 0.13
-BESIDE = 0.05  # share of the model's size; a piece closer to the model's middle, such as a ball, has no side
-ROUNDED = 3  # number of digits of offsets that are compared, because models are seldom exactly symmetric
+# Share of the model's size. A piece closer to the model's middle that faces no side, such as a ball, is called NO_SIDE.
+# Along an axis, pieces get words only if they are at least this far apart. For "Left" and "Right", see _words().
+BESIDE = 0.05
+ROUNDED = 3  # offsets are rounded to this number of digits, because models are seldom exactly symmetric
 NO_SIDE = "Around"
 
 
@@ -134,7 +136,7 @@ def numbered(wanted: Sequence[str], taken: Sequence[str]) -> list[str]:
 def region_names(piece_of_face: np.ndarray, piece_count: int, regions: FaceRegions) -> list[str | None]:
     """Return, for each piece, the name of a region with most of its faces; None if there is no such region.
 
-    Regions with most faces of every piece are ignored.
+    A region that has most of the faces of every piece is ignored.
     """
     faces_in_piece = np.bincount(piece_of_face[regions.sample], minlength=piece_count)
     names: list[str | None] = [None] * piece_count
@@ -322,13 +324,14 @@ def identify_seams(result: FlattenResult, arrays: MeshArrays, known: KnownSeams)
 
 
 def _highest_number(kind: str, names: Mapping[int, str], kinds: Mapping[int, str]) -> int:
-    """Return the highest number in the names of this kind of seam, or their count if it is larger.
+    """Return the highest number in the names of this kind of seam, or the number of such seams if it is larger.
 
     names: of all present and removed seams, by id
     kinds: of the present seams, by id
     """
     given = {seam_id: GIVEN.fullmatch(name) for seam_id, name in names.items()}
-    # If a seam becomes a dart, or a dart becomes a seam, a new one may get the number of its former name.
+    # If a seam becomes a dart, or a dart becomes a seam, a new seam or dart may get the number in
+    # its former name.
     own = {i: match for i, match in given.items() if (match[1] if match else kinds.get(i, KINDS[0])) == kind}
     # The count includes renamed seams.
     return max([len(own), *(int(match[2]) for match in own.values() if match)])
@@ -359,7 +362,7 @@ def _ends_at(arrays: MeshArrays) -> np.ndarray:
 
 
 def _is_dart(seam: SeamReport, edges_at: np.ndarray) -> bool:
-    """Return whether the seam is a dart: both sides are in one piece, and an end is inside it."""
+    """Return whether the seam is a dart: both sides are in one piece, and an end of the seam is inside it."""
     if len(set(seam.pieces)) > 1:
         return False
     vertices, counts = np.unique(np.asarray(seam.edges), return_counts=True)

@@ -27,7 +27,7 @@ def limb_names(
     - has a mirror image, and no other mirrored tube, such as a cuff, is sewn to it.
     - is sewn to other pieces at one end, and open at the outer end (sleeve) or the lower end (leg).
     - reaches the middle plane of the model if it is a leg.
-    - belongs to the only such pair.
+    - belongs to the only such pair of sleeves or of legs.
 
     places (n,3): vertices of the model, from its middle, as a share of its size
     offsets (p,3): middles of the pieces in these coordinates

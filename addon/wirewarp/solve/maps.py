@@ -16,8 +16,8 @@ STEPS = 4096  # number of colors of a scale, more than the eye can distinguish
 
 @cache
 def _colors(stops: tuple[tuple[float, float, float], ...]) -> np.ndarray:
-    """Return colors (STEPS + 1,4) at equal steps, float32, because looking up colors is 20 times as fast as
-    interpolating them."""
+    """Return a table of colors (STEPS + 1,4) at equal steps, float32. Looking up colors in the table is 20 times as
+    fast as interpolating them."""
     colors, place = np.ones((STEPS + 1, 4), dtype=np.float32), np.linspace(0, len(stops) - 1, STEPS + 1)
     for channel, values in enumerate(np.array(stops).T):
         colors[:, channel] = np.interp(place, np.arange(len(stops)), values)

@@ -141,7 +141,7 @@ def find_places(pieces: FlatMesh, earlier: FlatPieces, away: np.ndarray, spacing
 def _fit(now: _Pieces, then: _Pieces, piece_id: int) -> Motion | None:
     """Return the motion of the piece to its earlier place; None without a good fit to at least two points.
 
-    Points are the vertices that occur only once in both shapes.
+    The points are the vertices that occur exactly once in each of the two shapes.
     """
     rows = [_only_once(pieces.sources(piece_id)) for pieces in (now, then)]
     here, there = (pieces.sources(piece_id)[own] for pieces, own in zip((now, then), rows, strict=True))

@@ -36,7 +36,7 @@ from .flatten import ClothChoice, issue_of_piece, known_stretch, library_marks, 
 from .identity import PieceIdentity, SeamIdentity
 
 SHOWN_SENTENCES = 4
-MOST_SEWN = 60  # maximum number of pieces that can be sewn; UV maps for textures may have an island for each face
+MOST_SEWN = 60  # maximum number of pieces to sew, because UV maps for textures may have an island for each face
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -87,7 +87,8 @@ class ObjectReport(Report):
     uv_layer: str | None = None
     uv_scale: float | None = None  # Blender units per UV unit
     flat_object: str | None = None  # name of the flat object; None: nothing was written
-    uv_seams: UvSeams | None = None  # result with the seams of the UV map; None: not tried, or not better
+    # Result with the seams of the UV map. None if it was not tried, or is not better than the result without them.
+    uv_seams: UvSeams | None = None
 
     @property
     def left_out(self) -> list[str]:
@@ -210,7 +211,7 @@ IN_PLACE = 1e-4  # share of a piece's size: maximum distance between a vertex an
 def with_mirror_images(issues: Sequence[Issue], result: FlattenResult, arrays: MeshArrays) -> list[Issue]:
     """Return the issues with shared fixes: both issues of a mirrored pair of pieces suggest the fixes of both pieces.
 
-    If the meshes are mirror images, the fixes of the first issue are mirrored.
+    If the meshes of the two pieces are mirror images, the fixes of the first piece are mirrored for the second piece.
     """
     found = list(issues)
     fixable = [index for index, issue in enumerate(issues) if issue.proposed_seams or issue.proposed_tolerances]

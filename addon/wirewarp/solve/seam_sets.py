@@ -32,8 +32,8 @@ LIMITS = (0.05, 0.1, 0.2)  # accepted stretches as fractions, from stiff woven f
 
 
 def limits_up_to(stretches: Sequence[float]) -> list[float]:
-    """Return the accepted stretches in ascending order: the fabric's maximum stretches, and smaller LIMITS. stretches:
-    the maximum stretches; empty if unknown."""
+    """Return the accepted stretches in ascending order: the fabric's maximum stretches, and all LIMITS below the larger
+    of these. stretches: the maximum stretches; empty if unknown, which gives all LIMITS."""
     return sorted({*(limit for limit in LIMITS if not stretches or limit < max(stretches)), *stretches})
 
 
@@ -111,8 +111,9 @@ def first_sets(
 ) -> Steps[list[Cut]]:
     """Return cut sets for a fabric with a known maximum stretch, or other cuts if no piece needs a set."""
     cloth = choices.cloth
-    # Without threads, the search takes a fraction of the time. Later, with_measures() uses the fabric. With negative
-    # ease, the shapes of the pieces would differ too much.
+    # The search without the fabric takes a fraction of the time, and with_measures() uses the fabric afterward. With
+    # negative ease, the fabric is used in the search, because without it, the shapes of the pieces would differ
+    # too much.
     if cloth is not None and not (cloth.worn_across or cloth.worn_along):
         cuts = yield from suggest_cuts(arrays, replace(choices, cloth=None), options, no_seam)
         if cuts[0].is_set:

@@ -34,7 +34,7 @@ from .steps import CanceledError, Steps
 # Pieces have at least this width, as a multiple of the allowance: two allowances, and a fifth more to turn the piece
 # right side out.
 ROOM = 2.4
-# More pieces are worth the sewing if their stretch is below this share of the stretch of a set with fewer pieces.
+# A set with more pieces is worth the sewing if its stretch is below this share of the stretch of a set with fewer.
 # Smaller gains are not felt in fabric.
 WORTH_PIECES = 0.95
 CORNER = math.cos(math.radians(30))  # larger turns are corners; a sewist sees smaller turns as a curve
@@ -94,7 +94,7 @@ class Cut:
         return bool(self.cleared) or (self.is_first and len(self.lengths) == 1)
 
     def excess(self, limits: Sequence[float]) -> float:
-        """Return by how much the worst piece of the set exceeds the fabric, as in the verdict; at most 0 if none does.
+        """Return by how much the worst piece exceeds the maximum stretch, as in the verdict; at most 0 if none does.
 
         limits: maximum stretches, the smaller direction first
         """
@@ -241,7 +241,7 @@ def from_few_pieces(sets: Sequence[Cut], limits: Sequence[float]) -> list[Cut]:
 def set_for(sets: Sequence[Cut], limits: Sequence[float]) -> int:
     """Return the index of the first set that the fabric allows, if possible without narrow pieces.
 
-    If the fabric allows no set, return the set that exceeds its limits least. limits: see Cut.excess
+    If the fabric allows no set, return the index of the set that exceeds the limits least. limits: see Cut.excess
     """
     excesses = [each.excess(limits) for each in sets]
     within = [index for index, excess in enumerate(excesses) if excess <= 0]
@@ -254,7 +254,7 @@ def _steps_of(plan: list[DartProposal], arrays: MeshArrays, piece: int | None) -
     """Return the steps of a plan. Two mirror images are one step. piece: the piece to cut; None for any piece."""
     first = plan[0]
     # If any piece may be cut, the first cut may be in another piece than the most strained piece. Then strain_left, the
-    # strain after this cut, is that of the most strained piece.
+    # strain after this cut, is that of the most strained piece, which the cut does not change.
     before = first.strain_before if piece is not None else max(first.strain_before, first.strain_left)
     ends = [index + 1 for index, each in enumerate(plan) if each.twin is None or each.twin < index]
     return [_cut(plan[:end], plan[end - 1].strain_left, before, arrays) for end in ends]

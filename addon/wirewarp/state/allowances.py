@@ -7,9 +7,10 @@ wirewarp_allowance FLOAT, on edges, in Blender units:
 - below 0: nothing is added, because the fabric is folded there or stays raw
 - 0, NaN or missing: the pattern's default; new edges and edges of joined meshes have 0
 
-Marks on one side are on the edge: a value, and the number of the face on this side (wirewarp_face INT, random, 0 none).
-Scripts may write the value on a corner instead: the corner of this face at which the edge begins. Blender blends such
-values when edges are split, and moves them to other edges when faces are flipped or mirrored.
+A mark on one side is stored on the edge: a value, and the number of the face on this side. The face stores its number
+in wirewarp_face (INT, random, 0 for none). Scripts may write the value on a corner instead: the corner of this face at
+which the edge begins. WireWarp does not, because Blender blends values of corners when edges are split, and moves them
+to other edges when faces are flipped or mirrored.
 
 - Faces that are cut, copied or extruded share a number until number_faces() renumbers them.
 - The side is unknown if several faces of the edge have the number.
@@ -60,7 +61,7 @@ class SidedMark:
         self.check_attributes(mesh)
         _, counts = marked_corners(mesh, self.side)
         sides, values = read_values(mesh, self.side), read_values(mesh, self.value)
-        # If only one face is left at an edge, which is not the marked face, the mark is ignored.
+        # If only one face is left at an edge, and it is not the marked face, the mark is ignored.
         lost = np.flatnonzero((sides != 0) & is_set(values) & (counts != 1) & (faces_at_edges(mesh) > 1))
         if len(lost):
             why, first = "faces there were copied or replaced", f"Mark the {self.what} again"
@@ -151,7 +152,8 @@ def number_faces(mesh: bpy.types.Mesh, faces: np.ndarray) -> np.ndarray:
 
 
 def marked_corners(mesh: bpy.types.Mesh, side: Mark) -> tuple[np.ndarray, np.ndarray]:
-    """Return a mask (l,) of the corners whose face has the number on their edge, and their count at each edge (e,).
+    """Return a mask (l,) of the corners whose face has the number that is stored on the corner's edge. Also return the
+    number (e,) of such corners at each edge.
 
     side: the attribute that stores the number on edges
     """
@@ -196,7 +198,7 @@ def mark_sides(mesh: bpy.types.Mesh, corners: np.ndarray, width: float) -> int:
     Edges of more than two faces do not change. width: see mark_edges
     """
     loop_edges = corner_edges(mesh)
-    # All sides of an edge with more than two faces have one width.
+    # All sides of an edge with more than two faces have one width, so such edges are left out.
     marked = corners[faces_at_edges(mesh)[loop_edges[corners]] <= 2]
     both, widths = _where_set(read_values(mesh, ALLOWANCE)), corner_widths(mesh)
     widths[marked] = width

@@ -1,7 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Summarizes everything that the flat pieces of a model depend on as a state, so that changes since a report are
-detected.
-"""
+"""Makes the state of a model: a summary of everything that its flat pieces depend on, to detect later changes."""
 
 import hashlib
 
@@ -121,7 +119,7 @@ def _length_sums(mesh: MarkedMesh, linear: np.ndarray) -> dict:
 
 def _modified_state(source: bpy.types.Object) -> dict:
     """Return the state of the existing evaluated mesh."""
-    # evaluated_mesh would evaluate the object again to get more layers.
+    # evaluated_mesh() is not used, because it would evaluate the object again to get more layers.
     evaluated = source.evaluated_get(bpy.context.view_layer.depsgraph)
     try:
         mesh = read_marked(evaluated.to_mesh())
@@ -165,11 +163,11 @@ def _marks(mesh: MarkedMesh) -> list[np.ndarray]:
 
 
 def place_sums(points: np.ndarray) -> list[float]:
-    """Return sums of the points (n,3). If a single point moves, the sums change by at least half as much."""
+    """Return weighted sums of the points (n,3). If a single point moves, the sums change by at least half as much."""
     numbers = np.arange(len(points))
     blocks = numbers * BLOCKS // max(len(points), 1)
     wave = np.cos(2.4 * numbers)
-    # No weight is near 0. The sum of the weights is near 0, so that a common rounding error cancels.
+    # No weight is near 0. The sum of the weights is near 0, so that a rounding error common to all points cancels.
     weights = (wave + np.sign(wave)) / 2
     sums = [np.bincount(blocks, weights * column, minlength=BLOCKS) for column in _finite(points).T]
     return np.concatenate(sums).tolist()
