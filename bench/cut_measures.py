@@ -16,7 +16,7 @@ class CutFigures:
     # plane; 4 without distortion
     energy: float
     strain: float  # DartProposal.strain of the whole surface
-    length: float  # length of all cuts on the surface, each edge counted once, over the square root of the area
+    length: float  # length of all cuts on the surface, each edge counted once, divided by √area
     # The differences between the flat lengths of both sides of each cut edge are added. The sum is divided by the
     # length of all cuts on the surface. 0.01 is 10 mm per meter of cut.
     mismatch: float

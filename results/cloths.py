@@ -142,7 +142,7 @@ def section(inputs: Inputs) -> str:
 
 The table shows the strain of each fabric: the strain of the threads across (weft) and along the grain (warp), and the
 deviation of the threads from a right angle. In all columns, the lengths of outlines, seams and wires are the same and
-exact. Only the shape between them differs. Each number is the 99th percentile by area: 1% of the area has a larger
+exact. Only the shapes of the pieces differ. Each number is the 99th percentile by area: 1% of the area has a larger
 value.
 
 {table(["across / along / shear", *CHOICES], rows)}
@@ -156,9 +156,9 @@ threads has {woven} times the strain without a fabric (99th percentiles). In the
 lower than without a fabric on {lower} of the {len(found)} samples. Some samples unfold without strain in every fabric:
 {", ".join(unfolded)}. Compared with runs without a fabric, flattening all samples takes {times}.
 
-**What to choose.** Choose no fabric for materials that are equally stiff in all directions: felt, paper, foam, and
-leather of unknown direction. For other materials, choose the preset. The report then shows the strain of this fabric,
-and warns you if the fabric cannot stretch that far. If the fabric has no nap or print, and if the pieces may have any
-direction on it, choose the best direction. Otherwise choose a grain line for each piece, as a tailor does.
+**What to choose.** Choose the preset of your material, even if the material is equally stiff in all directions. The
+report then shows the strain of this material, and warns you if the material cannot stretch that far. If no preset suits
+your material, choose no fabric. If the fabric has no nap or print, and if the pieces may have any direction on it,
+choose the best direction. Otherwise choose a grain line for each piece, as a tailor does.
 
 {worn_subsection(inputs)}"""

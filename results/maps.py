@@ -133,7 +133,7 @@ def _fill(triangles: np.ndarray, colors: np.ndarray | list[str]) -> PolyCollecti
 
 
 def draw_scale(axes: Axes, quantity: Map, scale: Normalize, is_exceeded: bool) -> None:
-    """Draw the numbered colors as a vertical scale."""
+    """Draw a vertical color scale with its values."""
     extend = "neither" if not is_exceeded else "both" if quantity.is_signed else "max"
     bar = axes.figure.colorbar(ScalarMappable(scale, quantity.colors), cax=axes, extend=extend, extendfrac=0.06)
     bar.set_label(quantity.title, fontsize=9)

@@ -41,7 +41,7 @@ def linux(processor: str, platform: str) -> System:
 
 
 def macos(processor: str, name: str, platform: str) -> System:
-    """Return a macOS system. processor: zig's name; name: the name of the processor in file names of wheels."""
+    """Return a macOS system. processor: zig's name of the processor; name: its name in file names of wheels."""
     tag = f"macosx_{OLDEST_MACOS.replace('.', '_')}_{name}"
     return System(platform, f"{processor}-macos.{OLDEST_MACOS}", OLDEST_MACOS, tag, ".cpython-{}-darwin.so")
 

@@ -21,7 +21,10 @@ GENERATOR = next((each for each in reversed(BPY) if BPY[each] == DEBIAN_VERSION)
 
 
 def write_repository(zips: Path) -> Path:
-    """Copy the extension zips in this folder to dist/repository/, and write the list there. Return dist/repository/."""
+    """Copy the extension zips in `zips` to dist/repository/, and write Blender's list of them, index.json, beside them.
+
+    Return dist/repository/.
+    """
     found = extension_zips(zips)
     if not found:
         raise StepError(f"there is no extension zip in {zips}; ./dev package makes one")

@@ -9,7 +9,7 @@
 
 namespace wirewarp {
 
-/// Throws FlattenError if flatten() refuses the whole input. The returned table keeps a reference to the input's faces.
+/// Throws FlattenError if flatten() refuses the whole input. The input must outlive the returned table.
 EdgeTable check_request(const FlattenInput& input, const Options& options);
 
 /// Does the same as flatten(), with internal options. All runs with one cache must use the same internal options.

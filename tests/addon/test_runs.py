@@ -244,7 +244,7 @@ def test_a_model_whose_update_was_canceled_says_what_to_do(addon, source, monkey
     bpy.ops.object.wirewarp_flatten()
     raise_vertex(source)
     assert coming in draw_panels(addon)
-    assert taken(addon) == ["Bump"]  # as at the beginning of an update
+    assert taken(addon) == ["Bump"]  # an update begins with the same call
     with monkeypatch.context() as patched:
         patched.setattr(addon.report_panel.flatten_panel, "is_running", lambda _: True)
         shown = draw_panels(addon)

@@ -127,7 +127,7 @@ void check_error(Judged& judged, int number) {
       if (!has_seams) judged.say("no seam is proposed");
       break;
     case ErrorCode::boundary_too_short: {
-      // Area of a circle with the length of the longest loop, over the piece's area. If this ratio is above the
+      // Area of a circle with the length of the longest loop, divided by the piece's area. If this ratio is above the
       // minimum, the outline is not too short (see native/src/surface/charts/isoperimetric.cpp).
       const double share = topology.longest_loop * topology.longest_loop / (4 * 3.141592653589793 * topology.area);
       if (share > (topology.num_loops > 1 ? 0.45 : 0.25) * (1 + 1e-9)) judged.say("the outline is not too short");

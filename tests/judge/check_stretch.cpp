@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Checks the lengths of a fabric that is stretched when worn. A share is a flat length over the length on the surface,
-// and depends on the edge's direction in the result without the stretch.
+// Checks the lengths of a fabric that is stretched when worn. A share is a flat length divided by the length on the
+// surface. It depends on the edge's direction in the result without the stretch.
 #include "checks.h"
 
 namespace wirewarp::test {
 namespace {
 
 constexpr double kEven = 1e-12;  // allowed difference between equal shares
-// Largest E over the area of a piece that unfolds. Other pieces may have several minima, so the shapes of these pieces
-// are not compared.
+// Largest E, divided by the area, of a piece that unfolds. Other pieces may have several minima, so the shapes of these
+// pieces are not compared.
 constexpr double kWithoutStrain = 1e-18;
-constexpr double kSamePlace = 1e-6;  // allowed distance of vertices from their expected places, over the piece's size
+constexpr double kSamePlace = 1e-6;  // allowed distance of vertices from their expected places, in sizes of the piece
 
 Eigen::Vector2d shares(const Judged& judged) {
   const std::array<double, 2>& stretch = judged.options.cloth->stretch;

@@ -12,11 +12,11 @@
 namespace wirewarp::test {
 namespace {
 
-// Largest gaps where faces of an unfolded surface meet again: kCloses over the piece's size, kStrain over the length of
-// the common side.
+// Largest gaps where faces of an unfolded surface meet again. kCloses is a share of the piece's size, and kStrain is a
+// share of the length of the common side.
 constexpr double kCloses = 1e-11, kStrain = 1e-7;
 
-// Largest E (Eq. 4) over the 3D area of a shape without distortion:
+// Largest E (Eq. 4), divided by the 3D area, of a shape without distortion:
 // - kUndistorted: from rounding errors only
 // - kUndistortedAngles: also from the angle error at which the solver of Eq. (1) stops
 constexpr double kUndistorted = 1e-12, kUndistortedAngles = 1e-9;

@@ -17,8 +17,8 @@ namespace {
 using test::by;
 using test::misfit;
 
-// Allowed difference of positions, over the piece's size. The refined method stops when the next step would gain less
-// than 1e-9 of its objective.
+// Allowed difference of positions, as a share of the piece's size. The refined method stops when the next step would
+// gain less than 1e-9 of its objective.
 constexpr double kSame = 1e-6;
 constexpr Method kMethods[] = {Method::wirewarp_plus_plus, Method::refined};
 

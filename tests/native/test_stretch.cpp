@@ -27,7 +27,7 @@ Options stretched(double weft, double warp, double shear = 0.05) {
   return options;
 }
 
-/// Returns the flat length over the length on the surface, for a line at the angle ψ from the weft:
+/// Returns the flat length divided by the length on the surface, for a line at the angle ψ from the weft:
 /// √(cos²ψ/(1+c_weft)² + sin²ψ/(1+c_warp)²).
 double share_at(double angle) { return std::hypot(std::cos(angle) / (1 + kWeft), std::sin(angle) / (1 + kWarp)); }
 

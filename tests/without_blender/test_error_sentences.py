@@ -58,10 +58,10 @@ def test_elements_are_counted_and_the_remedy_depends_on_the_reason(said, code, a
 @pytest.mark.parametrize(
     ("lengths", "expected"),
     [
-        ([0.5], "cannot be flattened: mark another seam. Its outline is too short to surround it: 500 mm."),
-        ([0.3134, 1.2e-05], "is a tube: mark a seam from one opening to the other. Its outlines are too short to "),
-        ([0.3134, 1.2e-05], "surround it: 313 mm and 0.012 mm."),
-        ([0.1] * 7, "between its 7 openings. Its outlines are too short to surround it: 100 mm, 100 mm, 100 mm, 100"),
+        ([0.5], "cannot be flattened: mark another seam. The outline is too short to surround the flat piece: 500 mm."),
+        ([0.3134, 1.2e-05], "is a tube: mark a seam from one opening to the other. The outlines are too short to "),
+        ([0.3134, 1.2e-05], "surround the flat piece: 313 mm and 0.012 mm."),
+        ([0.1] * 7, "7 openings. The outlines are too short to surround the flat piece: 100 mm, 100 mm, 100 mm, 100"),
         ([0.1] * 7, "100 mm and 2 more."),
     ],
 )

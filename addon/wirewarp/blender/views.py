@@ -27,7 +27,7 @@ _legend_width = 0.0  # width of the legend as last drawn, with its margin, in pi
 
 
 def note_legend(width: float) -> None:
-    """Note the width of the legend in a 3D view, in pixels of the screen, so that places are shown beside the
+    """Store the width of the legend in a 3D view, in pixels of the screen. Views then show elements beside the
     legend."""
     global _legend_width
     _legend_width = width

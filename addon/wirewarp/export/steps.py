@@ -109,8 +109,9 @@ class PatternExport(OnMesh, WindowSteps, ExportHelper):
     )
     notch_spacing: number(
         "Notches Every",
-        "Distance between notches along seams, in millimeters, from the same end on both sides. At least 1, or 0 for "
-        "notches only at wires. Seams shorter than this distance, but at least 15 mm long, get one notch",
+        "Distance between notches along seams, in millimeters: at least 1, or 0 for notches only at wires. On both "
+        "sides of a seam, it is measured from the same end. Seams shorter than this distance, but at least 15 mm long, "
+        "get one notch",
         (0.0, 100.0, 500.0),
         step=1000,
     )

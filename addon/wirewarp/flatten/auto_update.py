@@ -4,7 +4,8 @@
 1. A handler notes the change.
 2. A timer in state.memory makes Blender send a mouse movement to the current position.
 3. Unless a running tool (moving vertices, a knife) consumes the movement, the keymap starts wm.wirewarp_watch.
-4. The operator updates the pieces with an undo step. The update also ends with a movement that no tool consumes.
+4. This operator starts the update, which usually joins the last undo step: see updating_in(). The update also ends
+   with a movement that no tool consumes.
 
 The timer cannot start the update, because timers run during tools. Leaving Edit Mode would then crash Blender, and
 before version 4.2, Python cannot detect the tool.

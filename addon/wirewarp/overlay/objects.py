@@ -50,8 +50,8 @@ ARROW = 0.4  # length of a grain arrow as a share of the size of its piece
 
 @dataclass(frozen=True)
 class Lines:
-    places: dict[str, np.ndarray]  # (2k,3) float32 for each kind of line
-    dashes: dict[str, np.ndarray]  # (2m,3) float32 for each kind with dashes
+    places: dict[str, np.ndarray]  # (2k,3) float32 ends of the edges, for each kind of line
+    dashes: dict[str, np.ndarray]  # (2m,3) float32 ends of the dashes, for each kind of line that has dashes
     names: list[Name]
 
 

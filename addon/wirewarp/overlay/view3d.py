@@ -101,7 +101,7 @@ def draw_screen() -> None:
 
 
 def _lines_in_view(context: bpy.types.Context, shown: Sequence[Drawing]) -> np.ndarray:
-    """Return the ends (k,2,2) of all lines in pixels of the region. Lines behind the eye are left out."""
+    """Return the ends (k,2,2) of all lines in pixels of the region, except lines with an end outside the clip range."""
     found = []
     for drawing in shown:
         for ends in drawing.lines.places.values() if drawing.lines else ():

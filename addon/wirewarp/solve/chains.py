@@ -48,7 +48,7 @@ class Chain:
     """A connected run of edges. A closed run repeats its first vertex at the end."""
 
     edges: list[int]  # rows of the edge array, in order along the run
-    vertices: list[int]  # one more than the number of edges, in order
+    vertices: list[int]  # in order along the run, one more than edges
 
 
 @dataclass(frozen=True)
@@ -88,7 +88,7 @@ class WireChain:
     tolerance: float
     ease: float
     edges: list[int]  # rows of the edge array, in order along the run
-    vertices: list[int]  # one more than the number of edges, in order
+    vertices: list[int]  # in order along the run, one more than edges
 
 
 def split_into_chains(edges: np.ndarray, positions: np.ndarray) -> list[Chain]:

@@ -84,7 +84,7 @@ def _outline_too_short(facts: ErrorFacts) -> str:
     else:
         fault = f"The piece cannot be flattened: mark seams between its {count} openings"
     outlines = "outline is" if count == 1 else "outlines are"
-    return f"{fault}. Its {outlines} too short to surround it: {_listed(lengths)}."
+    return f"{fault}. The {outlines} too short to surround the flat piece: {_listed(lengths)}."
 
 
 def _infeasible_lengths(facts: ErrorFacts) -> str:

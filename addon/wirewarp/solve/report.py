@@ -288,8 +288,8 @@ def _mirrored_edges(edges: Iterable[tuple[int, int]], image_of: dict[int, int]) 
 
 
 def _mirrored_wire(wire: LooserWire, image_of: dict[int, int], arrays: MeshArrays) -> LooserWire | None:
-    """Return the wire that contains the mirror image of `wire`, or of its part in the piece. Return None if there is no
-    such wire."""
+    """Return the wire that contains the mirror image of `wire`, with the tolerance of `wire`; None if there is no such
+    wire. Only edges of `wire` with vertices in image_of need an image."""
     image = _mirrored_edges([edge for edge in wire.edges if edge[0] in image_of and edge[1] in image_of], image_of)
     wanted = set(image or ())
     for each in arrays.wires:

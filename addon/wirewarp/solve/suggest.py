@@ -327,7 +327,7 @@ def row_text(kind: str, cut: Cut, target: Target | None, text: LengthText) -> st
 
 
 def shortfall(kind: str, cuts: list[Cut], target: Target) -> str:
-    """Return a sentence that says why the target is not reached; empty if it is reached."""
+    """Return sentences that say how far the target is missed, and what may help; empty if it is reached."""
     last = cuts[-1]
     if last.strain <= target.strain:
         return ""

@@ -32,7 +32,7 @@ class ObjectState:
     size_asked: Any = None  # the question about the object's size; see report_panel.flatten_panel
     solved: Any = None  # the wirewarp.Cache of its solved pieces; see flatten.read
     solved_by_map: Any = None  # the Cache for the attempt with the seams of its UV map
-    tried: dict | None = None  # state of the model when Auto last updated it; see flatten.auto_update
+    tried: dict | None = None  # changed state that Auto last handled, even without an update; see flatten.auto_update
     is_due: bool = False  # for a scene: Auto has to look for changes; see note_change
     is_undone: bool = False  # for a scene: the last change was an undo
 

@@ -140,7 +140,7 @@ class WindowRun(Generic[T]):
 class WindowSteps:
     """Mixin of operators that start a run with begin(), continue it in modal() and end it in finish_run()."""
 
-    ends_on = "TIMER"  # type of the event that finishes a completed run
+    ends_on = "TIMER"  # type of the event at which modal() calls finish_run() after the work is done
 
     def begin(self, context: bpy.types.Context, task: Task, what: str, steps: Steps[object]) -> set[str]:
         """Start a run with these steps, which modal() continues. what: name of the object, or number of objects."""

@@ -58,8 +58,9 @@ struct Options {
   Inner inner = Inner::minimum;                 // planar angles that the inner problem returns
 
   /// For the refined method: shortest wavelength that is not smoothed in outlines and wires, divided by the square root
-  /// of the piece's area. Larger values give smoother lines and more distortion inside. In [0.001, 10]. The
-  /// least wavelength is below the edges of a million triangles, and the largest is ten times the piece's size.
+  /// of the piece's area. Larger values give smoother lines and more distortion inside. In [0.001, 10]. With 0.001, the
+  /// wavelength is shorter than the edges of a piece with a million equal triangles. With 10, it is ten times the
+  /// piece's size.
   double fairness = 0.05;
   static constexpr double least_fairness = 0.001;
   static constexpr double most_fairness = 10;

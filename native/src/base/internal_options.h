@@ -10,7 +10,7 @@ namespace wirewarp {
 /// The point at which the refined method ends.
 enum class Target {
   minimum,  // when no further step is worthwhile
-  rough,    // when another step would gain little; the shape is only a start, or sets the fabric's direction
+  rough,    // when another step would gain little; enough for starts, directions of fabric and coarse evaluations
   /// The method ends after the first Newton step that decreases f, and the shape is a start for other runs. Longer runs
   /// would increase the total number of factorizations by a sixth.
   newton_step,

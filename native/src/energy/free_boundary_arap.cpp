@@ -22,7 +22,7 @@ namespace {
 
 // The steps end once a step lowers E by a smaller share than this. A start needs no more digits.
 constexpr double kSmallestDrop = 1e-6;
-// The longest step, as a multiple of its direction. Farther away, E differs too much from a parabola.
+// The longest step, in multiples of the direction. Farther away, E differs too much from a parabola.
 constexpr double kLongestStep = 8;
 /// Relative increase of each diagonal entry. It is far above rounding errors, so that the factorization does not fail
 /// on slivers.
@@ -54,8 +54,9 @@ class GlobalStep {
 
 double dot(const Positions2& a, const Positions2& b) { return (a.array() * b.array()).sum(); }
 
-/// Returns the step to the minimum of a parabola, in multiples of the direction. The parabola has the value and slope
-/// of E at the start, and the value of E after one direction.
+/// Returns the step to the minimum of a parabola, in multiples of the direction; at most kLongestStep. The parabola has
+/// the value and slope of E at the start, and the value of E at the start plus the direction. If the parabola has no
+/// minimum, the step is kLongestStep.
 double step_length(const ShapeError& shape_error, const FreeBoundaryArap& flat, const Positions2& direction,
                    double slope) {
   const double curvature = 2 * (shape_error.energy(flat.uv + direction) - flat.energy - slope);

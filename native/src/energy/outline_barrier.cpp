@@ -16,7 +16,7 @@ namespace {
 
 // κ: at a distance of about d̂/2, the force of the barrier is as large as the force of a strain of 1.
 constexpr double kWeight = 1;
-// d̂ over the length of the edge. With this value, the two sides of a corner of more than 6° are not a contact.
+// d̂ divided by the length of the edge. With this value, the two sides of a corner of more than 6° are not a contact.
 constexpr double kReach = 0.1;
 // The Hessian contains the contacts up to this multiple of d̂, so that it lasts for several steps.
 constexpr double kCovered = 8;

@@ -83,7 +83,7 @@ class Springs {
   Eigen::MatrixX2d x_;  // first the right-hand side, then the positions of the free points
 };
 
-/// Each corner with the angle α adds tan(α/2)/l to the stiffness of both its edges. l is the length of the edge.
+/// Each corner with the angle α adds tan(α/2)/l to the stiffness of each of its two edges. l is the length of the edge.
 void add_faces(const HalfEdgeMesh& mesh, Springs& springs) {
   for (const HalfedgeHandle h : mesh.halfedges()) {
     if (mesh.is_boundary(h)) continue;

@@ -14,7 +14,7 @@
 namespace wirewarp {
 namespace {
 
-// Largest gap between the rims of a shut slit, over its length. With exact lengths, the gap is 1e-13 of the length.
+// Largest gap between the rims of a shut slit, divided by the length of the slit. With exact lengths, it is 1e-13.
 constexpr double kShut = 1e-7;
 
 bool is_shut(const Chart& chart, const Slit& slit, const Positions2& uv) {

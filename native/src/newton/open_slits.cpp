@@ -19,8 +19,8 @@ namespace {
 constexpr double kOpening = 0.1;  // slope of an opened rim against the shut slit, far less than the angles of triangles
 // Largest share of a face's height by which a rim moves into the face, so that no face flips.
 constexpr double kOfHeight = 1.0 / 3;
-// Depth that counts as overlap, over the diagonal of the piece. Later checks allow ten times this depth, because the
-// diagonal may be shorter after the piece is rotated.
+// Depth that counts as overlap, divided by the diagonal of the piece. Later checks allow ten times this depth, because
+// the diagonal may be shorter after the piece is rotated.
 constexpr double kOverlapDepth = 1e-10;
 
 /// Returns the distance along the rims to the nearest tip, for the vertex where each half-edge begins.

@@ -13,7 +13,7 @@ namespace {
 // Largest number of steps with one factor. Each step after the first halves the strain, so nine of them leave 1/500.
 constexpr int kMaxProjectSteps = 10;
 constexpr double kShortestProjectStep = 1.0 / 64;  // shorter steps do not reduce the length errors
-constexpr double kSufficientProjectStep = 0.1;     // least decrease over its predicted decrease, as accept_ratio
+constexpr double kSufficientProjectStep = 0.1;     // a step must achieve this share of the predicted decrease
 
 struct Projected {
   Positions2 uv;

@@ -13,10 +13,10 @@ import pyclipper
 GRID = 1e-4
 ON_LINE = 1e-3  # millimeters; a point closer to a line counts as on the line; 10 times GRID
 DEPTH = 1e-4  # share of the diagonal of the smaller shape's box; shapes that overlap less deeply only touch
-STEPS, ROUNDS = 8, 3  # of the search for an innermost point; the last steps are 2% of the shape's size
+STEPS, ROUNDS = 8, 3  # numbers for the search for an innermost point; the last steps are 2% of the shape's size
 SAMPLES = 100  # number of points on the outline from which distances are measured, enough for placing text
 PAIRS = 1_000_000  # number of pairs of points and sides compared at a time; an array of pairs has 16 MB
-# This is the number of steps of Clipper's grid across all outlines. Up to this number, Clipper is exact and fast.
+# Largest number of grid steps along the longer side of the box around all outlines for which Clipper is exact and fast.
 RESOLUTION = 2.0**30
 
 

@@ -245,9 +245,9 @@ class Pattern(PatternData):
         return nesting(whole, Cloth(width, length, gap, grain), times, seconds, self.units, preview)
 
     def laid_on(self, marker: Marker) -> "Pattern":
-        """Return a pattern that shows the marker and can be written. Each copy of a piece is a piece in its place.
+        """Return a pattern that shows the marker. It has a piece for each copy on the marker, at the place of the copy.
 
-        Raises FlattenError if the marker was made from other pieces.
+        Raises FlattenError if the marker was made from other pieces, or if this pattern already has a marker.
         """
         if self.marker:
             raise problem("The pattern is already laid out on a marker.")

@@ -101,7 +101,10 @@ def _plain(name: str) -> str:
 
 
 def _number(value: float | None, factor: float = 1) -> str:
-    """Return the number times the factor as a text, or "" for None, for example without a layout. Zero has no sign."""
+    """Return the product of value and factor as text. Zero has no sign.
+
+    Return "" if the value is None, for example if the piece has no layout.
+    """
     if value is None:
         return ""
     text = f"{value * factor:.{DIGITS}f}"

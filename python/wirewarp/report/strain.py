@@ -60,8 +60,8 @@ def piece_strain(metrics: Metrics) -> PieceStrain:
 class Wanted:
     """Largest intended changes of length between the model and the flat piece, from the eases of the piece's lines."""
 
-    stretch: float = 1.0  # factor from negative ease: length when worn, over the flat length
-    compression: float = 1.0  # factor from ease and gathers: flat length, over the length on the model
+    stretch: float = 1.0  # factor from negative ease: length when worn, divided by the flat length
+    compression: float = 1.0  # factor from ease and gathers: flat length divided by the length on the model
 
 
 def wanted_strain(ratios: Sequence[float]) -> Wanted:
@@ -95,8 +95,8 @@ def widespread(values: np.ndarray, areas: np.ndarray) -> float:
     """Return the value that 99% of the area stays below. values (q,): value of each triangle; areas (q,): its area."""
     order = np.argsort(values)
     below = np.cumsum(areas[order])
-    # A tolerance for rounding errors of sums is subtracted, so that the choice does not depend on the order of
-    # triangles with equal values.
+    # The share is reduced by a tolerance for rounding errors of the sums. The returned value therefore does not depend
+    # on the order of triangles with equal values.
     return float(values[order[min(np.searchsorted(below, SHARE * (1 - 1e-9) * below[-1]), len(order) - 1)]])
 
 

@@ -32,8 +32,7 @@ constexpr int kMostDepth = 3;
 /// 5, the cuts are no better.
 constexpr int kMostJudged = 3;
 
-/// The price of a cut is its length over √area, plus this factor times its distortion over area. 43 models have these
-/// totals:
+/// The price of a cut is its length/√area, plus this factor times its distortion/area. 43 models have these totals:
 /// - factor 3: length 86, distortion 3.5
 /// - factor 10: length 97, distortion 0.9
 /// - factor 30: length 100, distortion 0.6

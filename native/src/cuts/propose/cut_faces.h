@@ -8,9 +8,9 @@
 
 namespace wirewarp {
 
-/// Cuts some faces of an input along seams and along the outline of these faces. The result is as from
-/// cut_into_charts(), but the parts of a wire have other numbers, and `is_boundary_wire` is not set. Throws Stopped.
-/// - faces: sorted
+/// Cuts some faces out of an input, and divides them along seams. The result equals that of cut_into_charts(), except
+/// that the parts of a wire have other numbers, and `is_boundary_wire` is not set. Throws Stopped.
+/// - faces: the faces to cut out, sorted
 Charts cut_faces(const FlattenInput& input, const std::vector<int>& faces, const std::vector<VertexPair>& seams,
                  const StopToken& stop);
 

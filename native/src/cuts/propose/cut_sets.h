@@ -37,7 +37,7 @@ double limit_of_set(const DartProposal& set, const CutOptions& cut_options);
 /// repeatedly cuts the most strained part, and finally merges pieces.
 class CutSetSearch {
  public:
-  /// piece: index of the piece to cut. Keeps all references.
+  /// piece: index of the piece to cut. The arguments must outlive the object.
   CutSetSearch(const FlatPieces& pieces, std::size_t piece, const CutOptions& cut_options, const ExactEvaluation& exact,
                CutProgress& progress);
 
@@ -56,7 +56,7 @@ class CutSetSearch {
   struct Candidate {
     CutMask cut;                 // symmetric if the piece is symmetric
     double gain = 0;             // share of the part's energy that the cut removes
-    double gain_for_length = 0;  // gain over the length of the cut
+    double gain_for_length = 0;  // gain divided by the length of the cut
   };
 
   CutMask opening() const;

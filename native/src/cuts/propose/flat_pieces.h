@@ -83,7 +83,7 @@ FlatPieces pieces_beside(const FlatPieces& pieces, const std::vector<VertexPair>
 /// A checked input, and its surface moved to the middle of the material.
 class SurfaceToCut {
  public:
-  /// input: kept by reference. Throws the errors of flatten().
+  /// The input must outlive the object. Throws the errors of flatten().
   SurfaceToCut(const FlattenInput& input, const Options& options);
 
   const FlattenInput& given() const { return input_; }
@@ -97,7 +97,7 @@ class SurfaceToCut {
 
 class ExactEvaluation {
  public:
-  /// surface: kept by reference. stop: polled in any thread.
+  /// The surface must outlive the object. stop: polled in any thread.
   ExactEvaluation(const SurfaceToCut& surface, const InternalOptions& options, StopToken stop);
 
   /// Returns the pieces of the input with its own seams. Throws Stopped.

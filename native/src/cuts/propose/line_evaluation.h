@@ -27,9 +27,10 @@ struct LineFigures {
 /// A surface that cut_mesh() has divided along the lines of a cut, with its pieces before and after the cut.
 class CutSurface {
  public:
-  /// Keeps all references. Throws Stopped.
+  /// Throws Stopped.
   /// - piece: index of the piece that is cut
   /// - exact: evaluation on the original mesh
+  /// - cut: must outlive the object
   CutSurface(const FlatPieces& pieces, std::size_t piece, const ExactEvaluation& exact, const CutMesh& cut);
 
   const ExactEvaluation& exact() const { return exact_; }

@@ -104,7 +104,7 @@ InternalOptions without_long_runs(InternalOptions options) {
 /// not at turns by 60 degrees along regular triangles.
 constexpr double kCornerCosine = 0.45;
 
-/// Returns the index where the second half of a section starts.
+/// Returns the index of the half-edge that starts the second half of a section.
 std::size_t middle_of(const HalfEdgeMesh& mesh, const HalfEdgeChain& section) {
   const double half = length_of(mesh, section) / 2;
   double passed = 0;
@@ -114,7 +114,7 @@ std::size_t middle_of(const HalfEdgeMesh& mesh, const HalfEdgeChain& section) {
   return i;
 }
 
-/// Returns the index after the sharpest corner of a section; 0 if there is no corner.
+/// Returns the index of the half-edge that starts at the sharpest corner of a section; 0 if there is no corner.
 std::size_t sharpest_corner_of(const HalfEdgeMesh& mesh, const HalfEdgeChain& section) {
   double least = kCornerCosine;
   std::size_t corner = 0;

@@ -31,7 +31,7 @@ struct MergeRules {
 /// shape, and at most the allowed strain or the strain of an old piece beside the section, whichever is larger.
 class SectionMerger {
  public:
-  /// Keeps references to chart, mirrored and exact. state: a cut of the chart, and the pieces with it.
+  /// chart, mirrored and exact must outlive the object. state: a cut of the chart, and the pieces with it.
   SectionMerger(CutState state, const Chart& chart, const MirroredCuts& mirrored, const ExactEvaluation& exact,
                 const MergeRules& rules = {});
 

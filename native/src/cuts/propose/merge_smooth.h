@@ -15,7 +15,7 @@ namespace wirewarp {
 /// strain, because smoothing removes zigzags that work like small darts.
 class SmoothMerger {
  public:
-  /// least_solidity: as in MergeRules. Keeps all references.
+  /// least_solidity: as in MergeRules. The arguments must outlive the object.
   SmoothMerger(const PieceToCut& piece, double least_solidity, const CutOptions& cut_options,
                const ExactEvaluation& exact);
 

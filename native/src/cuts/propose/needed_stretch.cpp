@@ -48,7 +48,7 @@ NeededStretch::NeededStretch(const FlattenInput& input, bool has_cloth) : input_
   }
 }
 
-/// Returns the least and the largest ease of the piece's lines, in a range that always contains 0.
+/// Returns the smallest range that contains 0 and the eases of all lines of the piece.
 std::pair<double, double> NeededStretch::range_of_eases(const Piece& piece) const {
   std::pair<double, double> range{0, 0};
   const auto add = [&](double ease) { range = {std::min(range.first, ease), std::max(range.second, ease)}; };

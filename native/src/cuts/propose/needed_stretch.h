@@ -15,7 +15,7 @@ constexpr double kMostStrain = 1;
 /// Computes DartProposal::strain, the stretch that a piece needs from its fabric, as in reports and verdicts.
 class NeededStretch {
  public:
-  /// input: as given by the user; kept by reference.
+  /// input: as given by the user; must outlive the object.
   NeededStretch(const FlattenInput& input, bool has_cloth);
 
   /// The piece must have a flat shape.

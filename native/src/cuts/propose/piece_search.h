@@ -42,7 +42,7 @@ void add_with_image(DartProposal cut, std::optional<DartProposal> image, const s
 /// Searches one piece: ranks candidates on a coarse copy, and evaluates the best candidates exactly.
 class PieceSearch {
  public:
-  /// piece: index of the piece to search. Keeps all references.
+  /// piece: index of the piece to search. The arguments must outlive the object.
   PieceSearch(const FlatPieces& pieces, std::size_t piece, CutKind kind, Effort effort, const CutOptions& cut_options,
               const ExactEvaluation& exact);
 

@@ -13,7 +13,7 @@ namespace wirewarp {
 /// errors near vertices.
 class PathMirror {
  public:
-  /// image: mirror image of each vertex, or empty. Keeps a reference to input.
+  /// image: mirror image of each vertex, or empty. The input must outlive the object.
   PathMirror(const FlattenInput& input, const Chart& chart, const std::vector<VertexHandle>& image);
 
   /// Makes one path of each mirrored pair the image of the other path. Makes paths that are their own image symmetric.

@@ -139,7 +139,7 @@ void Decimation::lay_out(HalfedgeHandle first, VertexHandle last, double turn, F
   }
 }
 
-/// Lays out the faces around a vertex. Returns false if the wire turns too sharply at the vertex to remove it.
+/// Lays out the faces around a vertex. Returns false if the vertex must stay, because its wire turns too sharply.
 bool Decimation::lay_out_fans(VertexHandle v) {
   num_fans_ = 0;
   if (is_free(v.idx())) {

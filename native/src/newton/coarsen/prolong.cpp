@@ -43,7 +43,7 @@ std::vector<Derivative> vertex_derivatives(const HalfEdgeMesh& mesh, const Posit
 }
 
 constexpr double kThin = 0.3;    // largest determinant of a sliver's map; triangles of a good start have 0.7 to 1.3
-constexpr double kStill = 0.01;  // shortest move that counts, over the mean edge; smaller values save no Newton step
+constexpr double kStill = 0.01;  // shortest move that counts, in mean edge lengths; smaller values save no Newton step
 constexpr int kMaxSweeps = 100;  // sweeps over the moving vertices; 10 to 30 are usual
 
 /// Unfolds triangles that are flipped or nearly flipped. Fine meshes have slivers that are folded over their neighbors,

@@ -19,8 +19,8 @@
 namespace wirewarp {
 namespace {
 
-/// Rounding error of callers with float32 numbers: a coordinate may be negative by this much, and the sum of the three
-/// coordinates may differ from 1 by this much.
+/// Rounding error of barycentric coordinates from callers that use float32. Each coordinate may be below 0 by this
+/// much, and the sum of the three may differ from 1 by this much.
 constexpr double kRounded = 1e-6;
 
 std::string name_of(std::size_t path) { return "paths[" + std::to_string(path) + "]"; }

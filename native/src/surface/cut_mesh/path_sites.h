@@ -22,7 +22,7 @@ struct Site {
 
 class PathSites {
  public:
-  /// Sites 0 to num_vertices - 1 are the vertices. Keeps references to its arguments.
+  /// Sites 0 to num_vertices - 1 are the vertices. The arguments must outlive the object.
   PathSites(const Triangles& faces, const EdgeTable& edges, int num_vertices, double snap);
 
   /// Returns the site at a point, moved to an edge, a vertex or another site within reach.

@@ -16,7 +16,7 @@ namespace wirewarp {
 
 class GeodesicDistance {
  public:
-  /// mesh: connected; kept by reference. Throws Stopped.
+  /// mesh: connected; must outlive the object. Throws Stopped.
   GeodesicDistance(const HalfEdgeMesh& mesh, const StopToken& stop);
 
   /// Returns the distance of each vertex from the source, scene units.

@@ -8,7 +8,7 @@
 namespace wirewarp {
 namespace {
 
-constexpr double kClosed = 1e-12;       // largest gap of a closed loop over its length, far below the guaranteed 1e-9
+constexpr double kClosed = 1e-12;       // largest gap/length of a loop that counts as closed; the guarantee is 1e-9
 constexpr double kNearlyClosed = 1e-3;  // largest gap that restore() can close with the present factor
 constexpr double kRounding = 2e-15;     // smallest gap that double precision allows
 constexpr double kStationary = 1e-10;   // largest projected gradient at a minimum; gives E six correct digits

@@ -20,7 +20,8 @@ constexpr double kRoundedShare = 1e-12;
 /// because it is faster.
 constexpr double kUsually = 1.5;
 
-/// Returns the corners of a face in the plane of one of its half-edges: start, end, apex.
+/// Returns the start, end and apex of a half-edge's face in the plane. The start is at 0, and the half-edge is along
+/// the real axis.
 std::array<Planar, 3> corners_over(const HalfEdgeMesh& mesh, HalfedgeHandle h) {
   return {Planar(0), Planar(edge_length(mesh, h)), apex_over(mesh, h)};
 }

@@ -30,7 +30,7 @@ struct StraightLine {
 /// are scaled to a total of 2 pi.
 class StraightWalk {
  public:
-  /// barriers: one flag per edge, whether steps and lines may not cross the edge. References are kept.
+  /// barriers: one flag per edge, whether steps and lines may not cross the edge. Both arguments must outlive the walk.
   StraightWalk(const HalfEdgeMesh& mesh, const std::vector<char>& barriers) : mesh_(mesh), barriers_(barriers) {}
 
   /// Returns the point where a straight step ends; the start if the step meets a barrier or the outline.

@@ -33,7 +33,7 @@ class Tracer {
   }
 
  private:
-  /// Arrives at the start of h and leaves it at an angle counter-clockwise from h.
+  /// Arrives at the start of h. angle: direction in which leave_vertex() leaves, counter-clockwise from h.
   void arrive_at_vertex(HalfedgeHandle h, double angle) {
     const VertexHandle v = mesh_.from_vertex_handle(h);
     path_.push_back(PathPoint::at_vertex(v));

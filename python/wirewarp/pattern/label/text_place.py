@@ -13,8 +13,8 @@ from ..model import Text
 WIDE = 3.0  # ratio of width to height of a text that the search assumes
 LETTER, LINE = 0.62, 1.35  # width of a letter and distance of lines, as shares of the height of the text
 WIDE_LETTER = 1.0  # width of Chinese and similar letters and of emoji, as a share of the height
-# Text is horizontal if its letters have at least this share of the largest height, or of the height that they would
-# have in upright text.
+# Text is turned by 90 degrees only if its horizontal letters would be too small. They are too small below this share of
+# the largest height, if they are also below this share of the height of turned letters.
 NEARLY = 0.6
 SMALL = 0.3125  # share of the largest height (2.5 of 8 mm); if text would be smaller, it may cross lines
 

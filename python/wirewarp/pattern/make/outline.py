@@ -70,8 +70,8 @@ def _wires(piece: "Piece", sides: np.ndarray) -> list[FlatWire]:
     return found
 
 
-# No point may be farther from the origin, in millimeters. Any fabric is smaller, and Clipper's integers allow a million
-# times this distance.
+# Largest absolute coordinate of a point, in millimeters. Every fabric is smaller, and Clipper's integers allow a
+# million times this value.
 FARTHEST = 1e8
 
 
