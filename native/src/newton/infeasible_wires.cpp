@@ -268,7 +268,9 @@ LengthDiagnosis diagnose_lengths(Problem& problem, const InternalOptions& option
   });
   stop.check();
   if (!relaxed) return {};  // a factorization failed
-  return {propose_tolerances(problem.chart(), options, *relaxed, stop), shows_conflict(*relaxed)};
+  Chart chart = problem.chart();
+  chart.free_map = problem.free_map(stop);  // all trials of tolerances share it
+  return {propose_tolerances(chart, options, *relaxed, stop), shows_conflict(*relaxed)};
 }
 
 }  // namespace wirewarp

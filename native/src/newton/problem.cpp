@@ -24,6 +24,7 @@ const std::vector<Slit>& Problem::slits() {
 }
 
 const Positions2& Problem::free_map(const StopToken& stop) {
+  if (chart_.free_map) return *chart_.free_map;
   if (!free_map_) free_map_ = free_boundary_arap(chart_, kFreeSteps, {}, stop).uv;
   return *free_map_;
 }

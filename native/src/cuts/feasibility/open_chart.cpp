@@ -49,15 +49,16 @@ struct Proxy {
   double distortion = 0;  // E of Eq. (4), scene units squared
 };
 
-Proxy evaluate_proxy(const Chart& chart, const StopToken& stop) {
+Proxy evaluate_proxy(Chart& chart, const StopToken& stop) {
   const double area = surface_area(chart.mesh);
   const Proxy nothing{area, area};
   if (chart.error || is_outline_too_short(chart)) return nothing;
   const std::optional<Proxy> proxy = attempt([&] {
-    const FreeBoundaryArap free = free_boundary_arap(chart, kFreeSteps, {}, stop);
+    FreeBoundaryArap free = free_boundary_arap(chart, kFreeSteps, {}, stop);
     Proxy found{0, free.energy};
     for (const int f : find_folded_faces(chart.mesh, free.uv, stop))
       found.covered += face_area(chart.mesh, FaceHandle(f));
+    chart.free_map = std::move(free.uv);
     return std::optional(found);
   });
   return proxy.value_or(nothing);
@@ -130,12 +131,12 @@ std::vector<Chart> OpeningSearch::pieces_of(const Chart& piece, const CutMask& c
 Division OpeningSearch::divide(const Chart& piece, CutMask cut) const {
   Division division{std::move(cut), {}, {}, 0, 0};
   bool opens_more = false;
-  const auto take = [&](const Chart& part) {
+  const auto take = [&](Chart& part) {
     division.proxies.push_back(evaluate_proxy(part, stop_));
     return division.proxies.back().covered > 0;
   };
   division.pieces = pieces_of(piece, division.cut);
-  for (const Chart& part : division.pieces) {
+  for (Chart& part : division.pieces) {
     if (!take(part) || part.mesh.n_faces() == 0) continue;
     const CutMask opening = map_.on_chart(part, cut_to_disk(part.mesh, map_.on_part(part, places_.forbidden)));
     if (is_empty(opening)) continue;
@@ -145,7 +146,7 @@ Division OpeningSearch::divide(const Chart& piece, CutMask cut) const {
   if (opens_more) {
     division.proxies.clear();
     division.pieces = pieces_of(piece, division.cut);
-    for (const Chart& part : division.pieces) take(part);
+    for (Chart& part : division.pieces) take(part);
   }
   double distortion = 0;
   for (const Proxy& proxy : division.proxies) {

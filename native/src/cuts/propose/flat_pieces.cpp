@@ -23,6 +23,7 @@ std::shared_ptr<const FlatPiece> as_flat_piece(Chart chart, const Piece& piece, 
   PartMap edges(chart);
   std::vector<VertexPair> outline = outline_of(chart);
   FlatPiece flat{std::move(chart), std::move(edges), std::move(outline), {}, 0, 0, 0};
+  flat.chart.free_map.reset();  // to save memory
   flat.error = flat.chart.error ? flat.chart.error : piece.error;
   const Metrics& metrics = piece.metrics;
   if (!flat.chart.error) {
@@ -208,9 +209,11 @@ bool spoils_others(const FlatPieces& before, const FlatPieces& after, const Char
   });
 }
 
-bool is_part_of(const Chart& part, const Chart& chart) {
-  return std::binary_search(chart.source_face.begin(), chart.source_face.end(), part.source_face.front());
+bool is_among(const std::vector<int>& faces, const Chart& part) {
+  return std::binary_search(faces.begin(), faces.end(), part.source_face.front());
 }
+
+bool is_part_of(const Chart& part, const Chart& chart) { return is_among(chart.source_face, part); }
 
 SurfaceToCut::SurfaceToCut(const FlattenInput& input, const Options& options) : input_(input) {
   check_request(input, options);
@@ -256,28 +259,24 @@ FlatPieces ExactEvaluation::uncut() const {
   return flatten_along_seams(cut_into_charts(input_, edges, stop_));
 }
 
-std::vector<Chart> ExactEvaluation::changed_charts(const FlatPieces& before, const std::vector<VertexPair>& edges,
-                                                   const std::vector<VertexPair>& opened) const {
-  return cut_chosen(before, changed_pieces(before, edges, opened), edges, opened).charts;
-}
-
-FlatPieces ExactEvaluation::with_cut(const FlatPieces& before, const std::vector<VertexPair>& edges,
-                                     const std::vector<VertexPair>& opened) const {
-  Selection changed = changed_pieces(before, edges, opened), solved = changed;
-  // If the fabric is stretched, neighbors share the lengths of seams, so they change, too.
+ChangedPieces ExactEvaluation::changed_by(const FlatPieces& before, const std::vector<VertexPair>& edges,
+                                          const std::vector<VertexPair>& opened) const {
+  const Selection cut = changed_pieces(before, edges, opened);
+  Selection changed = cut, solved = cut;
+  // If the fabric is stretched, neighbors share the lengths of seams.
   if (is_stretched(options_)) {
-    changed = with_neighbors(before, changed);
+    changed = with_neighbors(before, cut);
     solved = with_neighbors(before, changed);  // includes all pieces on which the lengths of changed pieces depend
   }
+  return {faces_of(before, cut), faces_of(before, changed), cut_chosen(before, solved, edges, opened)};
+}
+
+FlatPieces ExactEvaluation::with_changed(const FlatPieces& before, ChangedPieces changed) const {
+  const auto is_changed = [&](const auto& piece) { return is_among(changed.changed_faces, piece->chart); };
   FlatPieces after;
-  for (std::size_t i = 0; i < before.size(); ++i) {
-    if (changed[i] == 0) after.push_back(before[i]);
-  }
-  const std::vector<int> changed_faces = faces_of(before, changed);
-  for (std::shared_ptr<const FlatPiece>& piece : flatten_along_seams(cut_chosen(before, solved, edges, opened))) {
-    if (std::binary_search(changed_faces.begin(), changed_faces.end(), piece->chart.source_face.front()))
-      after.push_back(std::move(piece));
-  }
+  std::remove_copy_if(before.begin(), before.end(), std::back_inserter(after), is_changed);
+  const FlatPieces flat = flatten_along_seams(std::move(changed.charts));
+  std::copy_if(flat.begin(), flat.end(), std::back_inserter(after), is_changed);
   sort_pieces(after);
   return after;
 }

@@ -70,8 +70,11 @@ FlatPieces failed_on_mesh(const PiecesOnMesh& here, const PiecesOnMesh& there, d
 /// Returns the largest strain of the pieces with a flat shape; 0 if there are none.
 double most_strain(const FlatPieces& pieces);
 
-/// Returns whether a chart contains a part. Tests one face only, so the chart must contain all faces of the part or
-/// none. Both must have sorted source faces of one input.
+/// Returns whether sorted input faces include the faces of a part. Tests one face only, so they must include all faces
+/// of the part or none.
+bool is_among(const std::vector<int>& faces, const Chart& part);
+
+/// Returns whether a chart contains a part, by is_among(). Both must have sorted source faces of one input.
 bool is_part_of(const Chart& part, const Chart& chart);
 
 /// Returns whether the outline of a chart runs through a piece.
@@ -95,6 +98,13 @@ class SurfaceToCut {
   std::optional<FlattenInput> middle_;
 };
 
+/// The pieces that a cut changes, before they are flattened.
+struct ChangedPieces {
+  std::vector<int> cut_faces;      // sorted input faces of the pieces that the cut or an opened seam touches
+  std::vector<int> changed_faces;  // sorted input faces of the pieces whose shapes change
+  Charts charts;                   // all charts on which these shapes depend
+};
+
 class ExactEvaluation {
  public:
   /// The surface must outlive the object. stop: polled in any thread.
@@ -103,14 +113,19 @@ class ExactEvaluation {
   /// Returns the pieces of the input with its own seams. Throws Stopped.
   FlatPieces uncut() const;
 
-  /// Returns all pieces after adding the seams `edges` and removing the seams `opened`. Flattens only pieces that may
-  /// change. May be called in any thread. Throws Stopped.
-  FlatPieces with_cut(const FlatPieces& before, const std::vector<VertexPair>& edges,
-                      const std::vector<VertexPair>& opened = {}) const;
+  /// Returns all pieces after adding the seams `edges`. Flattens only pieces that may change. May be called in any
+  /// thread. Throws Stopped.
+  FlatPieces with_cut(const FlatPieces& before, const std::vector<VertexPair>& edges) const {
+    return with_changed(before, changed_by(before, edges, {}));
+  }
 
-  /// Returns the charts that with_cut() changes for the same arguments, without flattening them. Throws Stopped.
-  std::vector<Chart> changed_charts(const FlatPieces& before, const std::vector<VertexPair>& edges,
-                                    const std::vector<VertexPair>& opened) const;
+  /// Returns the pieces that change if the seams `edges` are added and the seams `opened` are removed. May be called in
+  /// any thread. Throws Stopped.
+  ChangedPieces changed_by(const FlatPieces& before, const std::vector<VertexPair>& edges,
+                           const std::vector<VertexPair>& opened) const;
+
+  /// Returns all pieces after flattening the changed pieces. May be called in any thread. Throws Stopped.
+  FlatPieces with_changed(const FlatPieces& before, ChangedPieces changed) const;
 
   /// Returns the error of a piece, with the seams or tolerances that flatten() suggests. Throws Stopped.
   FlattenError explain(const FlatPieces& pieces, int piece) const;

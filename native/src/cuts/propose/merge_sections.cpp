@@ -54,21 +54,22 @@ bool is_allowed(double strain, double limit) { return strain < kNoFlatShape && s
 
 /// Estimates the least strain of a chart as the strain of its free map, divided by kMostFreeStrain. A free map is a
 /// flat shape without fixed lengths. If too much of it is folded, the estimate is infinite. If there is no free map,
-/// the estimate is 0.
-double least_strain(const Chart& chart, const StopToken& stop) {
+/// the estimate is 0. Stores the free map in the chart.
+double least_strain(Chart& chart, const StopToken& stop) {
   if (chart.error || is_outline_too_short(chart)) return kNoFlatShape;
-  const auto free = attempt([&] { return std::optional(free_boundary_arap(chart, kFreeSteps, {}, stop)); });
-  if (!free) return 0;
+  chart.free_map = attempt([&] { return std::optional(free_boundary_arap(chart, kFreeSteps, {}, stop).uv); });
+  if (!chart.free_map) return 0;
   const ShapeError shape(chart);
   std::vector<double> areas;
   Eigen::VectorXd strains(static_cast<Eigen::Index>(shape.triangles().size()));
   double area = 0, folded = 0;
   for (const ShapeError::Triangle& triangle : shape.triangles()) {
-    strains[static_cast<Eigen::Index>(areas.size())] = ShapeError::map_of(triangle, free->uv).worst_stretch() - 1;
+    strains[static_cast<Eigen::Index>(areas.size())] =
+        ShapeError::map_of(triangle, *chart.free_map).worst_stretch() - 1;
     areas.push_back(triangle.area);
     area += triangle.area;
   }
-  for (const int f : find_folded_faces(chart.mesh, free->uv, stop)) folded += areas[f];
+  for (const int f : find_folded_faces(chart.mesh, *chart.free_map, stop)) folded += areas[f];
   return folded > kMostFolded * area ? kNoFlatShape : widespread(areas, strains) / kMostFreeStrain;
 }
 
@@ -293,12 +294,12 @@ bool SectionMerger::had_error(const Chart& chart) const {
                      [&](const auto& piece) { return piece->error && is_part_of(chart, piece->chart); });
 }
 
-/// Estimates from free maps the least strain that the new pieces have if a section is removed. Stops at the first piece
-/// that needs more than the allowed strain. joined: the pieces beside the section.
-double SectionMerger::least_strain_without(const CutMask& mask, const FlatPieces& joined, double allowed) const {
+/// Estimates from free maps the least strain that changed pieces will have. Stops at the first piece that needs more
+/// than the allowed strain. joined: the pieces beside the removed section.
+double SectionMerger::least_strain_of(ChangedPieces& changed, const FlatPieces& joined, double allowed) const {
   double needed = 0;
-  for (const Chart& chart : exact_.changed_charts(state_.pieces, {}, edges_of(chart_, mask))) {
-    if (!is_in(joined, chart) && had_error(chart)) continue;
+  for (Chart& chart : changed.charts.charts) {
+    if (!is_among(changed.cut_faces, chart) || (!is_in(joined, chart) && had_error(chart))) continue;
     if (is_unwanted(chart)) return kNoFlatShape;
     const double least = least_strain(chart, exact_.stop());
     if (least == kNoFlatShape || !has_other_measure_) needed = std::max(needed, least);
@@ -334,9 +335,9 @@ bool SectionMerger::has_long_arms(const FlatPiece& piece, const FlatPieces& old)
          });
 }
 
-SectionMerger::Trial SectionMerger::without(const CutMask& mask, const FlatPieces& joined, double allowed,
-                                            const ExactEvaluation& exact) const {
-  Trial trial{0, exact.with_cut(state_.pieces, {}, edges_of(chart_, mask)), true};
+SectionMerger::Trial SectionMerger::flattened(const ChangedPieces& changed, const FlatPieces& joined, double allowed,
+                                              const ExactEvaluation& exact) const {
+  Trial trial{0, exact.with_changed(state_.pieces, changed), true};
   for (const std::shared_ptr<const FlatPiece>& piece : without_those(trial.pieces, state_.pieces)) {
     trial.is_final = trial.is_final && piece->is_final;
     if (piece->error && !is_in(joined, piece->chart) && had_error(piece->chart)) continue;
@@ -356,10 +357,11 @@ SectionMerger::Replacement SectionMerger::try_without(const CutMask& mask) const
   const Replacement* same = known(mask);
   if (same != nullptr && !same->after.empty()) return *same;
   const FlatPieces joined = beside(mask);
-  const double allowed = allowed_beside(joined), least = least_strain_without(mask, joined, allowed);
+  ChangedPieces changed = exact_.changed_by(state_.pieces, {}, edges_of(chart_, mask));
+  const double allowed = allowed_beside(joined), least = least_strain_of(changed, joined, allowed);
   if (!is_allowed(least, allowed)) return {joined, {}, least};
-  Trial trial = without(mask, joined, allowed, quick_);
-  if (is_allowed(trial.strain, allowed) && !trial.is_final) trial = without(mask, joined, allowed, exact_);
+  Trial trial = flattened(changed, joined, allowed, quick_);
+  if (is_allowed(trial.strain, allowed) && !trial.is_final) trial = flattened(changed, joined, allowed, exact_);
   Replacement made{without_those(state_.pieces, trial.pieces), {}, trial.strain};
   if (is_allowed(trial.strain, allowed)) made.after = without_those(trial.pieces, state_.pieces);
   return made;

@@ -73,8 +73,9 @@ class SectionMerger {
   bool comes_first(const std::shared_ptr<const FlatPiece>& piece);
   bool is_too_narrow(const FlatPiece& piece, const FlatPieces& old) const;
   bool has_long_arms(const FlatPiece& piece, const FlatPieces& old) const;
-  double least_strain_without(const CutMask& mask, const FlatPieces& joined, double allowed) const;
-  Trial without(const CutMask& mask, const FlatPieces& joined, double allowed, const ExactEvaluation& exact) const;
+  double least_strain_of(ChangedPieces& changed, const FlatPieces& joined, double allowed) const;
+  Trial flattened(const ChangedPieces& changed, const FlatPieces& joined, double allowed,
+                  const ExactEvaluation& exact) const;
   Replacement try_without(const CutMask& mask) const;
   const Replacement* known(const CutMask& mask) const;
   CutState replaced(const CutMask& mask, const Replacement& replacement) const;
