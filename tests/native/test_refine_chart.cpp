@@ -10,6 +10,7 @@
 
 #include "base/internal_options.h"
 #include "base/planar.h"
+#include "energy/free_boundary_arap.h"
 #include "energy/shape_error.h"
 #include "newton/injective_shape.h"
 #include "newton/minimize.h"
@@ -45,6 +46,16 @@ TEST(RefineChart, AnInjectiveShapeIsFoundWithAndWithoutFixingFolds) {
     options.makes_injective = makes_injective;
     EXPECT_EQ(injectivity_of(chart, refine_chart(chart, options).shape.uv), Injectivity::global) << makes_injective;
   }
+}
+
+TEST(RefineChart, AStoredFreeMapChangesNoShape) {
+  Chart chart = test::chart_of(test::quarter_sphere(8));
+  const Solution without = refine_chart(chart, Options{});
+  ASSERT_STREQ(without.start, "free");
+  chart.free_map = free_boundary_arap(chart, kFreeSteps).uv;
+  EXPECT_EQ(refine_chart(chart, Options{}).shape.uv, without.shape.uv);
+  *chart.free_map *= 1.25;
+  EXPECT_EQ(Problem(chart, Options{}.fairness).free_map(StopToken()), *chart.free_map);
 }
 
 /// If an intermediate shape becomes the result, the report of its piece says that the search ended before it reached

@@ -49,6 +49,7 @@ struct Proxy {
   double distortion = 0;  // E of Eq. (4), scene units squared
 };
 
+/// Also stores the free map in the chart.
 Proxy evaluate_proxy(Chart& chart, const StopToken& stop) {
   const double area = surface_area(chart.mesh);
   const Proxy nothing{area, area};
