@@ -43,8 +43,8 @@ TABLES: dict[str, Callable[[Summary], str]] = {
     "**Length:** the largest relative change of a section of outline or a rigid wire.": worst_line,
     "**Length of rigid wires, mm:** the largest error.": worst_wire,
     "**Seams, mm:** the largest difference between two sides of a seam.": seams,
-    "**Angles:** rms (of the worst piece) and largest difference between the angles of wires and outline in the plane "
-    "and on the surface.": angles,
+    "**Angles:** difference between the angles of wires and outline in the plane and the same angles on the surface: "
+    "rms of the worst piece, and largest.": angles,
 }
 
 

@@ -20,7 +20,8 @@ SLACK = 0.02  # largest distance of a visible line behind the nearest surface, a
 def rotation(turned: float, tipped: float) -> np.ndarray:
     """Return the matrix (3, 3) whose rows are right, up and toward the viewer. The model's z is up.
 
-    turned: degrees of rotation to the left; tipped: degrees of tilt toward the viewer, after the rotation.
+    - turned: degrees of rotation about the model's z, counterclockwise seen from above
+    - tipped: degrees by which the top then tilts toward the viewer
     """
     a, b = np.radians([turned, tipped])
     turn = np.array([[np.cos(a), -np.sin(a), 0], [np.sin(a), np.cos(a), 0], [0, 0, 1]])

@@ -16,8 +16,8 @@ EdgeTable check_request(const FlattenInput& input, const Options& options);
 FlattenResult flatten_with(const FlattenInput& input, const InternalOptions& options, const Progress& progress = {},
                            Cache* cache = nullptr);
 
-/// Flattens these charts of an input that was moved to the middle of its material. The token is polled only in the
-/// calling thread. Throws Stopped.
+/// Flattens these charts. If the material has a thickness, `input` is its middle surface (see move_to_middle()). The
+/// token is polled only in the calling thread. Throws Stopped.
 FlattenResult flatten_charts(Charts charts, const FlattenInput& input, const InternalOptions& options,
                              const StopToken& stop);
 

@@ -25,7 +25,7 @@ def handlers_of(addon) -> list[tuple[str, str]]:
 
 
 def all_that_blender_knows() -> dict:
-    """Return everything in Blender that add-ons can extend, keyed by its kind."""
+    """Return the names in the parts of Blender that the add-on extends, by kind."""
     kinds = ("Scene", "Object", "Mesh", "Collection", "WindowManager", "AddonPreferences")
     known = {kind: set(getattr(bpy.types, kind).bl_rna.properties.keys()) for kind in kinds}
     known["types"] = {name for name in dir(bpy.types) if hasattr(bpy.types, name)}

@@ -296,7 +296,7 @@ def test_figures_of_the_model_are_those_of_its_worst_piece(addon, settings):
 
 
 def test_the_target_reaches_the_search_and_the_remaining_stretch_is_reported(addon, settings, capfd):
-    """tests/bindings tests that plans keep to their targets."""
+    """That plans keep to their targets is tested in tests/bindings."""
     source = grid("Bump", bump, size=6)
     SUGGEST["DARTS"]()
     first, second = found(addon, source).cuts

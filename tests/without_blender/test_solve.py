@@ -99,7 +99,7 @@ def test_each_direction_of_the_fabric_decides_about_a_measured_set(addon, measur
     assert suggest.set_for([turned, many], limits) == 1
     # No set suits the fabric, and the second set exceeds the limits less.
     assert suggest.set_for([turned, measured(4, 0.04, 0.12)], limits) == 1
-    close = replace(measured(4, 0.149, 0.03), lengths=[2.0])  # its gain is small, but only this set suits the fabric
+    close = replace(measured(4, 0.149, 0.03), lengths=[2.0])  # gains little, but the fabric allows it
     assert suggest.from_few_pieces([turned, close, many], limits) == [turned, close, many]
     assert suggest.from_few_pieces([measured(3, 0.15, 0.03), close, many], limits)[1:] == [many]
 

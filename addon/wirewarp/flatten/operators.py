@@ -27,7 +27,7 @@ from .models import Model, Outcome, failed_report, solve_models
 from .read import active_target, check_current, check_sources, find_source, in_suitable_mode, mesh_targets, read_models
 from .write import write_results
 
-# These events only move the view, so Blender may handle them during a run.
+# These events do not change the models, so Blender may handle them during a run.
 HARMLESS = {"MIDDLEMOUSE", "MOUSEMOVE", "INBETWEEN_MOUSEMOVE", "HOME", "NUMPAD_PERIOD"} | {
     f"NUMPAD_{digit}" for digit in range(10)
 }

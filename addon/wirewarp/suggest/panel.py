@@ -47,8 +47,8 @@ def draw_suggest(
 ) -> None:
     """Draw the buttons and the target. During a search, the progress replaces the buttons.
 
-    place: panel of the suggestions; in FLATTEN, a target is for all pieces
-    piece: index in the report, -1 for any piece
+    - place: panel that shows the suggestions; in the panel FLATTEN, a target applies to all pieces
+    - piece: index in the report, -1 for any piece
     """
     row, options, is_of_all = layout.row(align=True), layout.column(), place == "FLATTEN"
     options.enabled = not draw_progress(row, SUGGEST, "object.wirewarp_suggest_darts")

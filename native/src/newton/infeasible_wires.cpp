@@ -223,7 +223,7 @@ std::vector<ProposedTolerance> propose_tolerances(const Chart& chart, const Inte
   stop.check();
   if (!free.is_exact()) return {};
   ToleranceSearch search(chart, options.fairness, {relaxed.uv, free.shape.uv}, stop);
-  std::map<Tolerances, bool> known;  // choices may be equal, because doubled() does not change free wires
+  std::map<Tolerances, bool> known;  // by lies_flat(); choices may repeat, because doubled() does not change free wires
   const auto are_sufficient = [&](const Tolerances& tolerances) {
     stop.check();
     if (tolerances.empty()) return false;

@@ -132,7 +132,7 @@ class NewtonSystem {
   std::vector<VertexPair> pinned_;  // per connected part, against rigid motions: the first vertex cannot move, the
                                     // second cannot turn about the first
   std::vector<VertexMatrix::Block> edge_blocks_;
-  std::vector<std::array<VertexMatrix::Block, 2>> elastic_blocks_;  // for h and the ends of each elastic edge
+  std::vector<std::array<VertexMatrix::Block, 2>> elastic_blocks_;  // couple h of each elastic edge with its ends
   Eigen::Index num_positions_;                                      // number of unknowns before h
   /// The matrix values that do not depend on uv. They include 10⁻⁴ M and the pin of the first vertex of each pair.
   Eigen::ArrayXd constant_;

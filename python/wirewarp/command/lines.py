@@ -76,7 +76,7 @@ def _add_wire(lines: Lines, entry: dict[str, Any]) -> None:
 
 
 def _add_ease(lines: Lines, entry: dict[str, Any]) -> None:
-    """Add the ease. Successive vertices are the ends of directed edges of the triangles on the eased side."""
+    """Add the ease. Each pair of successive vertices is an edge, in the direction of the triangle on the eased side."""
     lines.eases.append(Ease(list(pairwise(entry["side"])), entry.get("ease", 0.0)))
 
 

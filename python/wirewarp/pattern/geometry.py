@@ -16,7 +16,7 @@ DEPTH = 1e-4  # share of the diagonal of the smaller shape's box; shapes that ov
 STEPS, ROUNDS = 8, 3  # numbers for the search for an innermost point; the last steps are 2% of the shape's size
 SAMPLES = 100  # number of points on the outline from which distances are measured, enough for placing text
 PAIRS = 1_000_000  # number of pairs of points and sides compared at a time; an array of pairs has 16 MB
-# Largest number of grid steps along the longer side of the box around all outlines for which Clipper is exact and fast.
+# Clipper is exact and fast if the box around all outlines is at most this many grid steps long and wide.
 RESOLUTION = 2.0**30
 
 

@@ -53,7 +53,7 @@ class Pattern(PatternData):
         progress: Progress | None = None,
         **options: Unpack[PatternOptions],
     ) -> "Pattern":
-        """Return the pattern of a result without failed pieces.
+        """Return the pattern of a result. No piece may have failed.
 
         - options: see PatternOptions
         - progress(stage, fraction): called about ten times a second; returns False to cancel

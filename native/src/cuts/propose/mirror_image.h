@@ -13,8 +13,8 @@ namespace wirewarp {
 /// planes, uses the plane that contains the greatest length of edges, because cuts may follow them. Throws Stopped.
 std::vector<VertexHandle> mirror_image(const Chart& chart, const StopToken& stop);
 
-/// Returns the mirror image of each vertex by the plane with this normal through the mean of all vertices; empty if
-/// this plane does not mirror the chart.
+/// Returns the mirror image of each vertex; empty if the plane does not mirror the chart. The plane has this normal and
+/// contains the mean of all vertices.
 std::vector<VertexHandle> mirror_image(const Chart& chart, const Eigen::RowVector3d& normal);
 
 /// Returns the mirror image of a chain; empty if an edge of the chain has no mirror image inside the chart.

@@ -18,7 +18,7 @@ FREE_STEP = 30.0  # degrees between two turns of a piece if all turns are allowe
 
 @dataclass(frozen=True)
 class Place:
-    """Place of an item on the fabric, which is enlarged by the room at its edges. Lengths are in millimeters."""
+    """Place of an item on the fabric, after room_at_edges() has enlarged the fabric. Lengths are in millimeters."""
 
     item: int
     angle: float
