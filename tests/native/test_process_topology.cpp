@@ -33,6 +33,9 @@ TEST(ProcessTopology, AWireEndingInsideGoesStraightOn) {
   const int n = 8;
   FlattenInput input = test::flat_rectangle(n, n, 8, 8);
   test::add_wire(input, {4 * 9, 4 * 9 + 1, 4 * 9 + 2, 5 * 9 + 3});  // the last edge runs along a diagonal
+  Chart mapped = test::chart_of(input);
+  mapped.free_map.emplace(Positions2::Zero(81, 2));
+  EXPECT_FALSE(process_topology(mapped)->free_map) << "the mesh may have changed";
   const Processed p = process(input);
   ASSERT_EQ(p.num_helpers(), 1u);
   EXPECT_EQ(p.refined.mesh.n_vertices(), p.chart.mesh.n_vertices()) << "the diagonals are edges already";

@@ -212,10 +212,12 @@ bool shows_conflict(const RelaxedShape& relaxed) {
   return are_wires_violated || relaxed.outline_strain > kKept;
 }
 
-std::vector<ProposedTolerance> propose_tolerances(const Chart& chart, const InternalOptions& options,
+std::vector<ProposedTolerance> propose_tolerances(Problem& problem, const InternalOptions& options,
                                                   const RelaxedShape& relaxed, const StopToken& stop) {
-  const Tolerances all = free_wires(chart, [](Eigen::Index) { return true; });
+  const Tolerances all = free_wires(problem.chart(), [](Eigen::Index) { return true; });
   if (all.empty()) return {};
+  Chart chart = problem.chart();
+  chart.free_map = problem.free_map(stop);  // runs with other tolerances share it
   InternalOptions brief = options;
   brief.max_factorizations = kMaxFreeFactorizations;
   brief.cloth.reset();  // this shape is only a start, so it need not suit the fabric
@@ -223,7 +225,8 @@ std::vector<ProposedTolerance> propose_tolerances(const Chart& chart, const Inte
   stop.check();
   if (!free.is_exact()) return {};
   ToleranceSearch search(chart, options.fairness, {relaxed.uv, free.shape.uv}, stop);
-  std::map<Tolerances, bool> known;  // by lies_flat(); choices may repeat, because doubled() does not change free wires
+  std::map<Tolerances, bool>
+      known;  // answers of lies_flat(); doubled() does not change free wires, so choices may repeat
   const auto are_sufficient = [&](const Tolerances& tolerances) {
     stop.check();
     if (tolerances.empty()) return false;
@@ -268,9 +271,7 @@ LengthDiagnosis diagnose_lengths(Problem& problem, const InternalOptions& option
   });
   stop.check();
   if (!relaxed) return {};  // a factorization failed
-  Chart chart = problem.chart();
-  chart.free_map = problem.free_map(stop);  // all trials of tolerances share it
-  return {propose_tolerances(chart, options, *relaxed, stop), shows_conflict(*relaxed)};
+  return {propose_tolerances(problem, options, *relaxed, stop), shows_conflict(*relaxed)};
 }
 
 }  // namespace wirewarp

@@ -43,7 +43,8 @@ class Problem {
 
   const std::vector<Slit>& slits();
 
-  /// Returns the free ARAP flattening. Throws Stopped and FactorizationFailed.
+  /// Returns the free ARAP flattening after kFreeSteps steps, from the chart if it is stored there. Throws Stopped and
+  /// FactorizationFailed.
   const Positions2& free_map(const StopToken& stop);
 
   /// Return c and f of a stage. layout: one row per chart vertex. It may be empty if the stage fixes no rotation and

@@ -49,7 +49,7 @@ struct Proxy {
   double distortion = 0;  // E of Eq. (4), scene units squared
 };
 
-/// Also stores the free map in the chart.
+/// Returns the quality of a chart's free map, and stores a map without folds in the chart, for lies_flat().
 Proxy evaluate_proxy(Chart& chart, const StopToken& stop) {
   const double area = surface_area(chart.mesh);
   const Proxy nothing{area, area};
@@ -59,7 +59,7 @@ Proxy evaluate_proxy(Chart& chart, const StopToken& stop) {
     Proxy found{0, free.energy};
     for (const int f : find_folded_faces(chart.mesh, free.uv, stop))
       found.covered += face_area(chart.mesh, FaceHandle(f));
-    chart.free_map = std::move(free.uv);
+    if (found.covered == 0) chart.free_map = std::move(free.uv);
     return std::optional(found);
   });
   return proxy.value_or(nothing);

@@ -98,10 +98,11 @@ class SurfaceToCut {
   std::optional<FlattenInput> middle_;
 };
 
-/// The pieces that a cut changes, before they are flattened.
+/// The pieces that change if seams are added or removed, before they are flattened. Faces are sorted faces of the
+/// input.
 struct ChangedPieces {
-  std::vector<int> cut_faces;      // sorted input faces of the pieces that the cut or an opened seam touches
-  std::vector<int> changed_faces;  // sorted input faces of the pieces whose shapes change
+  std::vector<int> touched_faces;  // of the pieces beside these seams, and of all pieces coupled with them
+  std::vector<int> changed_faces;  // of all pieces whose shapes change
   Charts charts;                   // all charts on which these shapes depend
 };
 
@@ -124,7 +125,8 @@ class ExactEvaluation {
   ChangedPieces changed_by(const FlatPieces& before, const std::vector<VertexPair>& edges,
                            const std::vector<VertexPair>& opened) const;
 
-  /// Returns all pieces after flattening the changed pieces. May be called in any thread. Throws Stopped.
+  /// Returns all pieces after flattening the changed pieces. before: as for changed_by(). May be called in any thread.
+  /// Throws Stopped.
   FlatPieces with_changed(const FlatPieces& before, ChangedPieces changed) const;
 
   /// Returns the error of a piece, with the seams or tolerances that flatten() suggests. Throws Stopped.

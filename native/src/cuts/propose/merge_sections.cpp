@@ -299,7 +299,7 @@ bool SectionMerger::had_error(const Chart& chart) const {
 double SectionMerger::least_strain_of(ChangedPieces& changed, const FlatPieces& joined, double allowed) const {
   double needed = 0;
   for (Chart& chart : changed.charts.charts) {
-    if (!is_among(changed.cut_faces, chart) || (!is_in(joined, chart) && had_error(chart))) continue;
+    if (!is_among(changed.touched_faces, chart) || (!is_in(joined, chart) && had_error(chart))) continue;
     if (is_unwanted(chart)) return kNoFlatShape;
     const double least = least_strain(chart, exact_.stop());
     if (least == kNoFlatShape || !has_other_measure_) needed = std::max(needed, least);
@@ -335,9 +335,9 @@ bool SectionMerger::has_long_arms(const FlatPiece& piece, const FlatPieces& old)
          });
 }
 
-SectionMerger::Trial SectionMerger::flattened(const ChangedPieces& changed, const FlatPieces& joined, double allowed,
+SectionMerger::Trial SectionMerger::flattened(ChangedPieces changed, const FlatPieces& joined, double allowed,
                                               const ExactEvaluation& exact) const {
-  Trial trial{0, exact.with_changed(state_.pieces, changed), true};
+  Trial trial{0, exact.with_changed(state_.pieces, std::move(changed)), true};
   for (const std::shared_ptr<const FlatPiece>& piece : without_those(trial.pieces, state_.pieces)) {
     trial.is_final = trial.is_final && piece->is_final;
     if (piece->error && !is_in(joined, piece->chart) && had_error(piece->chart)) continue;
@@ -361,7 +361,8 @@ SectionMerger::Replacement SectionMerger::try_without(const CutMask& mask) const
   const double allowed = allowed_beside(joined), least = least_strain_of(changed, joined, allowed);
   if (!is_allowed(least, allowed)) return {joined, {}, least};
   Trial trial = flattened(changed, joined, allowed, quick_);
-  if (is_allowed(trial.strain, allowed) && !trial.is_final) trial = flattened(changed, joined, allowed, exact_);
+  if (is_allowed(trial.strain, allowed) && !trial.is_final)
+    trial = flattened(std::move(changed), joined, allowed, exact_);
   Replacement made{without_those(state_.pieces, trial.pieces), {}, trial.strain};
   if (is_allowed(trial.strain, allowed)) made.after = without_those(trial.pieces, state_.pieces);
   return made;

@@ -74,8 +74,7 @@ class SectionMerger {
   bool is_too_narrow(const FlatPiece& piece, const FlatPieces& old) const;
   bool has_long_arms(const FlatPiece& piece, const FlatPieces& old) const;
   double least_strain_of(ChangedPieces& changed, const FlatPieces& joined, double allowed) const;
-  Trial flattened(const ChangedPieces& changed, const FlatPieces& joined, double allowed,
-                  const ExactEvaluation& exact) const;
+  Trial flattened(ChangedPieces changed, const FlatPieces& joined, double allowed, const ExactEvaluation& exact) const;
   Replacement try_without(const CutMask& mask) const;
   const Replacement* known(const CutMask& mask) const;
   CutState replaced(const CutMask& mask, const Replacement& replacement) const;

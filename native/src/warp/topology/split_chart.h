@@ -30,7 +30,7 @@ class WireMask {
 };
 
 struct SplitChart {
-  explicit SplitChart(const Chart& input) : chart(input), wires(input) {}
+  explicit SplitChart(const Chart& input) : chart(input), wires(input) { chart.free_map.reset(); }
 
   Chart chart;  // vertices of the input keep their indices; new vertices have source_vertex -1
   WireMask wires;
