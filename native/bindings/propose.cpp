@@ -26,7 +26,8 @@ constexpr const char* kDartsDoc =
     R"(Returns darts that lower the stretch that a flat piece needs, sorted by the stretch that they leave in the model.
 
 - A dart leads from the outline to a point inside, along smooth chains of edges, and does not cross wires.
-- All figures come from flatten(..., seams=[*seams, *proposal.edges]), for the worst of the num_pieces parts.
+- All figures come from flatten(..., seams=[*seams, *proposal.edges]). strain is that of the worst of the num_pieces
+  parts.
 - If a dart helps only together with its mirror image, strain_with_twin is below strain_before.
 - Darts that leave a strain of 100% or more are not returned.
 
@@ -61,7 +62,8 @@ A piece lacks seams in three cases. If no piece is requested, the largest piece 
 
 A cut set consists of seams and darts with which all parts have a flat shape:
 
-- The first set brings every part to the accepted strain (None for 0.05), or has forty cuts and their mirror images.
+- The first set brings every part to the accepted strain (None for 0.05). Otherwise, no further cut would help, or forty
+  cuts, each with its mirror image, follow the first seams.
 - Each later set is shorter and leaves more strain.
 - Sets are symmetric if the piece is symmetric, and may cross wires.
 - A piece joined from two covers at least 45% of its convex hull, unless one of the two covers no more of its own.
@@ -74,8 +76,9 @@ narrowest: least width of the flat pieces of a cut set, scene units; 0 for any w
     allowance: see pattern.piece_width() and pattern.has_room().
 smooth: True for cut sets of smooth lines, as paths without edges. Lines turn by less than 30 degrees at each vertex
     between their ends. They keep bends, or stay on edges, if smoother lines would meet, leave too much strain, or make
-    pieces narrow. A smooth set may leave less strain than an earlier set. Closed pieces without wires, eases and
-    thickness are first divided into their parts, such as a head and limbs.
+    pieces narrow. The first set may leave more than the accepted strain. A set may leave less strain than an earlier
+    set. A closed piece with necks, or without long sharp edges, is first divided into parts such as a head and limbs.
+    This step needs an input without wires, eases and thickness.
 no_crossing: (k, 2) vertex pairs, edges that no smooth line may cross. Smooth lines do not cross wires and edges of
     no_seam either.
 

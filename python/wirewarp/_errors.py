@@ -41,8 +41,9 @@ class FlattenError(ValueError):
     - `str(error)`: the fault, its place and a remedy
     - `vertices`, `edges` (vertex pairs), `faces`: the faulty elements, as indices of the input
     - `has_layout`: whether the failed piece has flat coordinates to inspect
-    - `proposed_seams`: edges that fix the piece if you flatten again with `[*seams, *error.proposed_seams]`
+    - `proposed_seams`: vertex pairs that fix the piece if you flatten again with `[*seams, *error.proposed_seams]`
     - `proposed_tolerances`: pairs of a wire's index and a tolerance within which the wire can keep its length
+    - Without a proposal, `proposed_seams` and `proposed_tolerances` are empty.
     - `arguments`: the other values in `str(error)`, as bool, int, float, str or lists of one of these types
     - `code.arguments`: what each of these values means, for example to write the sentence in another language
     """

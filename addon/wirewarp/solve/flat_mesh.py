@@ -102,7 +102,7 @@ class FlatMesh:
     arap_energy: np.ndarray  # (f,) float32, ARAP energy
     energy_density: np.ndarray  # (f,) float32, ARAP energy divided by the area on the model
     aspect_ratio: np.ndarray  # (f,) float32, of the worst triangle
-    stretch: np.ndarray  # (f,) float32: mean of all directions, from the areas; 0.1 if the fabric stretches by 10%
+    stretch: np.ndarray  # (f,) float32: mean of all directions, from the areas; 0.1 if the fabric is stretched by 10%
     length_variation: np.ndarray  # (e,) float32: 0.1 if an edge differs by 10% from its target length
     threads: "Threads | None"  # None without a fabric
     piece_areas: np.ndarray  # (n,) areas of the pieces by index; below 0 for a flipped piece

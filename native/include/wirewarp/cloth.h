@@ -30,8 +30,8 @@ struct Cloth {
   static constexpr double least_squeeze = 0.01;
   static constexpr double most_squeeze = 100;
 
-  /// Negative ease: relative stretch when worn, along weft and warp, where 0.2 is 20%. In [-0.5, 4]. No
-  /// fabric stretches by more than 1.
+  /// Negative ease: relative stretch when worn, along weft and warp, where 0.2 is 20%. In [-0.5, 4]. No preset
+  /// stretches by more than 1.
   ///
   /// - An edge of the flat piece is shorter by the stretch in its direction.
   /// - All sides of a seam become shorter by the same factor.

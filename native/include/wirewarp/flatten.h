@@ -16,8 +16,8 @@
 
 namespace wirewarp {
 
-/// A measuring line along mesh edges, with the length l on the surface. Its flat length is (1 + h) l
-/// with |h - ease| <= tolerance. Along a seam or outline, it sets the length of all sides.
+/// A measuring line along mesh edges, with the length l on the surface. Its flat length is (1 + h) l with
+/// |h - ease| <= tolerance. Along a seam or outline, it sets the length of its section, equally on all sides.
 struct Wire {
   std::vector<int> vertices;  // (n,) each joined to the next by an edge; a closed wire repeats its first vertex
   double tolerance = 0;       // dimensionless; 0: rigid; finite: elastic; infinity: free, with any length

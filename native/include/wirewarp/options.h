@@ -66,7 +66,7 @@ struct Options {
   static constexpr double most_fairness = 10;
 
   /// For the refined method: maximum number of Newton factorizations for a piece, >= 1. A piece that reaches this
-  /// number keeps its current shape. With 100, random cases 378 and 1627 fail. With 200, they are good.
+  /// number keeps its current shape. With 100, cases 378 and 1627 of tests/random_cases fail.
   ///
   /// - All starts and stages count: a coarser mesh, closed slits and elastic seams.
   /// - A factorization of pieces coupled by elastic seams counts for each of these pieces.
@@ -92,8 +92,8 @@ struct Options {
   PieceLayout layout = PieceLayout::packed;     // how the pieces are placed
   Orientation orientation = Orientation::wire;  // direction that is up in each piece
 
-  /// For Orientation::wire and grain: index of the wire that is upright in pieces that it crosses. In [-1, number of
-  /// wires). In other pieces, Orientation::wire uses the piece's first wire.
+  /// For Orientation::wire and grain: index of the wire that is upright in pieces that it crosses; -1: no wire. In
+  /// [-1, number of wires). In other pieces, Orientation::wire uses the piece's first wire.
   int grain = -1;
 
   /// Angle of the chain that Orientation::wire or grain uses, from +y, counterclockwise, in radians, in [-π, π]. With a

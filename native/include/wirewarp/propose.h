@@ -91,8 +91,8 @@ std::vector<DartProposal> propose_darts(const FlattenInput& input, const Options
 /// Cut sets:
 ///
 /// - All parts of a set have a flat shape with a strain below 1.
-/// - The first set brings every part to the accepted strain, or has forty cuts and their mirror images. Each later set
-///   is shorter and leaves more strain.
+/// - The first set brings every part to the accepted strain. Otherwise, no further cut would help, or forty cuts, each
+///   with its mirror image, follow the first seams. Each later set is shorter and leaves more strain.
 /// - Sets are symmetric if the piece is symmetric.
 /// - Sets may cross wires. They follow neither edges of no_seam nor mirror images of these edges.
 /// - A piece joined from two is not narrower than `narrowest`, unless one of the two is equally narrow. The width of a

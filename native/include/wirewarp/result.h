@@ -124,7 +124,7 @@ struct PieceReport {
   ///
   /// - Paper's methods: computed with weight 1 at nodes of mean length. NaN for Inner::least_norm.
   /// - Refined: of the Lagrangian of pieces coupled by elastic seams, divided by √area for vertices and by area for h.
-  ///   NaN for a piece that is not coupled.
+  ///   Pulls of h against its bounds do not count. NaN for a piece that is not coupled.
   double projected_gradient = std::numeric_limits<double>::quiet_NaN();
 
   /// Refined: arap_energy, or cloth_energy with a cloth, plus the angle term and the barriers against flipped triangles

@@ -46,8 +46,8 @@ std::optional<std::future<void>> begin_thread(const Work& work) {
 }
 
 /// Calls work(0) to work(count - 1) on at most num_threads threads, with work(0) on the calling thread. While the
-/// calling thread waits, it calls meanwhile() every 20 ms. After an exception, no work starts, and the exception is
-/// rethrown.
+/// calling thread waits, it calls meanwhile() every 20 ms. After an exception, no more work starts, and the exception
+/// is rethrown.
 template <typename Work>
 void run_in_threads(
     std::size_t count, std::size_t num_threads, const Work& work, const std::function<void()>& meanwhile = [] {}) {

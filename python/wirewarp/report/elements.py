@@ -28,7 +28,10 @@ class Elements:
 def elements_of(report: Report, what: str, index: int) -> Elements | None:
     """Return the elements of one entry of a report; None if the report has no such entry.
 
-    what: "SEAM", "WIRE", "OUTLINE", "PIECE", "STRETCH", "EASE", "ISSUE" or "HINT"; index: among entries of this kind.
+    - what="SEAM", "WIRE", "PIECE", "ISSUE" or "HINT": an entry of this kind
+    - what="OUTLINE": an open edge
+    - what="STRETCH" or "EASE": the place in a piece with the largest stretch or compression
+    - index: index among the entries of this kind
     """
     try:
         match what:
