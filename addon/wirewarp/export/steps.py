@@ -36,8 +36,6 @@ from ..ui.window_run import WindowSteps
 from .export import Exported, KeptMarker, PatternParts, export, made_pattern
 from .read import keep_marker, pieces_over_others, read_pattern
 
-INCH = 25.4
-
 
 def crossing_sentence(made: pattern.Pattern) -> str:
     names = pieces_over_others(made.pieces)
@@ -82,7 +80,8 @@ def largest_sentence(made: pattern.Pattern) -> str:
 
 def _size_text(made: pattern.Pattern, width: float, height: float) -> str:
     """Return the text of a size. width, height: millimeters."""
-    inches = f" ({width / INCH:.1f} × {height / INCH:.1f} in)" if made.units.name == "imperial" else ""
+    inch = pattern.units.INCH
+    inches = f" ({width / inch:.1f} × {height / inch:.1f} in)" if made.units.name == "imperial" else ""
     return f"{width:.0f} × {height:.0f} mm{inches}"
 
 
@@ -168,7 +167,7 @@ class PatternExport(OnMesh, WindowSteps, ExportHelper):
         for name in names:
             column.prop(self, name, text=f"{properties[name].name} (mm)")
             if context.scene.unit_settings.system == "IMPERIAL":
-                column.label(text=f"That is {getattr(self, name) / INCH:.2f} in")
+                column.label(text=f"That is {getattr(self, name) / pattern.units.INCH:.2f} in")
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         """Read the model again, because it may have changed while the dialog was open. A script waits for the end of
