@@ -59,7 +59,7 @@ struct Chart {
   std::vector<BoundaryChain> boundary_chains;
   std::vector<HalfEdgeChain> boundary_loops;  // [0] is the outer loop, others are holes; the chart is on the left
   std::optional<FlattenError> error;          // set if the chart cannot be flattened; parts and chains are then empty
-  std::optional<Positions2> free_map;  // Problem::free_map() of this mesh, if known; whoever edits the mesh resets it
+  std::optional<Positions2> free_map;  // Problem::free_map() of this mesh, if known; reset it if the mesh changes
 };
 
 /// Returns the target length at h = ease, divided by the 3D length.
