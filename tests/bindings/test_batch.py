@@ -123,7 +123,7 @@ def test_finished_models_are_recognized_in_any_folder_and_with_any_blender(model
         ("a.obj", "line 1, is not JSON like"),
         ('["a.obj"]', "line 1, is not JSON like"),
         ('{"seams": "uv"}', "line 1, is not JSON like"),
-        ('{"model": ["a.obj"]}', "line 1: a model and its options are texts"),
+        ('{"model": ["a.obj"]}', "line 1: a model must be text, and its options texts"),
         ('{"model": "a.obj", "colour": "red"}', "line 1: unrecognized arguments: --colour=red"),
         ('{"model": "a.obj", "unit": "ft"}', "line 1: argument --unit: invalid choice: 'ft'"),
     ],
