@@ -161,8 +161,8 @@ class OBJECT_OT_wirewarp_mend(BetweenRuns, FlattenSteps, bpy.types.Operator):
             (
                 "SUBDIVIDE",
                 "Subdivide",
-                "Make the model smoother and a little smaller with a Subdivision Surface modifier or one more level of "
-                "it, turn on Modifiers",
+                "Make the model smoother and a little smaller with a Subdivision Surface modifier, or with one more "
+                "level of it, and turn on Modifiers",
             ),
             ("MODIFIERS", "Modifiers", "Use the mesh with its modifiers and shape keys from now on"),
         ],

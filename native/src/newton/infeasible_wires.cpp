@@ -225,8 +225,8 @@ std::vector<ProposedTolerance> propose_tolerances(Problem& problem, const Intern
   stop.check();
   if (!free.is_exact()) return {};
   ToleranceSearch search(chart, options.fairness, {relaxed.uv, free.shape.uv}, stop);
-  std::map<Tolerances, bool>
-      known;  // answers of lies_flat(); doubled() does not change free wires, so choices may repeat
+  // Answers of lies_flat(). Choices may repeat, because doubled() does not change free wires.
+  std::map<Tolerances, bool> known;
   const auto are_sufficient = [&](const Tolerances& tolerances) {
     stop.check();
     if (tolerances.empty()) return false;
