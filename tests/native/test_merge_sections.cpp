@@ -262,6 +262,22 @@ void expect_failures_on_other_meshes(const CutSurface& sheet, const FlatPieces& 
   EXPECT_EQ(failed({pieces[0], pieces[1], pieces[1]}, most), FlatPieces{pieces[1]});
 }
 
+/// The piece around two squares with a common corner touches itself there, but the squares connect it.
+TEST(FlatPieces, MayTouchThemselvesAtCornersOfOtherPieces) {
+  const int n = 6;
+  const auto at = [](int i, int j) { return i + (n + 1) * j; };
+  const std::vector<VertexPair> opened = edges_of({at(0, 3), at(1, 3), at(2, 3)});
+  std::vector<VertexPair> cut = both(opened, edges_of({at(4, 3), at(5, 3), at(6, 3)}));
+  cut = both(cut, edges_of({at(2, 3), at(3, 3), at(3, 4), at(2, 4), at(2, 3)}));
+  cut = both(cut, edges_of({at(3, 3), at(3, 2), at(4, 2), at(4, 3), at(3, 3)}));
+  const CutSurface sheet(test::flat_rectangle(n, n, n, n));
+  const FlatPieces before = sheet.with(cut).pieces;
+  ASSERT_EQ(before.size(), 4U);
+  const FlatPieces after = sheet.exact.with_changed(before, sheet.exact.changed_by(before, {}, opened));
+  EXPECT_EQ(after.size(), 3U);
+  for (const auto& piece : after) EXPECT_FALSE(piece->error) << piece->error->what();
+}
+
 TEST(FlatPieces, AreFoundAgainByTheirArea) {
   const CutSurface sheet(test::bump(8));
   expect_failures_on_other_meshes(sheet, sheet.with(across(8)).pieces);

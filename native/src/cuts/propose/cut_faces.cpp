@@ -27,8 +27,11 @@ class PartOfInput {
     for (const Ease& ease : whole.eases) take_ease(ease);
   }
 
-  Charts cut(const StopToken& stop) const {
-    Charts charts = cut_into_charts(part_, *edges_, stop);
+  /// fans: of the whole input. If a chart meets itself at a vertex, other faces may connect its corners there.
+  Charts cut(const std::vector<int>& fans, const StopToken& stop) const {
+    std::vector<int> own_fans;
+    for (const int f : faces_) own_fans.insert(own_fans.end(), fans.begin() + 3 * f, fans.begin() + 3 * f + 3);
+    Charts charts = cut_into_charts(part_, *edges_, stop, own_fans);
     for (Chart& chart : charts.charts) {
       for (int& v : chart.source_vertex) v = vertices_[v];
       for (int& f : chart.source_face) f = faces_[f];
@@ -109,9 +112,9 @@ class PartOfInput {
 
 }  // namespace
 
-Charts cut_faces(const FlattenInput& input, const std::vector<int>& faces, const std::vector<VertexPair>& seams,
-                 const StopToken& stop) {
-  return PartOfInput(input, faces, seams).cut(stop);
+Charts cut_faces(const FlattenInput& input, const std::vector<int>& fans, const std::vector<int>& faces,
+                 const std::vector<VertexPair>& seams, const StopToken& stop) {
+  return PartOfInput(input, faces, seams).cut(fans, stop);
 }
 
 }  // namespace wirewarp

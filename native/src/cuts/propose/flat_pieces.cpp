@@ -12,6 +12,7 @@
 #include "flatten.h"
 #include "newton/solve/stretched_lengths.h"
 #include "surface/charts/cut_into_charts.h"
+#include "surface/charts/surface_cut.h"
 #include "surface/mesh/geometry.h"
 #include "surface/middle_surface.h"
 
@@ -216,7 +217,7 @@ bool is_among(const std::vector<int>& faces, const Chart& part) {
 bool is_part_of(const Chart& part, const Chart& chart) { return is_among(chart.source_face, part); }
 
 SurfaceToCut::SurfaceToCut(const FlattenInput& input, const Options& options) : input_(input) {
-  check_request(input, options);
+  fans_ = fans_of_uncut_surface(input.faces, check_request(input, options));
   if (options.thickness > 0) middle_ = move_to_middle(input, options);
 }
 
@@ -242,7 +243,7 @@ Charts ExactEvaluation::cut_chosen(const FlatPieces& pieces, const std::vector<c
       if (pieces[i]->edges.edge_between(edge).is_valid()) seams.push_back(edge);
     }
   }
-  return cut_faces(input_, faces_of(pieces, chosen), seams, stop_);
+  return cut_faces(input_, surface_.fans(), faces_of(pieces, chosen), seams, stop_);
 }
 
 FlatPieces ExactEvaluation::flatten_along_seams(Charts charts) const {

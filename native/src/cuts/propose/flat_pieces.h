@@ -93,8 +93,12 @@ class SurfaceToCut {
 
   const FlattenInput& middle() const { return middle_ ? *middle_ : input_; }
 
+  /// Returns the fan of each corner of the input without seams.
+  const std::vector<int>& fans() const { return fans_; }
+
  private:
   const FlattenInput& input_;
+  std::vector<int> fans_;
   std::optional<FlattenInput> middle_;
 };
 

@@ -65,7 +65,7 @@ FlattenInput with_mesh_of(const FlattenInput& input, const CutMesh& cut) {
 
 /// Returns the piece before the cut, with the vertices and faces of the cut mesh, for with_cut(). Its energy and strain
 /// are those on the original mesh.
-FlatPiece on_cut_mesh(const FlatPiece& piece, const FlattenInput& input, const CutMesh& cut, const StopToken& stop) {
+FlatPiece on_cut_mesh(const FlatPiece& piece, const SurfaceToCut& surface, const CutMesh& cut, const StopToken& stop) {
   const std::vector<int>& faces_before = piece.chart.source_face;
   std::vector<int> faces;
   for (std::size_t f = 0; f < cut.sources.faces.size(); ++f) {
@@ -73,7 +73,7 @@ FlatPiece on_cut_mesh(const FlatPiece& piece, const FlattenInput& input, const C
       faces.push_back(static_cast<int>(f));
     }
   }
-  Chart chart = std::move(cut_faces(input, faces, piece.outline, stop).charts.front());
+  Chart chart = std::move(cut_faces(surface.middle(), surface.fans(), faces, piece.outline, stop).charts.front());
   PartMap edges(chart);
   std::vector<VertexPair> outline = outline_of(chart);
   return {std::move(chart), std::move(edges), std::move(outline), piece.error, piece.energy, piece.area, piece.strain};
@@ -120,7 +120,7 @@ CutSurface::CutSurface(const FlatPieces& pieces, std::size_t piece, const ExactE
       surface_(input_, exact.options()),
       exact_(surface_, exact.options(), exact.stop()),
       before_(pieces) {
-  before_[piece] = std::make_shared<FlatPiece>(on_cut_mesh(*pieces[piece], surface_.middle(), cut, exact.stop()));
+  before_[piece] = std::make_shared<FlatPiece>(on_cut_mesh(*pieces[piece], surface_, cut, exact.stop()));
   after_ = exact_.with_cut(before_, cut.edges);
 }
 

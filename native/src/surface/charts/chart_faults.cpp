@@ -99,10 +99,11 @@ void find_one_sided(const EdgeTable& edges, const SurfaceCut& cut, std::vector<F
 
 /// Finds vertices at which faces of one chart touch without an edge that connects them.
 void find_vertex_faults(const FlattenInput& input, const EdgeTable& edges, const SurfaceCut& cut,
-                        std::vector<Faults>& faults) {
-  const bool is_uncut = input.seams.rows() == 0;
-  const std::vector<int> fan_across_seams = is_uncut ? std::vector<int>() : fans_of_uncut_surface(input.faces, edges);
-  const std::vector<int>& fan = is_uncut ? cut.fan_of_corner : fan_across_seams;
+                        const std::vector<int>& fans, std::vector<Faults>& faults) {
+  const bool is_uncut = input.seams.rows() == 0, is_whole = fans.empty();
+  std::vector<int> across_seams;
+  if (is_whole && !is_uncut) across_seams = fans_of_uncut_surface(input.faces, edges);
+  const std::vector<int>& fan = !is_whole ? fans : is_uncut ? cut.fan_of_corner : across_seams;
   std::vector<int> first_fan(static_cast<std::size_t>(input.vertices.rows()), -1);
   std::vector<char> has_several(static_cast<std::size_t>(input.vertices.rows()), 0);
   for (std::size_t corner = 0; corner < fan.size(); ++corner) {
@@ -152,12 +153,12 @@ std::optional<FlattenError> first_fault(const Faults& faults) {
 }  // namespace
 
 std::vector<std::optional<FlattenError>> find_chart_faults(const FlattenInput& input, const EdgeTable& edges,
-                                                           const SurfaceCut& cut) {
+                                                           const SurfaceCut& cut, const std::vector<int>& fans) {
   std::vector<Faults> faults(cut.num_charts);
   find_face_faults(input, cut, faults);
   find_edge_faults(input, edges, cut, faults);
   find_one_sided(edges, cut, faults);
-  find_vertex_faults(input, edges, cut, faults);
+  find_vertex_faults(input, edges, cut, fans, faults);
   std::vector<std::optional<FlattenError>> errors;
   errors.reserve(faults.size());
   for (const Faults& chart : faults) errors.push_back(first_fault(chart));

@@ -11,9 +11,9 @@
 namespace wirewarp {
 
 /// Returns for each chart the first reason why the chart is not an oriented manifold with faces of positive area, or
-/// nullopt. If two charts touch at a vertex, this is not a fault.
+/// nullopt. If two charts touch at a vertex, this is not a fault. fans: as for cut_into_charts().
 std::vector<std::optional<FlattenError>> find_chart_faults(const FlattenInput& input, const EdgeTable& edges,
-                                                           const SurfaceCut& cut);
+                                                           const SurfaceCut& cut, const std::vector<int>& fans);
 
 /// Returns the number of handles of a chart, 1 for a torus. The chart must have its mesh and boundary loops.
 long count_handles(const Chart& chart);

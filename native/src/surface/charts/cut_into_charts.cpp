@@ -22,10 +22,11 @@ std::vector<Chart> charts_of(const SurfaceCut& cut) {
 
 }  // namespace
 
-Charts cut_into_charts(const FlattenInput& input, const EdgeTable& edges, const StopToken& stop) {
+Charts cut_into_charts(const FlattenInput& input, const EdgeTable& edges, const StopToken& stop,
+                       const std::vector<int>& fans) {
   stop.check();
   const SurfaceCut cut = cut_along_seams(input.faces, edges, input.seams);
-  std::vector<std::optional<FlattenError>> faults = find_chart_faults(input, edges, cut);
+  std::vector<std::optional<FlattenError>> faults = find_chart_faults(input, edges, cut, fans);
 
   Charts result;
   result.charts = charts_of(cut);
