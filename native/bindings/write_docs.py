@@ -14,6 +14,7 @@ from pathlib import Path
 OPENING = re.compile(r"(?:struct|class|enum class) (\w+)(?: final)?(?: : [^{]*)? \{")
 FIELD = re.compile(r"  (?!static )[\w:<>, ]+ (\w+)(?: = [^;]*|\{\})?;(?: +// (.*))?")
 ENUMERATOR = re.compile(r"  (\w+),(?: +// (.*))?")
+LAST_ITEM = re.compile(r"^- .*(?:\n  .*)*\Z", re.MULTILINE)
 
 
 def comments(header: str) -> Iterator[tuple[str, str]]:
@@ -49,12 +50,12 @@ def comments(header: str) -> Iterator[tuple[str, str]]:
 
 def sentence(text: str) -> str:
     """Return the text in Python's style: members with a dot, a capital letter at the start unless the first word is a
-    symbol, and a final period.
+    symbol, and a final period unless the text ends in a list, because the other items have none.
     """
     text = text.replace("::", ".")
     if re.match(r"[a-z]{2}|a ", text):
         text = text[0].upper() + text[1:]
-    return text if text.endswith(".") else text + "."
+    return text if text.endswith(".") or LAST_ITEM.search(text) else text + "."
 
 
 def main() -> None:
