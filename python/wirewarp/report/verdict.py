@@ -160,8 +160,7 @@ def _texts(kind: Kind, own: list[_Entry], entries: list[_Entry], with_objects: b
         case Kind.FAILED:
             return [wording.failed(len(own), len(entries))]
         case Kind.CLOSED | Kind.NEEDS_SEAM:
-            sentence = wording.closed if kind is Kind.CLOSED else wording.needs_seam
-            return [sentence("" if everything and len(own) == 1 else names, len(own))]
+            return [wording.uncut("" if everything and len(own) == 1 else names, len(own), kind is Kind.CLOSED)]
         case Kind.NO_FABRIC:
             return [wording.no_fabric(names)]
         case Kind.BEYOND_FABRIC:

@@ -14,16 +14,12 @@ BEYOND_REMEDY = "Add a dart or seam, or choose another fabric."  # written once,
 EXACT, TOLERATED = "every length kept", "every length kept or within its tolerance"
 
 
-def closed(names: str, count: int) -> str:
-    """Return the sentence about closed pieces. names: list of their names, or "" if the model is one piece."""
-    what = "are closed: choose where to cut them" if count > 1 else "is closed: choose where to cut it"
-    return f"{names or 'This model'} {what}"
-
-
-def needs_seam(names: str, count: int) -> str:
-    """Return the sentence about pieces that cannot be flattened without another seam. names: as for closed()."""
-    what = "need seams: choose where to cut them" if count > 1 else "needs a seam: choose where to cut it"
-    return f"{names or 'This model'} {what}"
+def uncut(names: str, count: int, are_closed: bool) -> str:
+    """Return the sentence about pieces that cannot be flattened without a seam. names: list of their names, or "" if
+    the model is one piece."""
+    needs = ("is closed", "are closed") if are_closed else ("needs a seam", "need seams")
+    is_several = count > 1
+    return f"{names or 'This model'} {needs[is_several]}: choose where to cut {('it', 'them')[is_several]}"
 
 
 def failed(count: int, of: int) -> str:
