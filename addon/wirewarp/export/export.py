@@ -7,8 +7,6 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Literal, NamedTuple
 
-import numpy as np
-
 from ..core import FlattenError, pattern
 from ..issues import object_error
 from ..solve.steps import Steps, T, in_one_go, in_slices, reported_as
@@ -76,13 +74,7 @@ class PatternParts:
 
         allowance: allowance of unmarked edges, in millimeters.
         """
-        both, own, folds = self.allowances
-        widths = {ends: width for a, b, width in both for ends in ((a, b), (b, a))}
-        widths |= {(a, b): width for a, b, width in own} | {ends: 0.0 for a, b in folds for ends in ((a, b), (b, a))}
-        sides, marked = list(widths), list(widths.values())
-        # Pieces without a flat shape have no width.
-        flat = [piece for piece in self.pieces if np.isfinite(piece.vertices[piece.outline]).all()]
-        return [piece.name for piece in flat if not piece.has_room(allowance, sides, marked)]
+        return pattern.narrow_pieces(self.pieces, allowance, *self.allowances)
 
     def cut_lines(self, **options: Any) -> pattern.Pattern:  # noqa: ANN401
         """Return a pattern with only the cutting lines of the pieces, in their places. Raises ObjectError."""

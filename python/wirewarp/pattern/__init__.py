@@ -14,6 +14,7 @@ from .formats.file_format import Choice, Format, Option
 from .label.fonts import add_font_folder
 from .make.outline import Chain, FlatPiece, FlatWire
 from .make.seams import longer_text
+from .make.widths import narrow_pieces
 from .marker import Marker, Placement
 from .model import Line, PatternPiece, Point, Text
 from .narrow import closed_lines, has_room, narrowest_width, piece_width, pieces_along
@@ -51,6 +52,7 @@ __all__ = [
     "closed_lines",
     "has_room",
     "longer_text",
+    "narrow_pieces",
     "narrowest_width",
     "piece_width",
     "pieces_along",

@@ -5,12 +5,11 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from ..._errors import FlattenError
 from ..checks import problem
 from ..geometry import lengths_along, signed_area
-from ..narrow import outline_has_room, outline_sides, piece_sides
+from ..narrow import outline_sides, piece_sides
 
 if TYPE_CHECKING:
     from ..._wirewarp import Piece
@@ -43,10 +42,6 @@ class FlatPiece:
     chains: list[Chain]  # chains in the direction of the outline edges
     wires: list[FlatWire]
     grain: np.ndarray = field(default_factory=lambda: np.array([0.0, 1.0]))  # (2,) unit vector, upright by default
-
-    def has_room(self, allowance: float, sides: ArrayLike = (), widths: ArrayLike = ()) -> bool:
-        """Return the result of wirewarp.pattern.has_room() for this piece. Widths are in millimeters."""
-        return outline_has_room(self.vertices, self.source_vertex, self.outline, allowance, sides, widths)
 
 
 def flat_piece(piece: "Piece", name: str, scale: float) -> FlatPiece:

@@ -1,12 +1,18 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Finds the width of the allowance along each edge of the outlines."""
 
+from collections.abc import Iterable
+
 import numpy as np
 import numpy.typing as npt
 
 from ..._errors import FlattenError
 from ..checks import checked_length, problem
-from .outline import Side
+from ..narrow import outline_has_room
+from .outline import FlatPiece, Side
+
+Pair = tuple[int, int]
+Row = tuple[int, int, float]  # two vertices and a width
 
 
 class Widths:
@@ -23,10 +29,10 @@ class Widths:
         """Check and keep the widths. both, sides and folds: allowances, side_allowances and folds of PatternOptions."""
         self._seam = checked_length("allowance", allowance)
         self._hem = self._seam if hem is None else checked_length("hem", hem)
-        self._both = {(min(pair), max(pair)): width for pair, width in _rows("allowances", both).items()}
-        self._sides = _rows("side_allowances", sides)
-        self._folds = {(min(pair), max(pair)) for pair in _pairs("folds", folds)}
-        self._unused = set(self._both) | set(self._sides) | self._folds
+        rows, side_rows, pairs = _rows("allowances", both), _rows("side_allowances", sides), _pairs("folds", folds)
+        self._marked = _at_sides(rows, side_rows, pairs)
+        self._folds = {(min(pair), max(pair)) for pair in pairs}
+        self._unused = {(min(a, b), max(a, b)) for a, b, _ in rows} | {(a, b) for a, b, _ in side_rows} | self._folds
 
     def of(self, side: Side) -> tuple[np.ndarray, np.ndarray]:
         """Return the width (k-1,) of the allowance at each step of the side, and whether the step is a fold, which has
@@ -42,7 +48,7 @@ class Widths:
                 f"Edge {a}-{b} is a fold, but it is sewn. Remove the fold or the seam.",
                 edges=[(a, b)],
             )
-        return np.where(folds, 0.0, widths), folds
+        return widths, folds
 
     def check_all_used(self) -> None:
         """Raise FlattenError if an edge with its own width or with a fold is not on an outline."""
@@ -52,13 +58,35 @@ class Widths:
             message = f"Edge {a}-{b} is not on the outline of a piece, so remove its allowance or fold."
             raise FlattenError("invalid_option", message, edges=edges)
 
-    def _width(self, edge: tuple[int, int], default: float) -> float:
-        both = (min(edge), max(edge))
-        self._unused -= {edge, both}
-        return self._sides.get(edge, self._both.get(both, default))
+    def _width(self, edge: Pair, default: float) -> float:
+        self._unused -= {edge, (min(edge), max(edge))}
+        return self._marked.get(edge, default)
 
 
-def _pairs(name: str, values: npt.ArrayLike | None) -> list[tuple[int, int]]:
+def narrow_pieces(
+    pieces: Iterable[FlatPiece], allowance: float, both: Iterable[Row], sides: Iterable[Row], folds: Iterable[Pair]
+) -> list[str]:
+    """Return the names of the pieces that are too narrow somewhere for two allowances side by side.
+
+    allowance: width at unmarked edges; both, sides and folds: allowances, side_allowances and folds of PatternOptions
+    """
+    marked = _at_sides(both, sides, folds)
+    ends, widths = list(marked), list(marked.values())
+    # Pieces without a flat shape have no width.
+    flat = [piece for piece in pieces if np.isfinite(piece.vertices[piece.outline]).all()]
+    shapes = [(piece.name, (piece.vertices, piece.source_vertex, piece.outline)) for piece in flat]
+    return [name for name, shape in shapes if not outline_has_room(*shape, allowance, ends, widths)]
+
+
+def _at_sides(both: Iterable[Row], sides: Iterable[Row], folds: Iterable[Pair]) -> dict[Pair, float]:
+    """Return the width of each marked side of an edge, by its vertices in the direction of the face. A width of one
+    side replaces the width of both sides, and a fold, which has width 0, replaces both."""
+    widths = {ends: width for a, b, width in both for ends in ((a, b), (b, a))}
+    widths |= {(a, b): width for a, b, width in sides}
+    return widths | {ends: 0.0 for a, b in folds for ends in ((a, b), (b, a))}
+
+
+def _pairs(name: str, values: npt.ArrayLike | None) -> list[Pair]:
     """Return the edges of the table (k,2) with this name. Raises FlattenError for an invalid table."""
     table = np.empty((0, 2)) if values is None else np.asarray(values)
     if table.size == 0 and table.ndim <= 2:
@@ -70,11 +98,10 @@ def _pairs(name: str, values: npt.ArrayLike | None) -> list[tuple[int, int]]:
     return [(int(a), int(b)) for a, b in table]
 
 
-def _rows(name: str, values: npt.ArrayLike | None) -> dict[tuple[int, int], float]:
-    """Return the widths of the table (k,3) with this name, by their vertex pairs. Raises FlattenError for an invalid
-    table."""
+def _rows(name: str, values: npt.ArrayLike | None) -> list[Row]:
+    """Return the rows of the table (k,3) with this name. Raises FlattenError for an invalid table."""
     if values is None:
-        return {}
+        return []
     try:
         table = np.asarray(values, dtype=float)
     except (TypeError, ValueError):
@@ -87,4 +114,4 @@ def _rows(name: str, values: npt.ArrayLike | None) -> dict[tuple[int, int], floa
         raise problem(f"{name} has a vertex index that is not a whole number from 0.", "invalid_type")
     for a, b, width in table:
         checked_length(f"The allowance of edge {a:.0f}-{b:.0f}", width)
-    return {(int(a), int(b)): float(width) for a, b, width in table}
+    return [(int(a), int(b), float(width)) for a, b, width in table]
