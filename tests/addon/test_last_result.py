@@ -83,7 +83,7 @@ def test_the_panel_does_not_say_that_the_model_changed_right_after_a_run(source,
     addon.state.drawings.forget()
 
     def has_changed():
-        return addon.ui.settings.has_changed_since(source, addon.state.reports.last_report(source))
+        return addon.state.reports.seems_changed(source, addon.state.reports.last_report(source))
 
     assert not has_changed()
     raise_vertex(source)

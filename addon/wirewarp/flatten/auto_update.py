@@ -45,7 +45,7 @@ def take_changed(context: bpy.types.Context) -> list[bpy.types.Object]:
     return no models, because an update would undo the undo."""
     undone = state_of(context.scene).is_undone
     forget_change(context.scene)
-    changed = [source for source in _flattened(context) if _has_changed(source)]
+    changed = [source for source in _flattened(context) if _needs_update(source)]
     for source in changed:
         state_of(source).tried = _present_state(source)
     return [] if undone else changed
@@ -82,7 +82,7 @@ def waits_for_object_mode(source: bpy.types.Object) -> bool:
     return source.data.is_editmode and len(bmesh.from_edit_mesh(source.data).verts) > EDIT_LIMIT
 
 
-def _has_changed(source: bpy.types.Object) -> bool:
+def _needs_update(source: bpy.types.Object) -> bool:
     if waits_for_object_mode(source):
         return False
     report = last_report(source)

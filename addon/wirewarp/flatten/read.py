@@ -176,7 +176,7 @@ def find_source(model: Model) -> bpy.types.Object | None:
     return next((candidate for candidate in bpy.data.objects if candidate.name_full == model.name), None)
 
 
-def is_current(model: Model) -> bool:
+def is_as_read(model: Model) -> bool:
     """Return whether the model's object is still the mesh that was read. Works in any mode."""
     source = find_source(model)
     return source is not None and source.type == "MESH" and not has_changed(source, model.state, read_anew)
@@ -189,7 +189,7 @@ def check_current(context: bpy.types.Context, models: list[Model], settings: Run
     with ExitStack() as copies:
         for source in filter(None, map(find_source, models)):
             copies.enter_context(_one_copy(source, edited))
-        changed = [model.facts.object for model in models if not is_current(model)]
+        changed = [model.facts.object for model in models if not is_as_read(model)]
         if changed:
             sentence = f"{quoted(changed)} changed during the run, so nothing was written. Flatten again."
             raise object_error("changed", sentence)

@@ -19,11 +19,11 @@ from ..state.drawings import Same, kept_drawing
 from ..state.memory import is_due, stamp, state_of
 from ..state.owners import find_flat_object, has_flat_object, model_of, model_or_self
 from ..state.read_model import shaped_by
-from ..state.reports import last_report
+from ..state.reports import last_report, seems_changed
 from ..state.settings import fabric_label
 from ..suggest.panel import are_shown, draw_suggest, draw_suggestions
 from ..ui.layout import LEVEL_ICONS, SidebarPanel, draw_progress, draw_sentence
-from ..ui.settings import CHANGED, draw_settings, settings_sentence, shown_report, untrue_sentence
+from ..ui.settings import draw_settings, settings_sentence, shown_report, untrue_sentence
 from ..ui.window_run import FLATTEN, is_running
 from .next_step import (
     CHECK,
@@ -149,7 +149,7 @@ def _draw_state(
     context: bpy.types.Context, layout: bpy.types.UILayout, source: bpy.types.Object, report: ObjectReport
 ) -> None:
     untrue = untrue_sentence(context.active_object, source, report)
-    is_updated = untrue == CHANGED and _will_update(context, source)
+    is_updated = seems_changed(source, report) and _will_update(context, source)
     if untrue and not is_updated:
         warning = layout.column()
         warning.alert = True

@@ -29,9 +29,9 @@ from ..core import (
     tolerance_text,
 )
 from ..solve.report import ObjectReport
-from ..state.reports import pieces_report
+from ..state.reports import pieces_report, seems_changed
 from ..ui.layout import SidebarPanel, broken, draw_cells, draw_sentence, is_wide, mark_of
-from ..ui.settings import has_changed_since, shown_report, shown_source
+from ..ui.settings import shown_report, shown_source
 from .next_step import has_shown_place
 
 SHOWN_ROWS = 8
@@ -230,7 +230,7 @@ class VIEW3D_PT_wirewarp_report(SidebarPanel, bpy.types.Panel):
             box = layout.box()
             # The text is gray after a change of the model. The buttons still work, so that several suggestions can be
             # marked before the next run.
-            box.active = not has_changed_since(source, report)
+            box.active = not seems_changed(source, report)
             draw_issues(context, box, report)
         if report.hints:
             draw_hints(context, layout, report)

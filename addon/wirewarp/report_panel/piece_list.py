@@ -45,7 +45,7 @@ class WIREWARP_UL_pieces(bpy.types.UIList):
         is_long = any(each.has_layout and each.shown >= 1 for each in report_of_pieces(context).tables.pieces)
         columns = line.split(factor=SHORT_NAMES if is_long else NAMES)
         mark = {"icon": "BLANK1"}
-        if _is_current(context):
+        if _has_true_verdict(context):
             narrow = narrow_names(context, shown_source(context), report_of_pieces(context))
             mark = mark_of(row.ok, row.is_strained or row.name in narrow)
         columns.prop(entry, "name", text="", emboss=False, **mark)
@@ -91,7 +91,7 @@ def _row_of(context: bpy.types.Context, index: int) -> core.report.Piece | None:
     return next((row for row in report_of_pieces(context).tables.pieces if row.index == index), None)
 
 
-def _is_current(context: bpy.types.Context) -> bool:
+def _has_true_verdict(context: bpy.types.Context) -> bool:
     """Return whether the panel Flatten shows the verdict on these pieces, and nothing has changed since the run."""
     source, report = shown_source(context), report_of_pieces(context)
     if report is not shown_report(context) or untrue_sentence(context.active_object, source, report):

@@ -16,18 +16,19 @@ from ..blender.mesh import element_counts
 from ..core import Issue, ReportError, from_dict, rename_wires, to_dict
 from ..names import REPORT, REPORT_SEAL
 from ..solve.report import ObjectReport, failure_report
+from .changes import has_changed
+from .drawings import Same, kept_drawing
 from .identities import piece_names, present_names, seam_names
-from .memory import all_states, note, state_of
+from .memory import all_states, note, stamp, state_of
 
-# Under this name, state.drawings keeps whether the model has changed. This is valid until another report is stored.
-HAS_CHANGED = "has changed"
+_SEEMS_CHANGED = "seems changed"  # name of a kept drawing, which is valid until another report is stored
 
 
 def store(source: bpy.types.Object, report: ObjectReport) -> None:
     """Stores the report of a run that wrote pieces on the object."""
     note(source)
     text = json.dumps(to_dict(report))
-    state_of(source).drawings.pop(HAS_CHANGED, None)
+    state_of(source).drawings.pop(_SEEMS_CHANGED, None)
     source[REPORT], source[REPORT_SEAL] = text, digest(text)
 
 
@@ -37,7 +38,7 @@ def remember(source: bpy.types.Object, report: ObjectReport) -> None:
     note(source)
     state = state_of(source)
     state.failure, state.failed_after = report, stored_text(source, REPORT)
-    state.drawings.pop(HAS_CHANGED, None)
+    state.drawings.pop(_SEEMS_CHANGED, None)
 
 
 def last_report(source: bpy.types.Object) -> ObjectReport | None:
@@ -48,6 +49,14 @@ def last_report(source: bpy.types.Object) -> ObjectReport | None:
 def pieces_report(source: bpy.types.Object) -> ObjectReport | None:
     """Return the report of the run that wrote the flat pieces, even if a later run failed; None without such a run."""
     return with_names(source, _read(source))
+
+
+def seems_changed(source: bpy.types.Object, report: ObjectReport) -> bool:
+    """Return has_changed() since the report, for drawing: it may be out of date for a moment. While a large model with
+    modifiers changes, it is not read at every redraw, because reading takes as long as drawing."""
+    place = source.mode, source.visible_get(), source.matrix_world.copy()
+    seen = stamp(source), stamp(source.data), place, Same(report)
+    return kept_drawing(source, _SEEMS_CHANGED, seen, lambda: has_changed(source, report.model_state))
 
 
 def flattened_name(source: bpy.types.Object) -> str:

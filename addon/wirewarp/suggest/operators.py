@@ -14,7 +14,7 @@ from ..blender.selection import WORKING_MODES, in_object_mode
 from ..blender.views import redraw_views
 from ..core import ANY_LIMIT, paragraph, quoted
 from ..flatten.models import Model
-from ..flatten.read import active_target, check_sources, find_source, is_current, read_models
+from ..flatten.read import active_target, check_sources, find_source, is_as_read, read_models
 from ..issues import ObjectError, changed_error, object_error
 from ..properties import reset_unknown
 from ..solve.flatten import FlattenChoices, known_stretch, used_choices
@@ -167,7 +167,7 @@ def keep_found(search: Search, cuts: list[Cut], place: Place = "FLATTEN") -> Sug
         other_pieces=max(len(search.names) - 1, 0),
     )
     source = find_source(model)
-    if not (is_current(model) and are_current(source, found, read_anew)):
+    if not (is_as_read(model) and are_current(source, found, read_anew)):
         raise object_error("changed", f'"{model.facts.object}" changed during the search. Search again.')
     keep(source, found)
     return found

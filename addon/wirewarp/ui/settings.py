@@ -10,18 +10,14 @@ from ..core import percent_text
 from ..properties import EaseAmount, WIREWARP_PG_settings
 from ..solve.flatten import LAYOUT_OPTIONS
 from ..solve.report import ObjectReport
-from ..state.changes import has_changed
-from ..state.drawings import Same, kept_drawing
 from ..state.flat_pieces import no_pieces_sentence
-from ..state.memory import stamp
 from ..state.owners import earlier_sentence, has_flat_object, is_earlier, model_or_self
-from ..state.reports import HAS_CHANGED, last_report
+from ..state.reports import last_report, seems_changed
 from ..state.settings import PARTS, SETTINGS, FlattenChoices, FlattenSettings, Setting, choices_of, usual_stretch
 from ..state.suggestions import Suggestions
 
 # Two settings whose labels end in these directions have a common heading. Their full labels would be cut off.
 WAYS = ("Across", "Along")
-CHANGED = "The model has changed since it was flattened. Flatten again."
 
 
 def shown_report(context: bpy.types.Context) -> ObjectReport | None:
@@ -39,19 +35,11 @@ def shown_source(context: bpy.types.Context) -> bpy.types.Object | None:
 
 def untrue_sentence(active: bpy.types.Object, source: bpy.types.Object, report: ObjectReport) -> str:
     """Return a sentence that says why the report does not match the displayed model; "" if it matches."""
-    if has_changed_since(source, report):
-        return CHANGED
+    if seems_changed(source, report):
+        return "The model has changed since it was flattened. Flatten again."
     if report.flat_object is not None and not has_flat_object(source):
         return no_pieces_sentence(source)
     return earlier_sentence(active) if is_earlier(active) else ""
-
-
-def has_changed_since(source: bpy.types.Object, report: ObjectReport) -> bool:
-    """Return whether the model has changed since its report. While a large model with modifiers changes, it is not read
-    at every redraw, because reading takes as long as drawing."""
-    place = source.mode, source.visible_get(), source.matrix_world.copy()
-    seen = stamp(source), stamp(source.data), place, Same(report)
-    return kept_drawing(source, HAS_CHANGED, seen, lambda: has_changed(source, report.model_state))
 
 
 def draw_ease(layout: bpy.types.UILayout, settings: EaseAmount) -> None:
