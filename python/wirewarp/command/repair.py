@@ -5,6 +5,7 @@ Unlike Check and Repair in the add-on, this module keeps interior faces.
 """
 
 from collections import defaultdict
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
@@ -133,43 +134,60 @@ def _without_flat_faces(model: Model, close: float) -> tuple[Model, int, dict[fr
 
     The vertex opposite the longest edge of a flat face divides the other faces at this edge.
     """
-    faces = [tuple(face) for face in model.faces.tolist()]
-    uv = [None] * len(faces) if model.corner_uv is None else list(model.corner_uv)
-    flat = [row for row, face in enumerate(faces) if _height(model.vertices, face) <= close]
+    flat = [row for row, face in enumerate(model.faces.tolist()) if _height(model.vertices, face) <= close]
     divided: dict[frozenset[int], int] = {}
     if not flat:
         return model, 0, divided
-    count = len(flat)
-    by_edge: dict[frozenset[int], set[int]] = defaultdict(set)
-    for row, face in enumerate(faces):
-        for side in pairwise((*face, face[0])):
-            by_edge[frozenset(side)].add(row)
-    gone: set[int] = set()
+    count, faces = len(flat), _DividedFaces(model)
     while flat:
         row = flat.pop()
-        if row in gone:
+        if row in faces.gone:
             continue
-        long_edge, tip = _longest_edge(model.vertices, faces[row])
-        gone.add(row)
+        long_edge, tip = _longest_edge(model.vertices, faces.corners[row])
+        faces.gone.add(row)
         divided[frozenset(long_edge)] = tip
-        for other in sorted(by_edge[frozenset(long_edge)] - gone):
-            gone.add(other)
-            if tip in faces[other]:
-                continue  # both faces have the same three vertices, so nothing remains
-            for face, corners in _cut_at(model.vertices, faces[other], uv[other], long_edge, tip):
-                for side in pairwise((*face, face[0])):
-                    by_edge[frozenset(side)].add(len(faces))
-                if _height(model.vertices, face) <= close:
-                    flat.append(len(faces))
-                faces.append(face)
-                uv.append(corners)
-    rows = [row for row in range(len(faces)) if row not in gone]
-    corner_uv = None if model.corner_uv is None else np.array([uv[row] for row in rows])
-    kept = np.array([faces[row] for row in rows], dtype=np.int64).reshape(-1, 3)
-    return replace(model, faces=kept, corner_uv=corner_uv), count, divided
+        flat += [new for new in faces.divide(long_edge, tip) if _height(model.vertices, faces.corners[new]) <= close]
+    return faces.left(), count, divided
 
 
-def _height(vertices: np.ndarray, face: tuple[int, ...]) -> float:
+class _DividedFaces:
+    """The faces of a model, of which some are removed or divided."""
+
+    def __init__(self, model: Model) -> None:
+        self._model = model
+        self._at_edge: dict[frozenset[int], set[int]] = defaultdict(set)
+        self._uv: list[np.ndarray | None] = []
+        self.corners: list[tuple[int, ...]] = []
+        self.gone: set[int] = set()  # rows of removed faces
+        uv = [None] * len(model.faces) if model.corner_uv is None else model.corner_uv
+        for face, corners in zip(model.faces.tolist(), uv, strict=True):
+            self._add(tuple(face), corners)
+
+    def divide(self, edge: tuple[int, int], tip: int) -> list[int]:
+        """Divide the faces at this edge by the vertex `tip`. Return the rows of the parts."""
+        parts = []
+        for row in sorted(self._at_edge[frozenset(edge)] - self.gone):
+            self.gone.add(row)
+            if tip not in self.corners[row]:  # otherwise nothing remains of the face
+                parts += _cut_at(self._model.vertices, self.corners[row], self._uv[row], edge, tip)
+        return [self._add(*part) for part in parts]
+
+    def left(self) -> Model:
+        """Return the model with the faces that are left."""
+        rows = [row for row in range(len(self.corners)) if row not in self.gone]
+        uv = None if self._model.corner_uv is None else np.array([self._uv[row] for row in rows])
+        faces = np.array([self.corners[row] for row in rows], dtype=np.int64).reshape(-1, 3)
+        return replace(self._model, faces=faces, corner_uv=uv)
+
+    def _add(self, face: tuple[int, ...], uv: np.ndarray | None) -> int:
+        for side in pairwise((*face, face[0])):
+            self._at_edge[frozenset(side)].add(len(self.corners))
+        self.corners.append(face)
+        self._uv.append(uv)
+        return len(self.corners) - 1
+
+
+def _height(vertices: np.ndarray, face: Sequence[int]) -> float:
     a, b, c = vertices[list(face)]
     longest = max(np.linalg.norm(b - a), np.linalg.norm(c - b), np.linalg.norm(a - c))
     return float(np.linalg.norm(np.cross(b - a, c - a)) / longest) if longest > 0 else 0.0
@@ -204,39 +222,52 @@ def _opposed_faces(model: Model) -> np.ndarray:
     In each connected part, the faces of the direction with the smaller area are flipped. In a part with one side
     (Möbius strip), no faces are flipped.
     """
-    neighbors: dict[int, list[tuple[int, bool]]] = defaultdict(list)
-    at_edge: dict[tuple[int, int], list[tuple[int, bool]]] = defaultdict(list)
-    for row, face in enumerate(model.faces.tolist()):
-        for a, b in pairwise((*face, face[0])):
-            at_edge[min(a, b), max(a, b)].append((row, a < b))
-    pairs = [sides for sides in at_edge.values() if len(sides) == 2]
-    if all(ascending != other for (_, ascending), (_, other) in pairs):
+    neighbors = _neighbors(model.faces)
+    if not any(differs for own in neighbors.values() for _, differs in own):
         return np.empty(0, dtype=np.int64)
-    for (row, ascending), (other, other_ascending) in pairs:
-        neighbors[row].append((other, ascending == other_ascending))
-        neighbors[other].append((row, ascending == other_ascending))
     a, b, c = model.vertices[model.faces].transpose(1, 0, 2)
     areas = np.linalg.norm(np.cross(b - a, c - a), axis=1)
     side = np.full(len(model.faces), -1)
-    opposed: list[np.ndarray] = []
+    opposed = [np.empty(0, dtype=np.int64)]
     for begin in range(len(side)):
         if side[begin] >= 0:
             continue
-        side[begin], part, open_rows, is_two_sided = 0, [begin], [begin], True
-        while open_rows:
-            row = open_rows.pop()
-            for other, differs in neighbors[row]:
-                if side[other] < 0:
-                    side[other] = side[row] ^ differs
-                    part.append(other)
-                    open_rows.append(other)
-                elif side[other] != side[row] ^ differs:
-                    is_two_sided = False
+        rows, is_two_sided = _connected(begin, neighbors, side)
         if is_two_sided:
-            rows = np.array(part)
             sides = [rows[side[rows] == which] for which in (0, 1)]
             opposed.append(min(sides, key=lambda own: float(areas[own].sum())))
-    return np.sort(np.concatenate(opposed)) if opposed else np.empty(0, dtype=np.int64)
+    return np.sort(np.concatenate(opposed))
+
+
+def _neighbors(faces: np.ndarray) -> Mapping[int, list[tuple[int, bool]]]:
+    """Return the neighbors of each face at edges of two faces, and whether their directions differ."""
+    at_edge: dict[tuple[int, int], list[tuple[int, bool]]] = defaultdict(list)
+    for row, face in enumerate(faces.tolist()):
+        for a, b in pairwise((*face, face[0])):
+            at_edge[min(a, b), max(a, b)].append((row, a < b))
+    neighbors: dict[int, list[tuple[int, bool]]] = defaultdict(list)
+    for (row, ascending), (other, other_ascending) in (sides for sides in at_edge.values() if len(sides) == 2):
+        neighbors[row].append((other, ascending == other_ascending))
+        neighbors[other].append((row, ascending == other_ascending))
+    return neighbors
+
+
+def _connected(
+    begin: int, neighbors: Mapping[int, list[tuple[int, bool]]], side: np.ndarray
+) -> tuple[np.ndarray, bool]:
+    """Return the faces that are connected with face `begin`, and whether their part has two sides. Set their `side`
+    (f,) to 0 for the direction of face `begin`, and to 1 for the other direction."""
+    side[begin], part, open_rows, is_two_sided = 0, [begin], [begin], True
+    while open_rows:
+        row = open_rows.pop()
+        for other, differs in neighbors[row]:
+            if side[other] < 0:
+                side[other] = side[row] ^ differs
+                part.append(other)
+                open_rows.append(other)
+            elif side[other] != side[row] ^ differs:
+                is_two_sided = False
+    return np.array(part), is_two_sided
 
 
 def _edges_of_many_faces(faces: np.ndarray) -> np.ndarray:
