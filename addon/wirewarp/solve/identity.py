@@ -41,14 +41,19 @@ def side_names(normals: np.ndarray, offsets: np.ndarray) -> list[str]:
     normals (p,3): mean normals, of length 1 for flat pieces
     offsets (p,3): from the middle of the model to the middle of the piece, as a share of the model's size
     """
-    names = [_side(normal, offset) for normal, offset in zip(normals, offsets, strict=True)]
-    for side in dict.fromkeys(names):
-        own = [index for index, name in enumerate(names) if name == side]
+    sides = [_side(normal, offset) for normal, offset in zip(normals, offsets, strict=True)]
+    names = list(sides)
+    for side in dict.fromkeys(sides):
+        own = [index for index, name in enumerate(sides) if name == side]
         for index, half in zip(own, _places_on(side, offsets[own]), strict=True):
             names[index] = f"{side} {half}".rstrip()
+    return _told_apart(names)
+
+
+def _told_apart(names: list[str]) -> list[str]:
+    """Return the names with "Left Side Front" instead of "Left Front" if there is a "Front Left"."""
     words = {name: sorted(name.split()) for name in names}
     alike = {name for name in names for other in words if other != name and words[other] == words[name]}
-    # Rename "Left Front" to "Left Side Front" if there is a "Front Left".
     return [re.sub("^(Left|Right) ", r"\1 Side ", name) if name in alike else name for name in names]
 
 
@@ -205,19 +210,26 @@ def identify_pieces(
         old = [""] * count
     names = _first_of_each(old)
     new = [index for index in from_top(shape.offsets) if not names[index]]
-    outward = -shape.normals if faces_inward(arrays) else shape.normals
-    piece_of_face = np.zeros(len(arrays.polygon_starts), dtype=np.int64)
-    piece_of_face[arrays.triangle_polygons] = piece_of_triangle
-    ends = _ends_at(arrays)
-    darts = [_is_dart(seam, ends) for seam in result.seams]
-    limbs = limb_names(result, darts, shape.places, shape.offsets, shape.areas)
-    regions = [own or limb for own, limb in zip(region_names(piece_of_face, count, arrays.regions), limbs, strict=True)]
-    regions = region_side_names(regions, outward, shape.offsets)
-    sides = side_names(outward, shape.offsets) if count > 1 else [model_name]
-    wanted = [old[index] or regions[index] or sides[index] for index in new]
+    suggested = _new_names(result, arrays, piece_of_triangle, shape, model_name)
+    wanted = [old[index] or suggested[index] for index in new]
     for index, name in zip(new, numbered(wanted, [name for name in names if name]), strict=True):
         names[index] = name
     return [PieceIdentity(piece_id, name) for piece_id, name in zip(ids, names, strict=True)]
+
+
+def _new_names(
+    result: FlattenResult, arrays: MeshArrays, piece_of_triangle: np.ndarray, shape: _Shape, model_name: str
+) -> list[str]:
+    """Return a name for each piece, from its region, its limb or its side. Names may repeat."""
+    count = len(result.pieces)
+    piece_of_face = np.zeros(len(arrays.polygon_starts), dtype=np.int64)
+    piece_of_face[arrays.triangle_polygons] = piece_of_triangle
+    limbs = limb_names(result, _are_darts(result.seams, arrays), shape.places, shape.offsets, shape.areas)
+    regions = [own or limb for own, limb in zip(region_names(piece_of_face, count, arrays.regions), limbs, strict=True)]
+    outward = -shape.normals if faces_inward(arrays) else shape.normals
+    regions = region_side_names(regions, outward, shape.offsets)
+    sides = side_names(outward, shape.offsets) if count > 1 else [model_name]
+    return [region or side for region, side in zip(regions, sides, strict=True)]
 
 
 def ids_by_face(result: FlattenResult, arrays: MeshArrays, identities: Sequence[PieceIdentity]) -> np.ndarray:
@@ -307,8 +319,7 @@ def identify_seams(result: FlattenResult, arrays: MeshArrays, known: KnownSeams)
     inside = seam_of_edge >= 0
     taken = {*known.names, *known.ids.tolist()}
     ids = assign_ids(seam_of_edge[inside], known.ids[inside], lengths[inside], len(result.seams), taken)
-    ends = _ends_at(arrays)
-    names, darts = dict(known.names), [_is_dart(seam, ends) for seam in result.seams]
+    names, darts = dict(known.names), _are_darts(result.seams, arrays)
     kinds = {seam_id: KINDS[is_dart] for seam_id, is_dart in zip(ids, darts, strict=True)}
     numbers = {kind: _highest_number(kind, names, kinds) for kind in KINDS}
     identities = []
@@ -354,15 +365,18 @@ def _seam_of_edge(seams: Sequence[SeamReport], arrays: MeshArrays) -> np.ndarray
     return found
 
 
-def _ends_at(arrays: MeshArrays) -> np.ndarray:
-    """Return the number of seam and outline edges at each vertex (n,)."""
+def _are_darts(seams: Sequence[SeamReport], arrays: MeshArrays) -> list[bool]:
     edges = np.concatenate([arrays.seams, arrays.outline])
     unique = np.unique(np.sort(edges, axis=1), axis=0)  # an edge of the outline may be marked as a seam, too
-    return np.bincount(unique.ravel(), minlength=len(arrays.vertices))
+    edges_at = np.bincount(unique.ravel(), minlength=len(arrays.vertices))
+    return [_is_dart(seam, edges_at) for seam in seams]
 
 
 def _is_dart(seam: SeamReport, edges_at: np.ndarray) -> bool:
-    """Return whether the seam is a dart: both sides are in one piece, and an end of the seam is inside it."""
+    """Return whether the seam is a dart: both sides are in one piece, and an end of the seam is inside it.
+
+    edges_at (n,): number of seam and outline edges at each vertex
+    """
     if len(set(seam.pieces)) > 1:
         return False
     vertices, counts = np.unique(np.asarray(seam.edges), return_counts=True)

@@ -34,24 +34,26 @@ def limb_names(
     areas (p,): areas of the pieces
     """
     seams = list(zip(result.seams, are_darts, strict=True))
-    tubes = {seam.pieces[0] for seam, is_dart in seams if not is_dart and len(set(seam.pieces)) == 1}
+    tubes = {seam.pieces[0] for seam, is_dart in seams if not is_dart and not _is_to_others(seam)}
     pairs = [
         (left, right)
         for left, right in permutations(tubes, 2)
         if offsets[left, 0] > 0 and _are_mirrored(left, right, offsets, areas)
     ]
-    paired, found = {piece for pair in pairs for piece in pair}, dict[str, list[tuple[int, int]]]()
-    for pair in pairs:
-        sewn = {piece for seam in result.seams if set(pair) & set(seam.pieces) for piece in seam.pieces}
-        kinds = {_kind(result, piece, places) for piece in pair}
-        if len(kinds) == 1 and not paired & sewn - set(pair):
-            found.setdefault(kinds.pop() or "", []).append(pair)
-    return [_only(found, piece) for piece in range(len(offsets))]
+    alone = _not_sewn_to_pairs(pairs, result.seams)
+    names: list[str | None] = [None] * len(offsets)
+    for kind in (SLEEVE, LEG):
+        own = [pair for pair in alone if all(_kind(result, piece, places) == kind for piece in pair)]
+        for piece in own[0] if len(own) == 1 else ():
+            names[piece] = kind
+    return names
 
 
-def _only(found: dict[str, list[tuple[int, int]]], piece: int) -> str | None:
-    """Return the kind of the piece if its pair is the only pair of this kind, otherwise None."""
-    return next((kind for kind, pairs in found.items() if kind and len(pairs) == 1 and piece in pairs[0]), None)
+def _not_sewn_to_pairs(pairs: list[tuple[int, int]], seams: Sequence[SeamReport]) -> list[tuple[int, int]]:
+    """Return the pairs to which no piece of another pair is sewn."""
+    paired = {piece for pair in pairs for piece in pair}
+    sewn = [{piece for seam in seams if set(pair) & set(seam.pieces) for piece in seam.pieces} for pair in pairs]
+    return [pair for pair, joined in zip(pairs, sewn, strict=True) if not paired & joined - set(pair)]
 
 
 def _are_mirrored(piece: int, other: int, offsets: np.ndarray, areas: np.ndarray) -> bool:
