@@ -6,8 +6,9 @@ from pathlib import Path
 from typing import Literal
 
 from ..pattern.nest.items import Grain
+from ..pattern.units import INCH
 
-MILLIMETERS = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "in": 25.4}
+MILLIMETERS = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "in": INCH}
 # Options.orientation also has the value "grain". It is missing here, because it needs a chosen wire.
 Orientation = Literal["wire", "boundary", "up", "best"]
 FROM_MODEL = ("uv", "sharp")

@@ -7,7 +7,7 @@ from fractions import Fraction
 from typing import Literal
 
 Units = Literal["metric", "imperial"]
-INCH = 25.4
+INCH = 25.4  # millimeters, by definition
 FINEST = 16  # denominator of the smallest fraction of an inch on a tape measure
 
 

@@ -12,8 +12,9 @@ from ..label.glyphs import NoLettersError, line_of
 from ..label.text_place import LINE
 from ..model import Text
 from ..sheet.drawing import Stroke, letters_baselines
+from ..units import INCH
 
-POINT = 72 / 25.4  # units of PDF in a millimeter
+POINT = 72 / INCH  # units of PDF in a millimeter
 
 
 class Content:

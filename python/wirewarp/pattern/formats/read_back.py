@@ -14,8 +14,8 @@ from pathlib import Path
 import numpy as np
 
 from ..progress import Steps
+from ..units import INCH
 
-INCH = 25.4
 NUMBER = r"-?[\d.]+"
 WORST = 0.02  # millimeters; HPGL rounds by up to 0.0125 mm in each direction, and all other formats are finer
 

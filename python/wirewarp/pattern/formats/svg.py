@@ -18,6 +18,7 @@ from ..model import PatternPiece, Text
 from ..pattern_data import PatternData
 from ..progress import Steps
 from ..sheet.drawing import LAYERS, LOOKS, Stroke, base_lines, strokes_of
+from ..units import INCH
 from .file_format import Choice, Format, Option
 from .read_back import read_svg
 
@@ -28,7 +29,7 @@ DECIMALS = 4  # decimals of the coordinates, which are in millimeters; as fine a
 NO_CHARACTER = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 
 
-PIXEL = 25.4 / 96  # millimeters in a pixel of CSS
+PIXEL = INCH / 96  # millimeters in a pixel of CSS
 
 
 @dataclass(frozen=True)
