@@ -13,7 +13,7 @@ LEGEND_WIDTH = 180  # pixels at interface scale 1; the usual legend and its marg
 TEXTS_HEIGHT = 50  # height of the names of view and object with their margin, in pixels at interface scale 1
 # At most this share of the view is kept free for legend and texts. A wider legend hides some of the elements shown.
 MOST_COVERED = 0.8
-MARGIN = 1.15  # size of the visible area, as a multiple of the extent of the points
+MARGIN = 1.15  # size of the visible area, as a multiple of the extent of the points, so that border lines are visible
 # A surface has a front if its mean normal has at least this length. Around a ring, the normals cancel out. A band
 # around 270 degrees of a cylinder has this length.
 ONE_SIDE = 0.3

@@ -45,7 +45,8 @@ def _hex(text: str) -> tuple[float, float, float]:
 
 
 THIN = 1.0  # pixels
-RIM, RIM_ALPHA = 1.5, 0.6  # extra width of a rim beyond its line, in pixels; opacity of the rim
+# Extra width of a rim beyond its line, in pixels (a thin edge on both sides), and opacity, so that the color dominates.
+RIM, RIM_ALPHA = 1.5, 0.6
 # The styles are in drawing order, so that a wire is visible on a seam or a failed area.
 STYLES = {
     "failed": LineStyle("Failed", _hex("#d8001f"), 4.0),
@@ -276,8 +277,8 @@ def _name_on_line(texts: tuple[str, ...], lines: LineEdges, rows: np.ndarray, ro
     )
 
 
-SHARE = 0.25  # length of an arrow as a share of the eased line
-LONGEST = 0.12  # greatest length of an arrow, as a share of the object's size
+SHARE = 0.25  # length of an arrow as a share of the eased line, so that the line is clearly longer
+LONGEST = 0.12  # greatest length of an arrow, as a share of the object's size, so that most of the surface is visible
 BEYOND = 2.2  # distance from the edge to the middle of the text, in lengths of the arrow, so that the arrow is visible
 
 

@@ -45,7 +45,7 @@ from .lines import (
 # Unit vectors (2,32) for finding the outermost vertices of a piece within 1 - cos(pi / 32) = 0.5% of its radius.
 # No vector is along an axis, so both ends of an upright side are found.
 DIRECTIONS = np.array([[np.cos(angle), np.sin(angle)] for angle in np.pi * (np.arange(32) + 0.5) / 16]).T
-ARROW = 0.4  # length of a grain arrow as a share of the size of its piece
+ARROW = 0.4  # length of a grain arrow as a share of the size of its piece; less than half leaves room for names
 
 
 @dataclass(frozen=True)

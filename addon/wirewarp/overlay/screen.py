@@ -122,15 +122,16 @@ def _add_scale(
     return bar + (SCALE_HEIGHT + 4) * unit + ROW * unit
 
 
-FONT, FONT_SIZE, MARGIN = 0, 12, 16
-MAX_NAMES = 150
-NAME_TO_LINE = 1.3  # largest length of a name, as a multiple of the length of its line
+FONT, FONT_SIZE, MARGIN = 0, 12, 16  # Blender's interface font; its size and the legend's margin, as for the legend
+MAX_NAMES = 150  # names of 100 x 19 pixels then cover a fifth of a view of 1600 x 900 pixels
+NAME_TO_LINE = 1.3  # largest length of a name, as a multiple of the length of its line, so that the line is recognized
 SAME = 1.0  # pixels: points this close to the outermost point on a side count as outermost
-COVERED = 0.25  # maximum share of a piece that all its labels together may hide
-LONG_COVERED = 0.03  # maximum share of a piece that one label may hide if a shorter text is possible
+COVERED = 0.25  # maximum share of a piece that all its labels together may hide: most of the piece stays visible
+LONG_COVERED = 0.03  # maximum share that one label may hide if a shorter text is possible: COVERED then has room for 8
 LABEL, NAME_COLOR, LEGEND_COLOR = (0.08, 0.08, 0.08, 0.65), (1.0, 1.0, 1.0), (0.9, 0.9, 0.9)
-TEXT_MARGIN = LABEL_MARGIN = 0.3  # margin around each text, in text heights
-ABOVE, BELOW = 0.5, -1.5  # distance from a point to the lower edge of its text, in text heights
+LABEL_MARGIN = 0.3  # margin around each text, in text heights
+# Distance from a point to the lower edge of its text, in text heights. Half a height is free between point and text.
+ABOVE, BELOW = 0.5, -1.5
 Corner = tuple[float, float]
 Size = tuple[float, float]  # width and height
 Span = tuple[float, float]
@@ -347,7 +348,7 @@ class Taken:
 
         around (c,2): outermost points of the piece
         """
-        (width, height), room = size, TEXT_MARGIN * size[1]
+        (width, height), room = size, LABEL_MARGIN * size[1]
         low, high = _box(around)
         across, upward = around[:, 0] - width / 2, around[:, 1] - height / 2
         # The text is below, above, right or left of the outermost points. It is not at the middle of a side of the box,
@@ -363,7 +364,7 @@ class Taken:
     def _take(self, corners: np.ndarray, size: Size, others: np.ndarray) -> Corner | None:
         """Return the first of the lower left corners (c,2) at which the text does not touch the boxes (k,4) in
         `others`, and reserve the place; None if there is no room."""
-        room = TEXT_MARGIN * size[1] * (1 - 1e-9)  # so that a text right beside a piece does not touch it
+        room = LABEL_MARGIN * size[1] * (1 - 1e-9)  # so that a text right beside a piece does not touch it
         boxes = np.column_stack([corners - room, corners + size + room])
         overlap = (boxes[:, None, :2] < others[:, 2:]) & (others[:, :2] < boxes[:, None, 2:])
         free = np.flatnonzero(~np.any(np.all(overlap, axis=2), axis=1))

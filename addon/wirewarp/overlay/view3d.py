@@ -23,7 +23,9 @@ NEARER = {Layer.RIMS: 0.002, Layer.LINES: 0.0025, Layer.CORES: 0.003}
 # Two steps of a 24-bit depth buffer. Let n be the distance of the near plane. At distance d, the view distinguishes
 # depths that differ by more than DEPTH_STEP * d * d / n.
 DEPTH_STEP = 2 / 2**24
-HIDDEN_BY = 0.005  # a surface that is closer to a place than this share of the distance from the eye does not hide it
+# A surface that is closer to a place than this share of the distance from the eye does not hide it. The share is larger
+# than those in NEARER, so that a name is not hidden before its line.
+HIDDEN_BY = 0.005
 # In Edit Mode, names show through models with more faces, because reading all faces after each change would be slow.
 EDITED_LIMIT = 20_000
 MOST_APART = 8.0  # largest result of _apart; if it were larger, lines on the back of a cushion would be visible

@@ -34,7 +34,7 @@ from ..ui.layout import SidebarPanel, broken, draw_cells, draw_sentence, is_wide
 from ..ui.settings import shown_report, shown_source
 from .next_step import has_shown_place
 
-SHOWN_ROWS = 8
+SHOWN_ROWS = 8  # entries shown of a longer list, so that the next panel is in view
 MOST_ROWS = 100  # maximum number of rows, because more rows slow down drawing
 
 
@@ -137,7 +137,7 @@ def longer_sides(sides: Sequence[Side], units: LengthText, meters: float) -> lis
     return [f"{label} {text}" for label, text in texts.items() if text]
 
 
-SHOWN_HINTS = 5
+SHOWN_HINTS = 5  # places shown below each advice, so that the next advice is in view
 ADVICE = {
     COARSE: f"{COARSE_ADVICE}:",
     TORN: f"{TORN_ADVICE}:",

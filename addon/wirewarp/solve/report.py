@@ -35,7 +35,7 @@ from .cut_faces import Pairs
 from .flatten import ClothChoice, issue_of_piece, known_stretch, library_marks, limits_of
 from .identity import PieceIdentity, SeamIdentity
 
-SHOWN_SENTENCES = 4
+SHOWN_SENTENCES = 4  # sentences in the message of a run; the sidebar has all
 MOST_SEWN = 60  # maximum number of pieces to sew, because UV maps for textures may have an island for each face
 
 
@@ -205,7 +205,7 @@ def _failure_text(reports: Sequence[ObjectReport]) -> str:
 
 
 ALIKE = 1e-3  # maximum relative difference of the measures of mirrored pieces, see _measures
-IN_PLACE = 1e-4  # share of a piece's size: maximum distance between a vertex and its mirror image
+IN_PLACE = 1e-4  # share of a piece's size: maximum distance between a vertex and its mirror image, 0.1 mm per meter
 
 
 def with_mirror_images(issues: Sequence[Issue], result: FlattenResult, arrays: MeshArrays) -> list[Issue]:

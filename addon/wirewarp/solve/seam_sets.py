@@ -121,7 +121,7 @@ def first_sets(
     return (yield from suggest_cuts(arrays, choices, options, no_seam))
 
 
-SEARCH = 0.8  # share of the progress bar for the search; the rest is for measuring the sets
+SEARCH = 0.8  # share of the progress bar for the search, which takes most of the time; the sets are measured after it
 
 
 def with_measures(

@@ -14,7 +14,9 @@ from .memory import Take, kept, read_anew
 SHAPE, FACES, MARKS, SCALE = "shape", "faces", "marks", "metric"
 MATRIX, LENGTHS = "matrix", "lengths"  # keys to recognize an applied transformation
 MODIFIED = "modified"  # key of the state with modifiers
-BLOCKS = 64  # number of blocks of vertices, for each of which coordinates are summed
+# Number of blocks of vertices, for each of which coordinates are summed. With more blocks, sums have smaller rounding
+# errors, but the file stores more numbers.
+BLOCKS = 64
 ROUNDING = 1e-6  # relative rounding error of single-precision coordinates after transformations
 
 

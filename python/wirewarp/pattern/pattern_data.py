@@ -16,7 +16,7 @@ from .marker import Marker
 from .model import KINDS, PatternPiece
 from .units import UnitSystem
 
-GAP = 10.0  # millimeters between pieces in rows
+GAP = 10.0  # millimeters between pieces in rows, with room for texts beside both: see REACH in label/leaders.py
 OVERLAP = 10.0  # millimeters that neighboring sheets share, to glue or tape
 
 

@@ -10,7 +10,7 @@ from .model import Lengths, Piece, Report, WirePart
 from .names import open_edges, piece_names, pieces_of_wires, seam_name, side_names
 from .words import LengthText
 
-DIGITS = 6
+DIGITS = 6  # decimals of lengths: micrometers in a table in meters
 
 
 def report_csv(report: Report, units: LengthText) -> str:

@@ -15,7 +15,7 @@ from .outline import Side
 from .seams import SewnSide, turn_between
 from .sections import LEAST_GAP, Dart
 
-DEEPEST = 5.0  # millimeters: largest depth of a notch
+DEEPEST = 5.0  # millimeters: largest depth of a notch, half of the usual allowance
 SHARE = 0.5  # depth as a share of the allowance; notches never reach the stitching line
 ACROSS = 0.3  # depth without allowance, as a share of the distance across the piece, so opposite notches do not meet
 # Rays start this far from their own line, in millimeters, so that they miss it. This is also a tolerance of lengths.

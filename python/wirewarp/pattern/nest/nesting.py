@@ -23,9 +23,9 @@ from .slide_packing import Place, SlidePacking, TooLargeError
 from .spyrrow_nesting import SpyrrowError, is_installed, searched
 
 WIDEST = 100_000.0  # millimeters; a larger value is probably in another unit
-MOST_GAP = 100.0  # millimeters
-MOST_PIECES = 10_000  # largest number of pieces to cut, including all copies
-LONGEST = 3600.0  # seconds: longest duration of a search
+MOST_GAP = 100.0  # millimeters; a larger gap is probably in another unit
+MOST_PIECES = 10_000  # largest number of pieces to cut, including all copies; a larger number is probably a mistake
+LONGEST = 3600.0  # seconds: longest duration of a search; a larger number is probably a mistake
 
 Preview = Callable[[Marker], object]
 
