@@ -297,9 +297,6 @@ class WIREWARP_PG_seam(bpy.types.PropertyGroup):
     seam_id: IntProperty(name="Seam Id", options={"HIDDEN"})
 
 
-CLASSES = (WIREWARP_preferences, WIREWARP_PG_settings, WIREWARP_PG_wire_name, WIREWARP_PG_piece, WIREWARP_PG_seam)
-
-
 def attach() -> Callable[[], None]:
     grain = "Id of the wire that is upright in the flat pieces that it crosses, 0 for none"
     source = "Model from which these flat pieces were made"

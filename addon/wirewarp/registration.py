@@ -3,6 +3,7 @@
 
 from collections.abc import Callable
 from contextlib import ExitStack
+from types import ModuleType
 
 import bpy
 
@@ -24,7 +25,23 @@ SIDEBAR = (  # Blender shows panels in the order in which they are registered
     overlay.panel,
 )
 OTHERS = tuple(module for room in ROOMS for module in room.MODULES if module not in SIDEBAR)
-CLASSES = (*properties.CLASSES, *(cls for module in OTHERS + SIDEBAR for cls in module.CLASSES))
+REGISTERED = (
+    bpy.types.AddonPreferences,
+    bpy.types.PropertyGroup,
+    bpy.types.Operator,
+    bpy.types.Menu,
+    bpy.types.UIList,
+    bpy.types.Panel,
+)
+
+
+def classes_of(module: ModuleType) -> list[type]:
+    """Return the module's classes for Blender, in their order in the file."""
+    own = [each for each in vars(module).values() if isinstance(each, type) and each.__module__ == module.__name__]
+    return [cls for cls in own if issubclass(cls, REGISTERED)]
+
+
+CLASSES = [cls for module in (properties, *OTHERS, *SIDEBAR) for cls in classes_of(module)]
 # Each part has attach(), which returns the function that detaches the part.
 PARTS = (properties, overlay, ui.layout, ui.menus, auto_update)
 HANDLERS: dict[str, tuple[Callable, ...]] = {  # keys: names of Blender's lists of handlers

@@ -186,7 +186,7 @@ def test_menu_entries_use_the_settings_of_the_scene_and_are_under_the_name_of_th
         assert len(layout.menus) == (0 if name == "TOPBAR_MT_file_export" else 1)
         assert all(getattr(bpy.types, menu).bl_label == "WireWarp" for menu in layout.menus)
     grid("Bump", bump)
-    for cls in menus.CLASSES:
+    for cls in addon.registration.classes_of(menus):
         layout = MenuLayout()
         cls.draw(SimpleNamespace(layout=layout), bpy.context)
         assert set(layout.contexts) == {"INVOKE_DEFAULT"}

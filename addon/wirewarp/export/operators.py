@@ -195,6 +195,3 @@ class OBJECT_OT_wirewarp_export_svg(PatternExport, bpy.types.Operator):
 
     def size_sentences(self, made: pattern.Pattern) -> list[str]:
         return size_sentences(made, made.svg_size)
-
-
-CLASSES = (OBJECT_OT_wirewarp_export, OBJECT_OT_wirewarp_export_svg)

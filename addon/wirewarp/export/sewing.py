@@ -126,6 +126,3 @@ class OBJECT_OT_wirewarp_sewing(OnMesh, bpy.types.Operator):
         )
         self.report({"INFO"}, text)
         return {"FINISHED"}
-
-
-CLASSES = (OBJECT_OT_wirewarp_sewing,)

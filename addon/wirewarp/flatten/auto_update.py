@@ -224,6 +224,3 @@ def _joining() -> list[type[bpy.types.Operator]]:
 def forget_joining() -> None:
     for cls in _joining():
         bpy.utils.unregister_class(cls)
-
-
-CLASSES = (OBJECT_OT_wirewarp_update, WM_OT_wirewarp_watch)

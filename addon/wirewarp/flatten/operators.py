@@ -237,6 +237,3 @@ class OBJECT_OT_wirewarp_cancel(bpy.types.Operator):
     def execute(self, _context: bpy.types.Context) -> set[str]:
         window_run.cancel()
         return {"FINISHED"}
-
-
-CLASSES = (OBJECT_OT_wirewarp_flatten, OBJECT_OT_wirewarp_cancel)

@@ -128,6 +128,3 @@ def _write(planned: Planned, mesh: bpy.types.Mesh, left_out: int) -> Eased:
     eased = planned()
     mesh.update()
     return replace(eased, left_out=eased.left_out + left_out)
-
-
-CLASSES = (MESH_OT_wirewarp_ease,)

@@ -355,15 +355,3 @@ def _keep_lengths(scene: bpy.types.Scene, factor: float) -> None:
         check_not_edited(model)
     for mesh in {model.data for model in models}:
         scale_lengths(mesh, factor)
-
-
-CLASSES = (
-    MESH_OT_wirewarp_mark,
-    MESH_OT_wirewarp_clear,
-    MESH_OT_wirewarp_allowance,
-    MESH_OT_wirewarp_seams_from_uv_islands,
-    OBJECT_OT_wirewarp_mark_model,
-    MESH_OT_wirewarp_mark_seam,
-    SCENE_OT_wirewarp_set_unit,
-    SCENE_OT_wirewarp_set_height,
-)

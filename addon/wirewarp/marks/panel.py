@@ -80,6 +80,3 @@ def draw_eases(layout: bpy.types.UILayout, context: bpy.types.Context, buttons: 
     grid = column.grid_flow(row_major=True, columns=2, even_columns=True, align=True)
     for sides, text in buttons:
         grid.operator("mesh.wirewarp_ease", text=text).sides = sides
-
-
-CLASSES = (VIEW3D_PT_wirewarp_mark, VIEW3D_PT_wirewarp_allowance)

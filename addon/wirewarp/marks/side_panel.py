@@ -37,6 +37,3 @@ class VIEW3D_PT_wirewarp_mark_sides(OnMesh, SidebarPanel, bpy.types.Panel):
             draw_allowances(layout)
             layout.label(text="Ease of selected sides")
             draw_eases(layout, context, SIDES)
-
-
-CLASSES = (VIEW3D_PT_wirewarp_mark_sides,)

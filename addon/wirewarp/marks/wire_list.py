@@ -288,12 +288,3 @@ def _draw_unlisted(
         button.edge = wire.edges[0]
     if len(wires) > SHOWN_UNLISTED:
         column.label(text=f"and {counted(len(wires) - SHOWN_UNLISTED, 'more wire')}")
-
-
-CLASSES = (
-    MESH_OT_wirewarp_change_wire,
-    MESH_OT_wirewarp_grain_wire,
-    MESH_OT_wirewarp_select_wire,
-    WIREWARP_UL_wires,
-    VIEW3D_PT_wirewarp_wires,
-)

@@ -49,6 +49,3 @@ def _draw_select_issues(layout: bpy.types.UILayout, context: bpy.types.Context) 
     report = last_report(model_or_self(active)) if active and active.type == "MESH" else None
     if report and any(issue.has_place for issue in report.issues):
         layout.operator("mesh.wirewarp_select_issues", icon="RESTRICT_SELECT_OFF")
-
-
-CLASSES = (VIEW3D_PT_wirewarp_overlay, IMAGE_PT_wirewarp_overlay)

@@ -51,6 +51,3 @@ def draw_pages(context: bpy.types.Context, layout: bpy.types.UILayout, source: b
     if flat is not None and not flat.data.is_editmode:
         preview = shown_pages(context, source, flat)
         draw_sentence(context, layout, preview.sentence, "NONE" if preview.is_good else "ERROR")
-
-
-CLASSES = (VIEW3D_PT_wirewarp_export,)

@@ -251,6 +251,3 @@ class OBJECT_OT_wirewarp_mend(BetweenRuns, FlattenSteps, bpy.types.Operator):
 
     def draw(self, _context: bpy.types.Context) -> None:
         draw_settings(self.layout, self)
-
-
-CLASSES = (OBJECT_OT_wirewarp_check, OBJECT_OT_wirewarp_show_fault, OBJECT_OT_wirewarp_mend)

@@ -301,11 +301,3 @@ class VIEW3D_PT_wirewarp_advanced(SidebarPanel, bpy.types.Panel):
 
     def draw(self, context: bpy.types.Context) -> None:
         draw_settings(self.layout, context.scene.wirewarp, "ADVANCED")
-
-
-CLASSES = (
-    VIEW3D_MT_wirewarp_fabrics,
-    VIEW3D_PT_wirewarp_flatten,
-    VIEW3D_PT_wirewarp_settings,
-    VIEW3D_PT_wirewarp_advanced,
-)

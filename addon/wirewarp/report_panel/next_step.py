@@ -267,6 +267,3 @@ def _reason(issues: Sequence[Issue], what: str) -> str:
         wires = {wire.name for issue in issues for wire in issue.proposed_tolerances}
         return f"Suggestion: loosen {counted(len(wires), 'wire')}."
     return ""
-
-
-CLASSES = (OBJECT_OT_wirewarp_open_sample, WM_OT_wirewarp_guide)

@@ -226,12 +226,3 @@ def _objects(context: bpy.types.Context) -> list[bpy.types.Object]:
         return []
     source = model_or_self(active)
     return [each for each in (source, find_flat_object(source)) if each is not None]
-
-
-CLASSES = (
-    MESH_OT_wirewarp_select_issues,
-    MESH_OT_wirewarp_select_result,
-    MESH_OT_wirewarp_take_proposal,
-    OBJECT_OT_wirewarp_copy_report,
-    VIEW3D_OT_wirewarp_frame,
-)

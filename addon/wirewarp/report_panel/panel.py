@@ -287,11 +287,3 @@ class VIEW3D_PT_wirewarp_report_wires(ReportSection, bpy.types.Panel):
 class VIEW3D_PT_wirewarp_report_outlines(ReportSection, bpy.types.Panel):
     bl_label = "Outlines"
     table = "outlines"
-
-
-CLASSES = (
-    VIEW3D_PT_wirewarp_report,
-    VIEW3D_PT_wirewarp_report_seams,
-    VIEW3D_PT_wirewarp_report_wires,
-    VIEW3D_PT_wirewarp_report_outlines,
-)

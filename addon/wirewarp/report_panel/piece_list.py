@@ -163,6 +163,3 @@ def draw_copies(context: bpy.types.Context, layout: bpy.types.UILayout, source: 
         return
     if sentence := piece_copies(context, source, flat, name):
         draw_sentence(context, layout, sentence)
-
-
-CLASSES = (WIREWARP_UL_pieces, VIEW3D_PT_wirewarp_pieces)

@@ -312,12 +312,3 @@ class OBJECT_OT_wirewarp_drop_suggestions(OnMesh, bpy.types.Operator):
         drop(model_or_self(context.active_object))
         redraw_views()
         return {"FINISHED"}
-
-
-CLASSES = (
-    OBJECT_OT_wirewarp_suggest_darts,
-    OBJECT_OT_wirewarp_suggest_seams,
-    OBJECT_OT_wirewarp_simplify_seams,
-    OBJECT_OT_wirewarp_choose_suggestion,
-    OBJECT_OT_wirewarp_drop_suggestions,
-)

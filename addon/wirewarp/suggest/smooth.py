@@ -294,6 +294,3 @@ def _selected_seams(target: bpy.types.Object) -> Pairs:
         )
         raise ObjectError(Issue("marks_lost", sentence, edges=[tuple(pair) for pair in marked.tolist()]))
     return [tuple(pair) for pair in pairs[np.flatnonzero(rows)].tolist()]
-
-
-CLASSES = (MESH_OT_wirewarp_smooth_seam,)

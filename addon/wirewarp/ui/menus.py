@@ -83,7 +83,6 @@ def _asking_layout(menu: bpy.types.Menu) -> bpy.types.UILayout:
     return menu.layout
 
 
-CLASSES = (VIEW3D_MT_wirewarp, VIEW3D_MT_wirewarp_edges)
 ADDED = {
     "VIEW3D_MT_edit_mesh_edges": draw_edge_menu,
     "VIEW3D_MT_edit_mesh_context_menu": draw_context_menu,
