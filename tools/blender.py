@@ -10,7 +10,6 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from tools import addon_coverage
-from tools.blender_window import WINDOW_APT
 from tools.environment import (
     BUILD,
     DEBIAN_PYTHON,
@@ -28,6 +27,7 @@ from tools.zips import EXTENSION_MODULE, LEGACY_MODULE
 
 PYTEST = "pytest==9.2.0"
 BLENDER_APT = ("blender", "libegl1", "python3-numpy", "python3-pytest")  # EGL is needed for drawing without a window
+WINDOW_APT = ("xvfb", "xauth", "libgl1-mesa-dri")
 BPY_APT = ("libgl1", "libice6", "libsm6", "libxfixes3", "libxi6", "libxkbcommon0", "libxrender1")
 NUMPY = {"3.11": "numpy==1.26.4", "3.13": "numpy==2.5.5"}  # for Blender up to 5.0, and for 5.1 and later
 # The version is "" on other systems, which check_system() refuses.

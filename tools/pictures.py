@@ -7,9 +7,9 @@ from concurrent.futures import ThreadPoolExecutor
 from functools import partial
 from pathlib import Path
 
-from tools.blender import BLENDER_APT, blender, blender_folder, run_with_addon
-from tools.blender_window import WINDOW_APT, run_tours
-from tools.environment import BUILD, DEBIAN_PYTHON, ROOT, StepError, clean_environment, require_apt, run, say, venv
+from tools.blender import BLENDER_APT, WINDOW_APT, blender, run_with_addon
+from tools.blender_window import run_tours
+from tools.environment import BUILD, DEBIAN_PYTHON, ROOT, StepError, require_apt, run, say, venv
 from tools.package import BUILD_APT, package_legacy
 
 PILLOW = "pillow==13.0.0"
@@ -40,9 +40,8 @@ SECONDS = 600.0  # limit for a busy machine; a tour takes about ten seconds on a
 
 def take_tour(zip_file: Path, taken: Path, name: str) -> tuple[int, str]:
     say(f"taking pictures: {name}")
-    settings = blender_folder(f"pictures-{name}") | {"WIREWARP_ZIP": str(zip_file), "WIREWARP_PICTURES": str(taken)}
     display = 99 + 10 * TOURS.index(name)  # xvfb-run tries the next numbers if a screen is in use, so numbers have gaps
-    return run_tours(SCRIPT, [name], clean_environment(**settings), SECONDS, display)
+    return run_tours(SCRIPT, [name], taken, SECONDS, display, WIREWARP_ZIP=str(zip_file))
 
 
 def pictures() -> None:

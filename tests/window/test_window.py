@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs tours in Blender's window on a virtual screen. The tours of a script share one Blender."""
 
-import os
 from pathlib import Path
 
 import pytest
@@ -9,15 +8,6 @@ import pytest
 from tools.blender_window import run_tours
 
 SECONDS = 400.0  # limit for each tour; most take about ten seconds, but some machines are slow
-
-
-def blender_environment(folder: Path) -> dict[str, str]:
-    """Return the environment of Blender, with new folders for add-ons, settings and pictures."""
-    parts = {"BLENDER_USER_SCRIPTS": "scripts", "BLENDER_USER_CONFIG": "config", "WIREWARP_PICTURES": "pictures"}
-    for part in parts.values():
-        (folder / part).mkdir()
-    # The processor draws all pixels. With one sample per pixel, this takes a quarter of the time of eight samples.
-    return dict(os.environ) | {"WIREWARP_VIEWPORT_AA": "OFF"} | {n: str(folder / part) for n, part in parts.items()}
 
 
 TOURS = {
@@ -87,5 +77,6 @@ ALONE = ["another_file_ends_the_run", "unregistering_ends_the_run", "quitting_en
 @pytest.mark.parametrize(("script", "names"), [*TOURS.items(), *(("run_tours", [name]) for name in ALONE)])
 def test_window(script, names, tmp_path):
     file = Path(__file__).with_name(f"{script}.py")
-    code, output = run_tours(file, names, blender_environment(tmp_path), SECONDS * len(names))
+    # The processor draws all pixels. With one sample per pixel, this takes a quarter of the time of eight samples.
+    code, output = run_tours(file, names, tmp_path, SECONDS * len(names), WIREWARP_VIEWPORT_AA="OFF")
     assert code == 0, output
