@@ -53,6 +53,11 @@ class Arguments:
 
 def parsed(words: Sequence[str]) -> Arguments:
     """Return the arguments. If they are invalid, print a sentence and end the program with code 2."""
+    given = _parser().parse_args(words)
+    return Arguments(given.requests_of(given), given.jobs, _limits(given))
+
+
+def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(prog="python -m wirewarp", description="Flat patterns with exact lengths.")
     commands = parser.add_subparsers(required=True, metavar="flatten|batch|propose")
     flatten = commands.add_parser(
@@ -65,7 +70,7 @@ def parsed(words: Sequence[str]) -> Arguments:
     )
     flatten.add_argument("models", nargs="+", metavar="MODEL", type=Path)
     flatten.add_argument("--resume", action="store_true", help="skip finished models that have not changed")
-    flatten.set_defaults(command=flatten, jobs=1, part=(1, 1))
+    flatten.set_defaults(command=flatten, is_batch=False, jobs=1, part=(1, 1), requests_of=_requests)
     batch = commands.add_parser(
         "batch",
         parents=[_model_options(), _writing_options(), _running_options()],
@@ -83,7 +88,8 @@ def parsed(words: Sequence[str]) -> Arguments:
     batch.add_argument(
         "--part", type=_part, default=(1, 1), metavar="K/N", help="only the K-th of every N models, to share the work"
     )
-    batch.set_defaults(command=batch, resume=True, jobs=os.cpu_count() or 1)
+    jobs = os.cpu_count() or 1
+    batch.set_defaults(command=batch, is_batch=True, resume=True, jobs=jobs, requests_of=_requests)
     propose = commands.add_parser(
         "propose",
         parents=[_shape_options(), _cut_options(), _running_options()],
@@ -94,50 +100,49 @@ def parsed(words: Sequence[str]) -> Arguments:
         "3: the model crashed, or exceeded its limit of time or memory.",
     )
     propose.add_argument("models", nargs="+", metavar="MODEL", type=Path)
-    propose.set_defaults(command=propose, jobs=1)
-    given = parser.parse_args(words)
-    if given.command is propose:
-        if given.together and (given.piece or given.count):
-            propose.error("--together chooses pieces and cuts itself: use it without --piece and --count")
-        if given.kind == "fewer":
-            _check_fewer(propose, given)
-        elif given.narrowest is not None and (given.kind == "dart" or given.together):
-            propose.error("--narrowest is for sets of seams: use it with --cut seam and without --together")
-        material = _made(MaterialRequest, given)
-        cuts = [_made(CutRequest, given, model=model, material=material) for model in given.models]
-        return Arguments(cuts, given.jobs, _limits(given))
+    propose.set_defaults(command=propose, jobs=1, requests_of=_cut_requests)
+    return parser
+
+
+def _cut_requests(given: argparse.Namespace) -> list[CutRequest]:
+    if given.together and (given.piece or given.count):
+        given.command.error("--together chooses pieces and cuts itself: use it without --piece and --count")
+    if given.kind == "fewer":
+        _check_fewer(given.command, given)
+    elif given.narrowest is not None and (given.kind == "dart" or given.together):
+        given.command.error("--narrowest is for sets of seams: use it with --cut seam and without --together")
+    material = _made(MaterialRequest, given)
+    return [_made(CutRequest, given, model=model, material=material) for model in given.models]
+
+
+def _requests(given: argparse.Namespace) -> list[Request]:
     try:
-        is_batch = given.command is batch
-        models = found_models(given.models) if is_batch else [Found(model, Path()) for model in given.models]
+        models = found_models(given.models) if given.is_batch else [Found(model, Path()) for model in given.models]
         requests = [_request(found, _with_own_options(found, given)) for found in models]
         clashes = _clashes(requests)
-        if clashes and not is_batch:
+        if clashes and not given.is_batch:
             raise InputError(next(iter(clashes.values())))
-        requests = [replace(request, refusal=clashes.get(number, "")) for number, request in enumerate(requests)]
     except InputError as error:
         given.command.error(str(error))
     part, parts = given.part
-    return Arguments(requests[part - 1 :: parts], given.jobs, _limits(given))
+    return [replace(request, refusal=clashes.get(n, "")) for n, request in enumerate(requests)][part - 1 :: parts]
 
 
 def _shape_options() -> argparse.ArgumentParser:
     """Return the options that affect the flat pieces of a model."""
     options = _Options(add_help=False, allow_abbrev=False)
-    options.add_argument(
+    add = options.add_argument
+    add(
         "--seams",
         default="",
         metavar="uv|sharp|FILE",
         help="seams: around UV islands, at sharp edges, or from a JSON file",
     )
-    options.add_argument("--wires", default="", metavar="FILE", help="JSON file with wires and eases")
-    options.add_argument(
-        "--cloth", default="", choices=Cloth.presets(), help="fabric of the pieces (none: the least distortion)"
-    )
-    options.add_argument(
-        "--orientation", default="wire", choices=ORIENTATIONS, help="direction that points up, along the grain (wire)"
-    )
-    options.add_argument("--unit", choices=MILLIMETERS, default="m", help="unit of the coordinates (m)")
-    options.add_argument(
+    add("--wires", default="", metavar="FILE", help="JSON file with wires and eases")
+    add("--cloth", default="", choices=Cloth.presets(), help="fabric of the pieces (none: the least distortion)")
+    add("--orientation", default="wire", choices=ORIENTATIONS, help="direction that points up, along the grain (wire)")
+    add("--unit", choices=MILLIMETERS, default="m", help="unit of the coordinates (m)")
+    add(
         "--stretch",
         type=_stretch,
         default=(0.0, 0.0),
@@ -145,10 +150,8 @@ def _shape_options() -> argparse.ArgumentParser:
         help="negative ease across and along the grain: 10%%,5%%, or 10%% for both. "
         "Positive ease: --stretch=-5%% (0%%)",
     )
-    options.add_argument(
-        "--thickness", type=_length, default=0.0, help="thickness of foam, neoprene or leather: 3mm (0)"
-    )
-    options.add_argument(
+    add("--thickness", type=_length, default=0.0, help="thickness of foam, neoprene or leather: 3mm (0)")
+    add(
         "--surface",
         choices=("inside", "middle", "outside"),
         default="inside",
@@ -159,37 +162,35 @@ def _shape_options() -> argparse.ArgumentParser:
 
 def _cut_options() -> argparse.ArgumentParser:
     options = argparse.ArgumentParser(add_help=False)
-    options.add_argument(
+    add = options.add_argument
+    add(
         "--cut",
         dest="kind",
         choices=("dart", "seam", "fewer"),
         default="dart",
         help='kind of cut, or "fewer" to leave out some seams of --seams (dart)',
     )
-    options.add_argument("--piece", type=_count, metavar="N", help="cut only the N-th piece (piece that gains most)")
-    options.add_argument(
-        "--count", type=_count, metavar="N", help="number of proposals, with mirror images counted once (5)"
-    )
-    options.add_argument("--longest", type=_length, help="maximum length of a cut on the model: 150mm (any)")
-    options.add_argument("--narrowest", type=_length, help="smallest width of the pieces of a set of seams: 12mm (any)")
-    options.add_argument(
+    add("--piece", type=_count, metavar="N", help="cut only the N-th piece (piece that gains most)")
+    add("--count", type=_count, metavar="N", help="number of proposals, with mirror images counted once (5)")
+    add("--longest", type=_length, help="maximum length of a cut on the model: 150mm (any)")
+    add("--narrowest", type=_length, help="smallest width of the pieces of a set of seams: 12mm (any)")
+    add(
         "--strain",
         type=_share,
         metavar="5%",
         help="do not cut pieces with less strain in 99%% of their area (0.5%%). For sets of seams and --together: the "
         "target (5%%). For --cut fewer: maximum strain of each remaining piece (5%%)",
     )
-    options.add_argument(
-        "--together", type=_count, metavar="N", help="choose up to N cuts in sequence, until --strain is reached"
-    )
-    options.add_argument("--no-seam", default="", metavar="FILE", help="JSON file with lines where cuts are forbidden")
+    add("--together", type=_count, metavar="N", help="choose up to N cuts in sequence, until --strain is reached")
+    add("--no-seam", default="", metavar="FILE", help="JSON file with lines where cuts are forbidden")
     return options
 
 
 def _model_options() -> argparse.ArgumentParser:
     """Return the options that may differ from model to model."""
     options = _Options(add_help=False, allow_abbrev=False, parents=[_shape_options()])
-    options.add_argument(
+    add = options.add_argument
+    add(
         "--format",
         dest="formats",
         default="pdf,svg",
@@ -197,52 +198,38 @@ def _model_options() -> argparse.ArgumentParser:
         type=_formats,
         help="kinds of files: pdf, svg, dxf, plt (pdf,svg)",
     )
-    options.add_argument(
-        "--page", default="a4", type=_page, help="paper for PDF: a4, letter, a0, 36in, 900mm, ... (a4)"
-    )
-    options.add_argument(
-        "--allowance", default="10mm", type=_length, help="width of seam allowances: 10mm, 1cm, 3/8in (10mm)"
-    )
-    options.add_argument("--hem", type=_length, help="allowance of edges that are not sewn (as --allowance)")
-    options.add_argument("--pairs", action="store_true", help="draw pieces of equal shape once, even if mirrored")
-    options.add_argument("--on-fold", action="store_true", help="draw half of each symmetric piece, to cut on the fold")
-    options.add_argument("--imperial", action="store_true", help="use inches in texts and test squares")
-    options.add_argument(
-        "--marker", type=_cloth, metavar="WIDTH|WxL", help="nest the pieces on a roll (1400mm) or on sheets (60x90cm)"
-    )
-    options.add_argument("--gap", type=_length, default="5mm", help="space between the pieces of a marker (5mm)")
-    options.add_argument(
-        "--grain", choices=GRAINS, default="one-way", help="directions of pieces in a marker (one-way)"
-    )
-    options.add_argument(
-        "--times", type=_count, default=1, metavar="N", help="number of copies of the pattern in a marker (1)"
-    )
-    options.add_argument(
-        "--seconds", type=_seconds, default=10.0, metavar="S", help="duration of the search for a marker (10)"
-    )
-    options.add_argument("--repair", action="store_true", help="repair the mesh first, and report the repairs")
-    options.add_argument(
-        "--take-proposals", action="store_true", help="mark the seams suggested for failed pieces, and flatten again"
-    )
-    options.add_argument("--picture", action="store_true", help="write a PNG of the flat pieces, colored by strain")
+    add("--page", default="a4", type=_page, help="paper for PDF: a4, letter, a0, 36in, 900mm, ... (a4)")
+    add("--allowance", default="10mm", type=_length, help="width of seam allowances: 10mm, 1cm, 3/8in (10mm)")
+    add("--hem", type=_length, help="allowance of edges that are not sewn (as --allowance)")
+    add("--pairs", action="store_true", help="draw pieces of equal shape once, even if mirrored")
+    add("--on-fold", action="store_true", help="draw half of each symmetric piece, to cut on the fold")
+    add("--imperial", action="store_true", help="use inches in texts and test squares")
+    add("--marker", type=_cloth, metavar="WIDTH|WxL", help="nest the pieces on a roll (1400mm) or on sheets (60x90cm)")
+    add("--gap", type=_length, default="5mm", help="space between the pieces of a marker (5mm)")
+    add("--grain", choices=GRAINS, default="one-way", help="directions of pieces in a marker (one-way)")
+    add("--times", type=_count, default=1, metavar="N", help="number of copies of the pattern in a marker (1)")
+    add("--seconds", type=_seconds, default=10.0, metavar="S", help="duration of the search for a marker (10)")
+    add("--repair", action="store_true", help="repair the mesh first, and report the repairs")
+    add("--take-proposals", action="store_true", help="mark the seams suggested for failed pieces, and flatten again")
+    add("--picture", action="store_true", help="write a PNG of the flat pieces, colored by strain")
     return options
 
 
 def _writing_options() -> argparse.ArgumentParser:
     options = argparse.ArgumentParser(add_help=False)
-    options.add_argument("--out", required=True, metavar="DIR", type=Path, help="output folder")
-    options.add_argument("--blender", default="blender", metavar="PATH", help="program for .blend files (blender)")
+    add = options.add_argument
+    add("--out", required=True, metavar="DIR", type=Path, help="output folder")
+    add("--blender", default="blender", metavar="PATH", help="program for .blend files (blender)")
     return options
 
 
 def _running_options() -> argparse.ArgumentParser:
     options = argparse.ArgumentParser(add_help=False)
-    options.add_argument("--jobs", type=_count, metavar="N", help="models in parallel (1; batch: all cores)")
+    add = options.add_argument
+    add("--jobs", type=_count, metavar="N", help="models in parallel (1; batch: all cores)")
     # One hour is enough for any model: a million triangles take about ten seconds.
-    options.add_argument(
-        "--time-limit", type=_seconds, default=3600.0, metavar="S", help="maximum seconds per model (3600)"
-    )
-    options.add_argument(
+    add("--time-limit", type=_seconds, default=3600.0, metavar="S", help="maximum seconds per model (3600)")
+    add(
         "--memory-limit",
         type=_memory,
         metavar="4GB",
