@@ -2,12 +2,13 @@
 """Draws the panel Flatten, with the verdict of the last run and the next steps."""
 
 import math
+from collections.abc import Sequence, Set
 
 import bpy
 
 from ..blender.mesh import read_seams
 from ..blender.objects import height_of, likely_units, meters_per_blender_unit, size_text, strange_size, unit_text
-from ..core import Cloth, Kind, as_seen, with_narrow
+from ..core import Cloth, Kind, Line, as_seen, with_narrow
 from ..flatten.auto_update import EDIT_LIMIT, is_left, waits_for_object_mode
 from ..issues import ObjectError
 from ..marks.mark import has_new_seams
@@ -166,6 +167,21 @@ def _draw_state(
         draw_sentence(context, layout, DUE, "INFO", as_high_as=lines[0].text)
         lines, layout = lines[1:], layout.column()
         layout.enabled = False
+    _draw_verdict(context, layout, source, report, lines)
+    step = next_step(report, left_out)
+    kinds = {line.kind for line in verdict.lines}
+    if report.issues and (verdict.kind is not Kind.CLOSED or Kind.NEEDS_SEAM in kinds):
+        draw_sentence(context, layout, failure_text(report, step), "INFO")
+    _draw_remedies(context, layout, report, step, kinds)
+
+
+def _draw_verdict(
+    context: bpy.types.Context,
+    layout: bpy.types.UILayout,
+    source: bpy.types.Object,
+    report: ObjectReport,
+    lines: Sequence[Line],
+) -> None:
     # The settings are compared with those of the last run, even if it failed and kept earlier pieces, because the same
     # settings would fail again.
     changed = settings_sentence(source, report, context.scene.wirewarp) if has_flat_object(source) else ""
@@ -175,10 +191,16 @@ def _draw_state(
     of_last_run.enabled = not changed
     for line in lines:
         draw_sentence(context, of_last_run, line.text, "BLANK1" if changed else LEVEL_ICONS[line.kind.level])
-    step = next_step(report, left_out)
-    kinds = {line.kind for line in verdict.lines}
-    if report.issues and (verdict.kind is not Kind.CLOSED or Kind.NEEDS_SEAM in kinds):
-        draw_sentence(context, layout, failure_text(report, step), "INFO")
+
+
+def _draw_remedies(
+    context: bpy.types.Context,
+    layout: bpy.types.UILayout,
+    report: ObjectReport,
+    step: NextStep | None,
+    kinds: Set[Kind],
+) -> None:
+    """Draw the buttons for the next step, fabrics and suggestions. kinds: kinds of line in the verdict."""
     # A step that only shows a place is drawn below steps that change the model.
     is_looked_at = step is not None and step.operator == SHOW
     if step and not is_looked_at:

@@ -90,7 +90,6 @@ def draw_suggestions(context: bpy.types.Context, layout: bpy.types.UILayout, pla
         draw_sentence(context, layout, EARLIER, "INFO")
         layout = layout.column()
         layout.enabled = False
-    lengths, labels = length_text(context.scene), TARGET_LABELS if found.target else LABELS
     cut = found.cuts[found.chosen]
     # The buttons are above the rows and the sentences. Below them, the buttons would move when another row is chosen.
     take = layout.row(align=True)
@@ -98,7 +97,13 @@ def draw_suggestions(context: bpy.types.Context, layout: bpy.types.UILayout, pla
     text = "Clear and Flatten" if cut.cleared else "Mark and Flatten"
     take.operator("object.wirewarp_mend", text=text, icon="EDGESEL").what = "SUGGESTION"
     take.operator("object.wirewarp_drop_suggestions", text="", icon="X")
-    column = layout.column(align=True)
+    _draw_rows(context, layout.column(align=True), found)
+    for sentence, icon in _remarks(context, found):
+        draw_sentence(context, layout, sentence, icon)
+
+
+def _draw_rows(context: bpy.types.Context, column: bpy.types.UILayout, found: Suggestions) -> None:
+    lengths, labels = length_text(context.scene), TARGET_LABELS if found.target else LABELS
     for name in dict.fromkeys(found.names):
         draw_sentence(context, column, f"{labels[found.kind]}, {name}")
         for index in (index for index, own in enumerate(found.names) if own == name):
@@ -107,32 +112,33 @@ def draw_suggestions(context: bpy.types.Context, layout: bpy.types.UILayout, pla
             icon = "ERROR" if row.is_narrow else "NONE"
             button = column.operator("object.wirewarp_choose_suggestion", text=text, depress=is_chosen, icon=icon)
             button.index = index
-    if cut.is_narrow:
-        draw_sentence(context, layout, NARROW.format(lengths.rough(cut.width)), "ERROR")
-    elif cut.width is not None:
-        draw_sentence(context, layout, WIDTH.format(lengths.rough(cut.width)), "INFO")
-    if cut.is_set and found.pieces_after(cut) > MOST_SEWN:
-        draw_sentence(context, layout, MANY.format(found.pieces_after(cut)), "AMBER")
-    beyond = _beyond_fabric(found)
-    if beyond:
-        draw_sentence(context, layout, beyond, "AMBER")
-    sentence = _explained(found.cuts)
-    if sentence:
-        draw_sentence(context, layout, sentence, "INFO")
-    missed = shortfall(found.kind, found.cuts, found.target) if found.target else ""
-    if missed:
-        draw_sentence(context, layout, missed, "INFO")
-    sentence = figures_sentence(shown_source(context), found, context.scene.wirewarp)
-    if sentence:
-        draw_sentence(context, layout, sentence, "INFO")
+
+
+def _remarks(context: bpy.types.Context, found: Suggestions) -> list[tuple[str, str]]:
+    """Return the sentences about the chosen cut, each with its icon."""
+    cut = found.cuts[found.chosen]
+    width = "" if cut.width is None else length_text(context.scene).rough(cut.width)
+    count = found.pieces_after(cut) if cut.is_set else 0
+    taking = "Clearing these seams" if cut.cleared else "Marking it"
+    remarks = [
+        ((NARROW if cut.is_narrow else WIDTH).format(width) if width else "", "ERROR" if cut.is_narrow else "INFO"),
+        (MANY.format(count) if count > MOST_SEWN else "", "AMBER"),
+        (_beyond_fabric(found), "AMBER"),
+        (_explained(found.cuts), "INFO"),
+        (shortfall(found.kind, found.cuts, found.target) if found.target else "", "INFO"),
+        (figures_sentence(shown_source(context), found, context.scene.wirewarp), "INFO"),
+        (_added(cut), "INFO"),
+        (f"{taking} applies the modifiers of the model." if found.with_modifiers else "", "INFO"),
+    ]
+    return [(sentence, icon) for sentence, icon in remarks if sentence]
+
+
+def _added(cut: Cut) -> str:
+    """Return a sentence about the elements that marking the cut adds to the model; empty if it adds none."""
     if cut.paths and not cut.edges:
-        draw_sentence(context, layout, "Marking it adds vertices and edges where it crosses faces.", "INFO")
-    elif cut.diagonals:
-        new = counted(len(cut.diagonals), "edge")
-        draw_sentence(context, layout, f"Marking it adds {new} across faces of the model.", "INFO")
-    if found.with_modifiers:
-        taking = "Clearing these seams" if cut.cleared else "Marking it"
-        draw_sentence(context, layout, f"{taking} applies the modifiers of the model.", "INFO")
+        return "Marking it adds vertices and edges where it crosses faces."
+    new = len(cut.diagonals)
+    return f"Marking it adds {counted(new, 'edge')} across faces of the model." if new else ""
 
 
 def _beyond_fabric(found: Suggestions) -> str:

@@ -129,18 +129,24 @@ def _flattened(request: Request, model: Model, folder: Path) -> tuple[Line, dict
     if request.picture:
         _draw_picture(folder / request.picture_path.name, request, result, line)
     if not failed:
-        pattern = _pattern(request, result)
-        for kind in request.formats:
-            settings: dict[str, Any] = {"paper": request.page} if kind == "pdf" else {}
-            _note(pattern.write(folder / request.pattern_path(kind).name, **settings), line)
-        if request.marker:
-            marker = pattern.nested(**asdict(request.marker))
-            laid = pattern.laid_on(marker)
-            for kind in request.formats:
-                # Without the setting "paper", a PDF is a roll as wide as the marker.
-                _note(laid.write(folder / request.marker_path(kind).name), line)
-            line["marker"], report["marker"] = marker.sentence(laid.units), marker.to_dict()
+        report |= _write_patterns(request, _pattern(request, result), folder, line)
     return line, report | _timeless(result.to_dict())
+
+
+def _write_patterns(request: Request, pattern: Pattern, folder: Path, line: Line) -> dict[str, Any]:
+    """Write the pattern and its marker, and note the files in the line. Return entries for the report."""
+    for kind in request.formats:
+        settings: dict[str, Any] = {"paper": request.page} if kind == "pdf" else {}
+        _note(pattern.write(folder / request.pattern_path(kind).name, **settings), line)
+    if not request.marker:
+        return {}
+    marker = pattern.nested(**asdict(request.marker))
+    laid = pattern.laid_on(marker)
+    for kind in request.formats:
+        # Without the setting "paper", a PDF is a roll as wide as the marker.
+        _note(laid.write(folder / request.marker_path(kind).name), line)
+    line["marker"] = marker.sentence(laid.units)
+    return {"marker": marker.to_dict()}
 
 
 def _translated(lines: Lines, found: Repaired) -> Lines:
