@@ -82,18 +82,8 @@ def begin_search(context: bpy.types.Context, source: bpy.types.Object, kind: str
     is_split = len(model.arrays.vertices) != len(source.data.vertices)
     if is_shaped or is_split:
         check_modifiers(source)
-    report = pieces_report(source)
-    is_true = (
-        report is not None
-        and report.with_modifiers == settings.use_modifiers
-        and not has_changed(source, report.model_state)
-    )
-    if piece is not None and not is_true:
-        raise changed_error(source.name)
-    # Without current flat pieces, as for a closed model, the last report is used if it is of the present model.
-    known = report if is_true else last_report(source)
-    is_known = known is not None and (is_true or not has_changed(source, known.model_state))
-    pieces = known.pieces if is_known else []
+    known = _known_report(source, piece, with_modifiers=settings.use_modifiers)
+    pieces = known.pieces if known else []
     choices = choices_of(settings, meters_per_blender_unit(context.scene))
     own = no_seam = read_no_seam(source)
     if is_shaped or is_split:
@@ -103,7 +93,7 @@ def begin_search(context: bpy.types.Context, source: bpy.types.Object, kind: str
     is_smooth = settings.dart_lines == "SMOOTH" and target is None
     names = {each.piece_id: each.name for each in pieces if each.piece_id}
     limits = known_stretch(used.cloth)
-    is_for_sets = not is_known or _lacks_seams(known, piece)
+    is_for_sets = known is None or _lacks_seams(known, piece)
     # The library's default is for soft fabrics. Only a smaller maximum stretch replaces the default: with the larger
     # limit of swim knit, a ball would become two pieces that need a stretch of 71%.
     strain = limits[0] if limits and limits[0] < SOFT[0] and is_for_sets else None
@@ -121,6 +111,19 @@ def begin_search(context: bpy.types.Context, source: bpy.types.Object, kind: str
     if kind == "FEWER" and limits and not target:
         steps = within_fabric(steps, limits, CHOOSE_FABRIC)
     return Search(options, model, used, own, is_shaped or is_split, steps, {each.index: each.name for each in pieces})
+
+
+def _known_report(source: bpy.types.Object, piece: int | None, *, with_modifiers: bool) -> ObjectReport | None:
+    """Return the report of the present model; None if there is none. Raises ObjectError if a piece is to be cut, but
+    its report is of an earlier model."""
+    report = pieces_report(source)
+    if report and report.with_modifiers == with_modifiers and not has_changed(source, report.model_state):
+        return report
+    if piece is not None:
+        raise changed_error(source.name)
+    # Without current flat pieces, as for a closed model, the last report is used.
+    report = last_report(source)
+    return report if report and not has_changed(source, report.model_state) else None
 
 
 def _lacks_seams(report: ObjectReport, piece: int | None) -> bool:
