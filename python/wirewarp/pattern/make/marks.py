@@ -53,17 +53,23 @@ def marks(
                     if point and all(points):  # a notch without a partner could be matched to a wrong notch
                         found[own.side.piece].append(replace(point, side=which))
     for piece in laid:
-        own_rays = rays[piece.index]
-        stitching = Rays([np.concatenate([side.points[:-1] for side in loop]) for loop in piece.loops])
-        for outline, loop in zip(piece.outlines, piece.loops, strict=True):
-            found[piece.index] += _free_notches(loop, wire_ends[piece.index], own_rays, widths)
-            found[piece.index] += [drill_hole(dart) for dart in outline.darts]
-            if outline.sections:
-                widest = max(widths[id(side)] for side in loop)
-                for dart in outline.closed_darts:
-                    found[piece.index] += leg_notches(dart, own_rays, widest)
-            if outline.sections and not outline.darts:
-                found[piece.index] += clips(loop, own_rays, stitching)
+        found[piece.index] += _own_marks(piece, rays[piece.index], wire_ends[piece.index], widths)
+    return found
+
+
+def _own_marks(piece: Laid, rays: Rays, wire_ends: np.ndarray, widths: Mapping[int, float]) -> list[Point]:
+    """Return the marks that the piece shares with no other piece: on open sides, at darts and in corners."""
+    found: list[Point] = []
+    stitching = Rays([np.concatenate([side.points[:-1] for side in loop]) for loop in piece.loops])
+    for outline, loop in zip(piece.outlines, piece.loops, strict=True):
+        found += _free_notches(loop, wire_ends, rays, widths)
+        found += [drill_hole(dart) for dart in outline.darts]
+        if outline.sections:
+            widest = max(widths[id(side)] for side in loop)
+            for dart in outline.closed_darts:
+                found += leg_notches(dart, rays, widest)
+        if outline.sections and not outline.darts:
+            found += clips(loop, rays, stitching)
     return found
 
 
