@@ -49,17 +49,9 @@ def propose_for(request: CutRequest) -> Line:
         if request.count is not None:
             wanted["count"] = request.count
         cuts = propose(**mesh, **wanted, piece=piece)
-    return {
-        "verdict": PROPOSED,
-        "cut": request.kind,
-        "together": request.together is not None,
-        "proposals": [
-            _proposal(cut, per_unit / 1000, request.together is None) | _width_of_set(mesh, cut, per_unit / 1000)
-            for cut in cuts
-        ],
-        "problems": [],
-        "codes": [],
-    }
+    meters, are_together = per_unit / 1000, request.together is not None
+    described = [_proposal(cut, meters, not are_together) | _width_of_set(mesh, cut, meters) for cut in cuts]
+    return _proposed(request.kind, described, are_together)
 
 
 def _width_of_set(mesh: dict[str, Any], cut: DartProposal, meters: float) -> dict[str, Any]:
@@ -95,14 +87,12 @@ def _fewer(mesh: dict[str, Any], proposal: SeamProposal, meters: float) -> Line:
         "strain_before": _if_finite(proposal.strain_before),
         "narrowest_width_m": _narrowest(mesh, proposal.edges, proposal.opened, meters),
     }
-    return {
-        "verdict": PROPOSED,
-        "cut": "fewer",
-        "together": False,
-        "proposals": [described],
-        "problems": [],
-        "codes": [],
-    }
+    return _proposed("fewer", [described], are_together=False)
+
+
+def _proposed(kind: str, proposals: list[dict[str, Any]], are_together: bool) -> Line:
+    about: Line = {"verdict": PROPOSED, "cut": kind, "together": are_together}
+    return about | {"proposals": proposals, "problems": [], "codes": []}
 
 
 def _proposal(cut: DartProposal, meters: float, has_mirror_image: bool) -> dict[str, Any]:
