@@ -59,9 +59,9 @@ def draw_table(
         else:
             draw_heading(context, column, row.name, mark_of(row.ok), row.what, row.index)
         if row.note:
-            draw_note(context, column, row.note, "INFO" if row.at_limit else "BLANK1")
+            draw_sentence(context, column, row.note, "INFO" if row.at_limit else "BLANK1")
         for longer in longer_sides(row.sides, units, meters):
-            draw_note(context, column, longer, "INFO")
+            draw_sentence(context, column, longer, "INFO")
         (_draw_wide if wide else _draw_narrow)(column, row, units)
         column.separator(factor=0.7)
     if len(rows) > SHOWN_ROWS:
@@ -82,13 +82,6 @@ def draw_heading(
         text.label(text=line, **({"icon": "BLANK1"} if number else mark))
     if what:
         draw_select(row, what, index)
-
-
-def draw_note(context: bpy.types.Context, layout: bpy.types.UILayout, note: str, icon: str) -> None:
-    column = layout.column(align=True)
-    column.scale_y = 0.8
-    for number, line in enumerate(broken(context, note)):
-        column.label(text=line, icon="BLANK1" if number else icon)
 
 
 def draw_select(row: bpy.types.UILayout, what: str, index: int) -> None:
