@@ -16,6 +16,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import wirewarp
+from refusals import code_of
 from surfaces import half_cylinder, spherical_patch
 
 
@@ -27,8 +28,7 @@ def test_a_job_ends_with_the_result_of_flatten():
     job = wirewarp.start(vertices, faces, wires=wires, options=options)
     result = job.result()
     assert np.array_equal(other.result().corner_uv, wirewarp.flatten(*half_cylinder(20, 20)).corner_uv)
-    assert job.is_done()
-    assert job.progress() == ("measure", 1.0)
+    assert job.is_done() and job.progress() == ("measure", 1.0)
     assert job.result() is result
     assert np.array_equal(result.corner_uv, wirewarp.flatten(vertices, faces, wires=wires, options=options).corner_uv)
 
@@ -51,12 +51,6 @@ def test_a_canceled_job_reports_it():
     job = wirewarp.start(*spherical_patch(300, 300))
     job.cancel()
     assert [piece.error.code for piece in job.result().pieces] == [wirewarp.ErrorCode.cancelled]
-
-
-def code_of(call):
-    with pytest.raises(wirewarp.FlattenError) as caught:
-        call()
-    return caught.value.code
 
 
 def test_start_refuses_wrong_types_and_result_raises_errors_of_the_mesh():
