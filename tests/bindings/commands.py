@@ -31,4 +31,9 @@ def printed(command, *words, code=0):
     return [json.loads(line) for line in output.getvalue().splitlines()], errors.getvalue()
 
 
+def contents(folder):
+    """Return the contents of all files below the folder, keyed by their relative paths."""
+    return {path.relative_to(folder).as_posix(): path.read_bytes() for path in folder.rglob("*") if path.is_file()}
+
+
 flatten, batch, propose = (partial(printed, command) for command in ("flatten", "batch", "propose"))

@@ -91,6 +91,12 @@ def extent(pixels: np.ndarray, scale: float = SCALE) -> tuple[float, float]:
     return (columns[-1] - columns[0] + 1) / scale, (rows[-1] - rows[0] + 1) / scale
 
 
+def longest_run(row: np.ndarray) -> int:
+    """Return the length of the longest run of true values."""
+    changes = np.flatnonzero(np.diff(np.concatenate([[0], row.astype(int), [0]])))
+    return max(changes[1::2] - changes[::2], default=0)
+
+
 def proof_words(pattern: Pattern, path: Path, paper="a0") -> str:
     """Write the pattern with its proof, and return the words on the pages of the proof, with single spaces."""
     pattern.write(path, paper=paper, proof=True)

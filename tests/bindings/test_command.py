@@ -13,8 +13,9 @@ import ezdxf
 import numpy as np
 import pypdfium2
 import pytest
-from commands import FOLDED
+from commands import FOLDED, contents
 from commands import flatten as run
+from patterns import longest_run
 from PIL import Image
 from samples import SAMPLES, flattened
 from wirewarp.command import staged
@@ -129,12 +130,6 @@ def test_the_picture_shows_the_pieces_in_scale(model, tmp_path):
     assert bar == pytest.approx(0.1 / across * (columns[-1] - columns[0]), rel=0.02)
 
 
-def longest_run(row):
-    """Return the length of the longest run of true values."""
-    changes = np.flatnonzero(np.diff(np.concatenate([[0], row.astype(int), [0]])))
-    return max(changes[1::2] - changes[::2], default=0)
-
-
 def test_a_missing_pillow_is_reported(model, tmp_path, monkeypatch):
     monkeypatch.setitem(sys.modules, "wirewarp.command.picture", None)
     (request,) = parsed(["flatten", str(model), "--out", str(tmp_path / "out"), "--picture"]).requests
@@ -177,15 +172,11 @@ def test_a_model_of_several_files_has_changed_when_one_file_has(tmp_path):
 def test_a_refused_model_keeps_its_earlier_files(model, tmp_path):
     words = (model, "--out", tmp_path / "out", "--format", "svg,pdf")
     run(*words)
-    before = {path: path.read_bytes() for path in (tmp_path / "out").iterdir()}
+    before = contents(tmp_path / "out")
     ((line,), _) = run(*words, "--page", "120mm", "--allowance", "5mm", "--resume", code=2)
     assert line["codes"] == ["invalid_option"]
-    assert {path: path.read_bytes() for path in (tmp_path / "out").iterdir()} == before
+    assert contents(tmp_path / "out") == before
     assert run(*words, "--resume")[0][0]["skipped"]
-
-
-def contents(folder):
-    return {path.name: path.read_bytes() for path in folder.iterdir()}
 
 
 def failing_at(number):

@@ -6,6 +6,7 @@ import math
 import numpy as np
 import pytest
 import shapely
+from patterns import turn
 from wirewarp.pattern.geometry import Rays, are_inside, distances_to, lengths_along, overlap, sampled, signed_area
 
 
@@ -60,9 +61,7 @@ def test_pieces_over_one_another_overlap_wherever_their_outlines_start(other, sc
 )
 def test_pieces_that_touch_do_not_overlap_however_they_are_turned(other):
     for degrees in range(0, 360, 3):
-        angle = math.radians(degrees)
-        turn = np.array([[math.cos(angle), math.sin(angle)], [-math.sin(angle), math.cos(angle)]])
-        first, second = (polygon(np.array(corners) @ turn + 7, 100.0) for corners in (SQUARE, other))
+        first, second = (polygon(np.array(corners) @ turn(degrees) + 7, 100.0) for corners in (SQUARE, other))
         assert not overlap(first, second), degrees
         assert not overlap(second, first), degrees
 

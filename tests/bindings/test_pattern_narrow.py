@@ -3,6 +3,7 @@
 
 import numpy as np
 import pytest
+from patterns import turn
 from surfaces import chain_edges, column_chain, half_cylinder
 from wirewarp import Options, flatten
 from wirewarp.pattern import has_room, narrowest_width, piece_width, pieces_along
@@ -23,11 +24,6 @@ def dumbbell(first, second, waist):
     )
 
 
-def turned(outline):
-    cos, sin = np.cos(0.7), np.sin(0.7)
-    return 3.0 + outline @ np.array([[cos, sin], [-sin, cos]])
-
-
 @pytest.mark.parametrize(
     ("outlines", "width"),
     [
@@ -41,14 +37,14 @@ def turned(outline):
 )
 def test_the_width_is_the_diameter_of_the_largest_disk_that_moves_through(outlines, width):
     assert narrowest_width(outlines) == pytest.approx(width, rel=NEAR)
-    assert narrowest_width([turned(1000 * outline) for outline in outlines]) == pytest.approx(1000 * width, rel=NEAR)
+    elsewhere = [3.0 + 1000 * outline @ turn(40) for outline in outlines]
+    assert narrowest_width(elsewhere) == pytest.approx(1000 * width, rel=NEAR)
 
 
 def test_an_outline_without_area_has_no_width():
     assert narrowest_width([np.array([[0.0, 0], [1, 0], [2, 0]])]) == 0
     square = [np.array([[0.0, 0], [1, 0], [1, 1], [0, 1]])]
-    assert 0.5 <= narrowest_width(square, 0.5) < 1
-    assert narrowest_width(square, 1.5) == narrowest_width(square)
+    assert 0.5 <= narrowest_width(square, 0.5) < 1 and narrowest_width(square, 1.5) == narrowest_width(square)
 
 
 def test_a_piece_is_measured_flat():
@@ -109,6 +105,5 @@ def test_pieces_along_edges_contain_a_whole_edge():
 
     assert found(chain_edges(left)) | found(chain_edges(right)) == {id(outer), id(middle), id(other)}
     assert len(found(chain_edges(left))) == len(found(chain_edges(right))) == 2
-    assert found(chain_edges(column_chain(8, 4, 4))) == {id(middle)}
-    assert found([(2, 3)]) == {id(middle)}
+    assert found(chain_edges(column_chain(8, 4, 4))) == {id(middle)} and found([(2, 3)]) == {id(middle)}
     assert found(np.empty((0, 2), dtype=int)) == set()

@@ -7,7 +7,7 @@ import pytest
 from bidi import get_display
 from hypothesis import given
 from hypothesis import strategies as st
-from patterns import rectangle
+from patterns import dark, longest_run, rectangle
 from wirewarp.pattern import Pattern, add_font_folder
 from wirewarp.pattern.formats.dxf_tags import escaped_text
 from wirewarp.pattern.label import glyphs
@@ -100,19 +100,14 @@ def test_letters_are_printed_in_the_height_of_the_text(folder):
     (text,) = pattern.pieces[0].texts
     (page,) = pypdfium2.PdfDocument(folder / "x.pdf")
     scale = 10  # pixels per millimeter
-    dark = page.render(scale=scale * 25.4 / 72, grayscale=True).to_numpy().squeeze() < 128
+    pixels = dark(page, scale)
     # The largest dark rectangle is the letter, which is as wide as the text is high.
-    assert max(longest(dark), longest(dark.T)) == pytest.approx(text.height * scale, abs=2)
+    assert max(longest(pixels), longest(pixels.T)) == pytest.approx(text.height * scale, abs=2)
 
 
-def longest(dark):
+def longest(pixels):
     """Return the longest run of dark pixels in a row. Only pixels that are dark 1.5 mm above and below count."""
-    solid = dark & np.roll(dark, 15, axis=0) & np.roll(dark, -15, axis=0)
-    best = 0
-    for row in solid[solid.any(axis=1)]:
-        changes = np.flatnonzero(np.diff(np.concatenate([[0], row.astype(int), [0]])))
-        best = max(best, *(changes[1::2] - changes[::2]))
-    return best
+    return max(map(longest_run, pixels & np.roll(pixels, 15, axis=0) & np.roll(pixels, -15, axis=0)))
 
 
 @pytest.mark.parametrize(("name", "letter"), [("袂", "袂"), ("袖👗", NO_OUTLINE)])
