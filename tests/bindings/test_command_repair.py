@@ -27,28 +27,30 @@ def areas(model):
     return np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2
 
 
-def test_a_good_mesh_does_not_change():
-    model = model_of(SQUARE, [(0, 1, 2), (0, 2, 3)])
-    found = repaired(model)
-    assert found.done == [] and len(found.seams) == 0
-    assert np.array_equal(found.model.faces, model.faces)
-
-
 def torn_sheet():
     """Return a square and a triangle, whose common edge has two vertices at each end, less than 1e-5 apart."""
     apart = [*SQUARE, (1 + 1e-6, 0, 0), (2, 0, 0), (1, 1 + 1e-6, 0)]
     return model_of(apart, [(0, 1, 2), (0, 2, 3), (4, 5, 6)])
 
 
-def test_vertices_closer_than_the_precision_of_files_are_merged_and_keep_their_numbers():
-    found = repaired(torn_sheet())
-    assert found.done == ["2 overlapping vertices merged"]
-    assert found.model.faces.tolist() == [[0, 1, 2], [0, 2, 3], [1, 5, 2]]
+HALVES, TWO = [[0, 1, 2], [0, 2, 3]], [[0, 1, 2], [4, 5, 6]]
+REPAIRED = {  # model, the repairs that are reported, and the remaining faces
+    "a good mesh": (model_of(SQUARE, HALVES), [], HALVES),
+    "vertices closer than files are precise": (torn_sheet(), ["2 overlapping vertices merged"], [*HALVES, [1, 5, 2]]),
+    "vertices that are merely near": (model_of([*SQUARE, (1.001, 0, 0), (2, 0, 0), (1.001, 1, 0)], TWO), [], TWO),
+    "duplicates that face the other way": (
+        model_of(SQUARE, [(0, 1, 2), (2, 1, 0), (0, 2, 3)]),
+        ["1 duplicate face removed"],
+        HALVES,
+    ),
+}
 
 
-def test_vertices_that_are_merely_near_stay_apart():
-    found = repaired(model_of([*SQUARE, (1.001, 0, 0), (2, 0, 0), (1.001, 1, 0)], [(0, 1, 2), (4, 5, 6)]))
-    assert found.done == []
+@pytest.mark.parametrize("case", REPAIRED)
+def test_only_faults_are_repaired_and_vertices_keep_their_numbers(case):
+    model, done, faces = REPAIRED[case]
+    found = repaired(model)
+    assert (found.done, found.seams.tolist(), found.model.faces.tolist()) == (done, [], faces)
 
 
 def test_a_face_without_area_is_removed_and_its_neighbor_divided():
@@ -57,8 +59,7 @@ def test_a_face_without_area_is_removed_and_its_neighbor_divided():
     uv = np.array([SQUARE[list(face), :2] for face in [(0, 2, 3)]] + [np.zeros((3, 2))] * 3)
     faces = [(0, 2, 3), (0, 4, 2), (0, 1, 4), (1, 2, 4)]
     found = repaired(model_of(vertices, faces, uv))
-    assert found.done == ["1 zero-area face removed"]
-    assert areas(found.model) == pytest.approx([0.25] * 4)
+    assert found.done == ["1 zero-area face removed"] and areas(found.model) == pytest.approx([0.25] * 4)
     new = [row for row, face in enumerate(found.model.faces.tolist()) if {3, 4} <= set(face)]
     for row in new:  # the UV map is divided at the same place
         for corner, vertex in enumerate(found.model.faces[row]):
@@ -103,12 +104,6 @@ def test_lines_of_the_file_are_translated():
     assert flipped.sides(np.array([(2, 4), (0, 1)])).tolist() == [[4, 2], [0, 1]]
 
 
-def test_duplicates_are_removed_whichever_way_they_face():
-    found = repaired(model_of(SQUARE, [(0, 1, 2), (2, 1, 0), (0, 2, 3)]))
-    assert found.done == ["1 duplicate face removed"]
-    assert len(found.model.faces) == 2
-
-
 def test_the_smaller_part_is_flipped_to_match_the_rest():
     grid = np.array([(x, y, 0) for y in range(3) for x in range(3)], dtype=float)
     faces = [(a, a + 1, a + 4) for a in (0, 1, 3, 4)] + [(a, a + 4, a + 3) for a in (0, 1, 3, 4)]
@@ -144,8 +139,7 @@ def test_suggested_seams_are_marked_on_request(tmp_path):
     ((line,), _) = run(tmp_path / "tube.obj", "--out", tmp_path / "out", code=1)
     assert line["verdict"] == "not ready to cut" and "repairs" not in line
     ((line,), _) = run(tmp_path / "tube.obj", "--out", tmp_path / "out", "--take-proposals")
-    assert line["verdict"] == "ready to cut"
-    assert line["repairs"] == ["1 suggested edge marked as seams"]
+    assert line["verdict"] == "ready to cut" and line["repairs"] == ["1 suggested edge marked as seams"]
 
 
 def test_the_widest_of_several_suggested_tolerances_is_used_once(monkeypatch):

@@ -60,8 +60,7 @@ def test_notches_begin_on_the_cutting_line_and_end_before_the_stitching_line(nam
         cut, outline = cut_polygon(piece), sew_polygon(piece)
         for point in marks(piece, "notch", "clip"):
             start, end = (shapely.Point(place) for place in point.stroke)
-            assert cut.boundary.distance(start) < 1e-3
-            assert outline.distance(end) > 1.9 and cut.contains(end)
+            assert cut.boundary.distance(start) < 1e-3 and outline.distance(end) > 1.9 and cut.contains(end)
 
 
 @pytest.mark.parametrize("name", ["Fitted top", "Ball of six gores", "Cushion", "Toy"])
@@ -219,6 +218,8 @@ def test_holes_filled_by_their_allowance_are_reported():
         ({"allowances": [(0, 2, 5)]}, "Edge 0-2 is not on the outline"),
         ({"allowances": [(0.5, 1, 5)]}, "not a whole number"),
         ({"side_allowances": [(1, 0, 5)]}, "Edge 1-0 is not on the outline"),
+        ({"folds": [(0, 99)]}, "Edge 0-99 is not on the outline"),
+        ({"folds": [0, 3]}, r"folds must be an array \(k, 2\)"),
         ({"notch_spacing": 0.5}, "Notches every 0.5 mm cannot be cut"),
         ({"notch_spacing": -5}, "notch_spacing is -5"),
         ({"millimeters_per_unit": 0}, "millimeters_per_unit is 0"),
@@ -226,7 +227,8 @@ def test_holes_filled_by_their_allowance_are_reported():
         ({"corner": "pointed"}, "corner is 'pointed'"),
         ({"darts": "open"}, "darts is 'open'"),
         ({"units": "feet"}, "units is 'feet'"),
-        ({"title": None}, "must be texts"),
+        ({"title": None}, "title, material and date must be texts"),
+        ({"date": 2026}, "title, material and date must be texts"),
     ],
 )
 def test_bad_input_gives_one_sentence(options, words):
@@ -259,13 +261,9 @@ def test_nothing_is_cut_at_a_fold():
     assert piece.area == pytest.approx(100 * 60)
 
 
-def test_a_fold_must_be_an_edge_that_is_not_sewn():
+def test_a_fold_must_not_be_sewn():
     with pytest.raises(wirewarp.FlattenError, match="is a fold, but it is sewn"):
         Pattern.from_result(flattened("Hat"), folds=flattened("Hat").seams[0].edges[:1])
-    with pytest.raises(wirewarp.FlattenError, match="is not on the outline"):
-        Pattern.from_result(rectangle(100, 60), folds=[(0, 99)])
-    with pytest.raises(wirewarp.FlattenError, match=r"folds must be an array \(k, 2\)"):
-        Pattern.from_result(rectangle(100, 60), folds=[0, 3])
 
 
 def test_a_crooked_fold_is_reported():
@@ -293,8 +291,6 @@ def test_the_date_is_on_every_piece():
     pattern = Pattern.from_result(flattened("Hat"), title="Hat", date="22 November 2026")
     assert all(piece.texts[0].lines[0] == "Hat, 22 November 2026" for piece in pattern.pieces)
     assert Pattern.from_result(rectangle(100, 60), date="2026").pieces[0].texts[0].lines[0] == "2026"
-    with pytest.raises(wirewarp.FlattenError, match="title, material and date must be texts"):
-        Pattern.from_result(rectangle(100, 60), date=2026)
 
 
 @pytest.mark.parametrize(("height", "depth"), [(8, 2.4), (60, 5.0)])

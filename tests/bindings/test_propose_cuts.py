@@ -7,22 +7,10 @@ import pickle
 import numpy as np
 import pytest
 import trimesh
+import wirewarp
+from refusals import code_of
 from surfaces import chain_edges, column_chain, spherical_patch, tetrahedron
-from wirewarp import (
-    Cloth,
-    Ease,
-    ErrorCode,
-    FlattenError,
-    Options,
-    Wire,
-    cut_mesh,
-    flatten,
-    plan_cuts,
-    propose_darts,
-    propose_seams,
-    simplify_seams,
-    start_simplify,
-)  # fmt: skip
+from wirewarp import FlattenError, Options, Wire, cut_mesh, flatten, plan_cuts, propose_darts, propose_seams
 from wirewarp.pattern import has_room
 from wirewarp.report.make import make_report
 
@@ -38,7 +26,7 @@ COLUMNS = np.concatenate([chain_edges(column_chain(8, 8, column)) for column in 
         (Wire(MIDDLE), None),
         (Wire(MIDDLE, ease=0.02), None),
         (Wire(MIDDLE), Options(cloth="woven")),
-        (Wire(MIDDLE, ease=-0.03), Options(cloth=Cloth(stretch=(0.1, 0.05)))),
+        (Wire(MIDDLE, ease=-0.03), Options(cloth=wirewarp.Cloth(stretch=(0.1, 0.05)))),
         (Wire(MIDDLE), Options(thickness=0.05)),
     ],
 )
@@ -108,11 +96,11 @@ def test_a_closed_model_gets_cut_sets():
 
 def test_proposals_are_plain_values_and_a_job_finds_the_same():
     (proposal, *_) = propose_darts(*DOME, count=1)
-    fewer = simplify_seams(*DOME, seams=COLUMNS, strain=0.1)
+    fewer = wirewarp.simplify_seams(*DOME, seams=COLUMNS, strain=0.1)
     for each in (proposal, fewer):
         assert json.loads(json.dumps(each.to_dict()))["edges"] == each.edges.tolist()
         assert pickle.loads(pickle.dumps(each)).to_dict() == each.to_dict()
-    assert start_simplify(*DOME, seams=COLUMNS, strain=0.1).result().to_dict() == fewer.to_dict()
+    assert wirewarp.start_simplify(*DOME, seams=COLUMNS, strain=0.1).result().to_dict() == fewer.to_dict()
 
 
 def test_progress_is_reported_and_can_cancel():
@@ -123,7 +111,7 @@ def test_progress_is_reported_and_can_cancel():
     assert fractions == sorted(fractions) and fractions[0] >= 0 and fractions[-1] < 1
     with pytest.raises(FlattenError, match="Canceled") as raised:
         propose_darts(*DOME, progress=lambda *_: False)
-    assert raised.value.code is ErrorCode.cancelled
+    assert raised.value.code is wirewarp.ErrorCode.cancelled
 
 
 @pytest.mark.parametrize(
@@ -136,6 +124,7 @@ def test_progress_is_reported_and_can_cancel():
         (plan_cuts, {"kind": "zip"}, "it must be dart or seam"),
         (plan_cuts, {"most": 0}, "option most is 0: it must be at least 1"),
         (plan_cuts, {"strain": 1.0}, "is accepted"),
+        (wirewarp.simplify_seams, {"seams": COLUMNS, "strain": -1}, "it must be 0 or more"),
     ],
 )
 def test_wrong_options_are_refused(find, limits, said):
@@ -152,9 +141,8 @@ def test_a_plan_keeps_to_its_limits():
     for cut in plan_cuts(*DOME, strain=0.0, most=1, no_seam=first.edges, longest=1.0, seams=[]):
         assert cut.length <= 1.0 and not taken & {frozenset(pair) for pair in cut.edges.tolist()}
     cuts = plan_cuts(*DOME, kind="seam", strain=0.0, most=2)
-    assert (
-        len(flatten(*DOME, seams=np.concatenate([cut.edges for cut in cuts])).pieces) == 3
-    )  # the second cut divides one of the two parts
+    # The second cut divides one of the two parts.
+    assert len(flatten(*DOME, seams=np.concatenate([cut.edges for cut in cuts])).pieces) == 3
 
 
 def undirected(edges):
@@ -163,8 +151,8 @@ def undirected(edges):
 
 def test_fewer_seams_keep_to_the_arguments_and_have_the_figures_of_a_run():
     eased = chain_edges(column_chain(8, 8, 4))
-    arguments = {"seams": COLUMNS, "eases": [Ease(eased, 0.02)], "options": Options(thickness=0.05)}
-    fewer = simplify_seams(*DOME, **arguments, strain=0.5)
+    arguments = {"seams": COLUMNS, "eases": [wirewarp.Ease(eased, 0.02)], "options": Options(thickness=0.05)}
+    fewer = wirewarp.simplify_seams(*DOME, **arguments, strain=0.5)
     assert undirected(fewer.edges) == undirected(eased)  # seams with an ease remain
     assert undirected(fewer.edges) | undirected(fewer.opened) == undirected(COLUMNS)
     for seams, energy, count in (
@@ -179,10 +167,7 @@ def test_fewer_seams_keep_to_the_arguments_and_have_the_figures_of_a_run():
 
 
 def test_a_stopped_search_returns_the_fewest_seams_found_by_then():
-    fewer = simplify_seams(*DOME, seams=COLUMNS, strain=0.1, progress=lambda _, fraction: fraction < 0.5)
+    fewer = wirewarp.simplify_seams(*DOME, seams=COLUMNS, strain=0.1, progress=lambda _, fraction: fraction < 0.5)
     assert fewer.was_stopped and undirected(fewer.edges) | undirected(fewer.opened) == undirected(COLUMNS)
-    with pytest.raises(FlattenError) as raised:
-        simplify_seams(*DOME, seams=COLUMNS, progress=lambda *_: False)
-    assert raised.value.code is ErrorCode.cancelled
-    with pytest.raises(FlattenError, match="it must be 0 or more"):
-        simplify_seams(*DOME, seams=COLUMNS, strain=-1)
+    canceled = code_of(lambda: wirewarp.simplify_seams(*DOME, seams=COLUMNS, progress=lambda *_: False))
+    assert canceled is wirewarp.ErrorCode.cancelled
