@@ -46,9 +46,7 @@ def _sheet(random_numbers):
     lines = [f"v {a!r} {b!r} {c!r}" for a, b, c in np.column_stack([x.ravel(), y.ravel(), z.ravel()]).tolist()]
     lines += [f"vt {u!r} {v!r}" for u, v in np.column_stack([x.ravel(), y.ravel()]).tolist()]
     lines += [f"vt {u + 1!r} {v!r}" for u, v in np.column_stack([x.ravel(), y.ravel()]).tolist()]
-    cut = random_numbers.integers(
-        0, columns
-    )  # number of columns in the first island; if it is 0, there is only one island
+    cut = random_numbers.integers(0, columns)  # number of columns in the first island; if it is 0, there is only one
     wide, count = columns + 1, (columns + 1) * (rows + 1)
     for row in range(rows):
         for column in range(columns):

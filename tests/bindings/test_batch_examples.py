@@ -47,6 +47,5 @@ def test_the_job_type_of_flamenco_makes_a_task_of_each_part():
     done = subprocess.run(["node", "-e", script], capture_output=True, text=True, check=True)
     job = json.loads(done.stdout)
     words = ["-m", "wirewarp", "batch", "/a b/models", "--out", "/out", "--part", "2/2", "--seams", "uv"]
-    assert job["keys"] == ["models", "patterns", "options", "parts"]
-    assert len(job["tasks"]) == 2
+    assert job["keys"] == ["models", "patterns", "options", "parts"] and len(job["tasks"]) == 2
     assert job["tasks"][1]["commands"] == [{"name": "exec", "exe": "{python}", "args": words}]

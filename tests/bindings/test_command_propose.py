@@ -176,5 +176,4 @@ def test_the_energy_is_that_of_the_cloth(dome):
 def test_an_invalid_file_of_lines_is_refused_and_the_next_model_read(dome, tmp_path, text):
     (tmp_path / "lines.json").write_text(text)
     first, second = propose(dome, dome, "--no-seam", tmp_path / "lines.json", code=2)
-    assert first["verdict"] == second["verdict"] == "refused"
-    assert "lines.json" in first["problems"][0]
+    assert first["verdict"] == second["verdict"] == "refused" and "lines.json" in first["problems"][0]

@@ -23,10 +23,8 @@ from wirewarp.pattern.geometry import Motion
 from wirewarp.pattern.make.outline import flat_piece
 from wirewarp.pattern.nest.items import simplified
 
-ENGINES = ["slides", "spyrrow"]
 
-
-@pytest.fixture(params=ENGINES)
+@pytest.fixture(params=["slides", "spyrrow"])
 def engine(request, monkeypatch):
     """Run the test with each of the two nesting engines."""
     if request.param == "spyrrow":

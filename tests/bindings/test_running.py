@@ -18,8 +18,7 @@ def test_progress_goes_from_nothing_to_everything():
     wirewarp.flatten(*half_cylinder(), seams=seams, progress=lambda *call: calls.append(call))
     stages, fractions = zip(*calls, strict=True)
     assert all(isinstance(stage, str) for stage in stages)
-    assert list(fractions) == sorted(fractions)
-    assert (fractions[0], fractions[-1]) == (0, 1)
+    assert list(fractions) == sorted(fractions) and (fractions[0], fractions[-1]) == (0, 1)
 
 
 @pytest.mark.parametrize("answer", [False, np.False_, 0, True, None, 1], ids=repr)

@@ -59,15 +59,13 @@ def test_the_inner_problem_takes_few_factorizations(name):
         assert 0 < piece.report.inner_solves <= most * (1 + evaluations)
         # If lengths are optimized, the first lengths need a factorization of their own.
         assert piece.report.factorizations == (2 if evaluations else 1)
-        assert piece.report.projected_gradient < 1e-10
-        assert piece.report.constraint_residual < 1e-12
+        assert piece.report.projected_gradient < 1e-10 and piece.report.constraint_residual < 1e-12
 
 
 @pytest.mark.parametrize("name", [*EASED, *STRETCHED])
 def test_pieces_with_eases_and_stretched_fabric_are_good_and_seams_fit(name):
     for piece in flattened_as_made(name).pieces:
-        assert piece.error is None
-        assert (piece.report.termination, piece.report.warnings) == ("converged", [])
+        assert piece.error is None and (piece.report.termination, piece.report.warnings) == ("converged", [])
     for seam in flattened_as_made(name).seams:
         left, right = (length / (1 + ease) for length, ease in zip(seam.length_2d, seam.eases, strict=True))
         assert left == pytest.approx(right, rel=1e-12)
