@@ -10,7 +10,7 @@ import bpy
 import numpy as np
 import pytest
 from everything import COMMANDS, use_everything
-from flattening import flatten_fails
+from flattening import flatten_fails, flattened
 from surfaces import addon_module, bump, grid, join_cube, mark, mark_seam, on_line, read
 
 
@@ -39,9 +39,7 @@ def at_once(addon, monkeypatch):
 @pytest.fixture
 def source():
     """Return a flattened model of two pieces, to the left and right of x = 0."""
-    target = grid("Bump", bump, seam=on_line(0, 0.0))
-    bpy.ops.object.wirewarp_flatten()
-    return target
+    return flattened("Bump", bump, seam=on_line(0, 0.0))
 
 
 @pytest.fixture

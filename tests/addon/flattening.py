@@ -3,13 +3,14 @@
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from types import ModuleType
 
 import bmesh
 import bpy
 import numpy as np
 import pytest
 from mathutils import Vector
-from surfaces import flat_of, read, select_only
+from surfaces import flat_of, grid, read, select_only
 
 
 def fails(operator: Callable, match: str, **settings: object) -> None:
@@ -22,6 +23,19 @@ def flatten(source: bpy.types.Object, **settings: object) -> None:
     """Select only this object, and flatten it."""
     select_only(source)
     bpy.ops.object.wirewarp_flatten(**settings)
+
+
+def flattened(*arguments: object, **settings: object) -> bpy.types.Object:
+    """Make a grid with these arguments of surfaces.grid(), flatten it, and return it."""
+    source = grid(*arguments, **settings)
+    bpy.ops.object.wirewarp_flatten()
+    return source
+
+
+def report_after(addon: ModuleType, source: bpy.types.Object, **settings: object) -> object:
+    """Flatten the selection, and return the report of this object."""
+    bpy.ops.object.wirewarp_flatten(**settings)
+    return addon.state.reports.last_report(source)
 
 
 def flatten_fails(match: str, **settings: object) -> None:

@@ -105,17 +105,29 @@ def select_edges(target: bpy.types.Object, *lines: Callable) -> None:
     bmesh.update_edit_mesh(target.data)
 
 
+def everywhere(*_: object) -> bool:
+    return True
+
+
+def on_edges(target: bpy.types.Object, operator: Callable, *lines: Callable, **settings: object) -> set[str]:
+    """Select the edges on these lines, call an operator that stays in Edit Mode, and return to Object Mode.
+
+    Return the result of the operator.
+    """
+    select_edges(target, *lines)
+    result = operator(**settings)
+    assert target.mode == "EDIT"
+    bpy.ops.object.mode_set(mode="OBJECT")
+    return result
+
+
 def mark(target: bpy.types.Object, *lines: Callable, **settings: object) -> None:
     """Mark the edges on these lines as wires, and return to Object Mode."""
-    select_edges(target, *lines)
-    bpy.ops.mesh.wirewarp_mark(**settings)
-    bpy.ops.object.mode_set(mode="OBJECT")
+    on_edges(target, bpy.ops.mesh.wirewarp_mark, *lines, **settings)
 
 
 def mark_seam(target: bpy.types.Object, line: Callable) -> None:
-    select_edges(target, line)
-    bpy.ops.mesh.mark_seam(clear=False)
-    bpy.ops.object.mode_set(mode="OBJECT")
+    on_edges(target, bpy.ops.mesh.mark_seam, line, clear=False)
 
 
 def flat_of(source: bpy.types.Object) -> bpy.types.Object:

@@ -9,7 +9,8 @@ import math
 import bpy
 import pytest
 from flattening import fails, wire_marks
-from surfaces import bump, flat_of, grid, mark, mark_seam, on_line, select_edges, select_only
+from surfaces import bump, everywhere, flat_of, grid, mark, mark_seam, on_edges, on_line, select_edges, select_only
+from view_context import marked_lines
 
 pytestmark = pytest.mark.api
 
@@ -89,10 +90,6 @@ def to_triangles_and_back():
     bpy.ops.mesh.tris_convert_to_quads()
 
 
-def everywhere(*_):
-    return True
-
-
 def between_two_columns(a, b):
     return abs(a.y - b.y) < 1e-6 and abs(a.x + b.x - 0.75) < 1e-6
 
@@ -113,9 +110,7 @@ EDITS = {  # the line to select, and the edit of the selection
 @pytest.mark.parametrize("how", EDITS)
 def test_wires_stay_on_their_lines_as_the_mesh_is_edited(marked, how):
     line, edit = EDITS[how]
-    select_edges(marked, line)
-    edit()
-    bpy.ops.object.mode_set(mode="OBJECT")
+    on_edges(marked, edit, line)
     mesh, found = marked.data, {}
     for row, edge in enumerate(mesh.edges):
         a, b = (mesh.vertices[vertex].co for vertex in edge.vertices)
@@ -138,8 +133,7 @@ def test_a_copy_of_a_wire_has_the_name_of_its_original(addon, use_modifiers):
     source.data.wirewarp_names[0].name = "Hip"
     both = ["Hip", "Hip (2)"]
     assert [wire.name for wire in addon.state.reports.last_report(source).wires] == both
-    drawn = addon.overlay.objects.marked_lines(flat_of(source), bpy.context.evaluated_depsgraph_get())
-    assert sorted(name.texts[-1] for name in drawn.names) == ["Half", *both]
+    assert sorted(name.texts[-1] for name in marked_lines(addon, flat_of(source)).names) == ["Half", *both]
     parts = addon.export.read.read_pattern(bpy.context.scene, source)
     assert [wire.name for piece in parts.pieces for wire in piece.wires] == both
 

@@ -5,7 +5,7 @@ import bpy
 import numpy as np
 import pytest
 from everything import answer
-from flattening import wire_marks
+from flattening import flattened, report_after, wire_marks
 from surfaces import bump, flat_of, grid, new_object, on_line, read, select_only
 from test_flatten import assert_true_lengths
 
@@ -105,8 +105,7 @@ def test_pieces_in_a_second_scene_have_one_collection_there():
         select_only(source)
         assert answer(FLATTEN) == DONE
     (own,) = bpy.context.scene.collection.children
-    assert flat_of(source).name in own.objects
-    assert flat_of(first).name not in own.objects
+    assert flat_of(source).name in own.objects and flat_of(first).name not in own.objects
 
 
 def test_hidden_faces_are_flattened_too():
@@ -145,20 +144,17 @@ def test_faces_that_modifiers_make_are_only_in_the_flat_object(addon, kind, sett
     for name, value in settings.items():
         setattr(modifier, name, value)
     bpy.ops.object.wirewarp_flatten(use_modifiers=True)
-    assert len(flat_of(source).data.polygons) == faces
-    assert "WireWarp" not in source.data.uv_layers
+    assert len(flat_of(source).data.polygons) == faces and "WireWarp" not in source.data.uv_layers
     assert ignored_after(addon, source) == "Modifiers"
     assert len(flat_of(source).data.polygons) == 16
 
 
 def notes_after(addon, source, **settings):
-    bpy.ops.object.wirewarp_flatten(**settings)
-    return [note.text for note in addon.state.reports.last_report(source).notes]
+    return [note.text for note in report_after(addon, source, **settings).notes]
 
 
 def message_after(addon, source):
-    bpy.ops.object.wirewarp_flatten()
-    return addon.solve.report.run_message([addon.state.reports.last_report(source)], {})
+    return addon.solve.report.run_message([report_after(addon, source)], {})
 
 
 def ignored_after(addon, source):
@@ -206,15 +202,13 @@ def test_shape_keys_are_flattened_with_the_modifiers():
         point.co.x *= 2
     key.value = 1
     bpy.ops.object.wirewarp_flatten(use_modifiers=True)
-    wide = grid("Wide", lambda x, y: (2 * x, *bump(x, y)[1:]))
-    bpy.ops.object.wirewarp_flatten()
+    wide = flattened("Wide", lambda x, y: (2 * x, *bump(x, y)[1:]))
     areas = [sum(face.area for face in flat_of(target).data.polygons) for target in (source, wide)]
     assert areas[0] == pytest.approx(areas[1], rel=1e-4)
 
 
 def test_an_old_uv_map_is_reported_if_pieces_are_made_with_modifiers(addon):
-    source = grid("Bump", bump)
-    bpy.ops.object.wirewarp_flatten()
+    source = flattened("Bump", bump)
     source.modifiers.new("Smooth", "SUBSURF").levels = 1
     (note,) = notes_after(addon, source, use_modifiers=True)
     assert note == 'The UV map "WireWarp" is from an earlier run without Modifiers. It does not show these pieces.'

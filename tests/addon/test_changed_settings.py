@@ -6,7 +6,7 @@ from unittest.mock import MagicMock
 import bpy
 import pytest
 from everything import draw_panels
-from flattening import flatten_fails
+from flattening import flatten_fails, flattened
 from surfaces import bump, flat_of, grid, half_cylinder, on_line
 
 SENTENCE = "Settings changed after Flatten: {}. Flatten again to use them."
@@ -14,9 +14,7 @@ SENTENCE = "Settings changed after Flatten: {}. Flatten again to use them."
 
 @pytest.fixture
 def source():
-    target = grid("Bump", bump, size=4, wire=on_line(1, 0.0))
-    bpy.ops.object.wirewarp_flatten()
-    return target
+    return flattened("Bump", bump, size=4, wire=on_line(1, 0.0))
 
 
 def test_settings_of_the_methods_of_the_paper_are_under_advanced(addon):

@@ -7,7 +7,7 @@ import bmesh
 import bpy
 import numpy as np
 import pytest
-from flattening import flatten_fails, wire_marks
+from flattening import flatten_fails, flattened, wire_marks
 from surfaces import bump, flat_of, grid, make_object, on_line, read, select_only
 
 pytestmark = pytest.mark.api
@@ -119,8 +119,7 @@ def test_a_repair_keeps_seams_wires_and_maps(addon):
 
 
 def test_a_repair_leaves_edit_mode_of_the_pieces_so_that_undo_restores_the_model(addon):
-    source = grid("Bump", bump, size=4)
-    bpy.ops.object.wirewarp_flatten()
+    source = flattened("Bump", bump, size=4)
     source.data.vertices.add(1)
     select_only(flat_of(source))
     bpy.ops.object.mode_set(mode="EDIT")

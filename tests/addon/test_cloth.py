@@ -7,7 +7,7 @@ import bpy
 import numpy as np
 import pytest
 from everything import draw_panels
-from flattening import flat_places, flat_sources
+from flattening import flat_places, flat_sources, report_after
 from surfaces import bump, flat_of, grid, half_cylinder, on_line, read
 
 THREADS = ("weft_strain", "warp_strain", "shear_angle")
@@ -49,8 +49,7 @@ def test_maps_of_threads_need_a_fabric(source, addon):
 
 
 def test_a_fabric_that_does_not_stretch_enough_is_reported_with_the_place(source, addon, capfd):
-    bpy.ops.object.wirewarp_flatten(cloth="WOVEN", gives_across=1.0, gives_along=1.0)
-    report = addon.state.reports.last_report(source)
+    report = report_after(addon, source, cloth="WOVEN", gives_across=1.0, gives_along=1.0)
     (piece,), (hint,) = report.pieces, [each for each in report.hints if each.code == "beyond_cloth"]
     threads = piece.threads
     assert threads.over and max(threads.across, threads.along) > 0.01

@@ -8,9 +8,10 @@ import bpy
 import numpy as np
 import pytest
 from everything import draw_panels
-from flattening import fails, flatten_fails
-from surfaces import flat_of, grid, mark, mark_seam, on_line, read, select_edges, select_only
+from flattening import fails, flatten_fails, report_after
+from surfaces import everywhere, flat_of, grid, mark, mark_seam, on_edges, on_line, read, select_edges, select_only
 from two_sided import HEM, SEAM, ease, lengths, made, select_side, shares, two_pieces
+from view_context import marked_lines
 
 
 @pytest.fixture
@@ -81,9 +82,8 @@ def test_an_ease_of_edges_without_a_wire_is_reported(source, addon):
     bpy.ops.object.wirewarp_flatten()
     text = "3 edges have an ease but are not wires, so the ease was not used. Select them and press All Sides."
     assert addon.core.Note(text, is_warning=True) in addon.state.reports.last_report(source).notes
-    ease(source, lambda *_: True, sides="NONE")
-    bpy.ops.object.wirewarp_flatten()
-    assert addon.state.reports.last_report(source).notes == []
+    ease(source, everywhere, sides="NONE")
+    assert report_after(addon, source).notes == []
 
 
 @pytest.mark.parametrize("sides", ["ALL", "ONE"])
@@ -119,8 +119,7 @@ def test_one_side_is_the_side_of_the_smaller_piece_on_all_seams(addon):
     eased = np.flatnonzero(addon.state.allowances.SIDE_EASES.read(source.data))
     faces = np.repeat(np.arange(len(source.data.polygons)), [len(face.loop_indices) for face in source.data.polygons])
     middles = [source.data.polygons[face].center.x for face in faces[eased]]
-    assert len(eased) == 16 and min(map(abs, middles)) > 0.5
-    assert min(middles) < 0 < max(middles)
+    assert len(eased) == 16 and min(map(abs, middles)) > 0.5 and min(middles) < 0 < max(middles)
 
 
 def test_millimeters_of_a_side_refer_to_its_uneased_length(source):
@@ -164,9 +163,7 @@ def test_an_ease_of_one_side_at_a_mirror_is_unknown_until_it_is_marked_again(add
 
 def test_an_ease_without_a_side_names_its_edges(source, addon):
     ease(source, SEAM, sides="ONE", ease_percent=5.0)
-    select_edges(source, lambda a, b: SEAM(a, b) and a.y + b.y > 1)
-    bpy.ops.mesh.mark_seam(clear=True)
-    bpy.ops.object.mode_set(mode="OBJECT")
+    on_edges(source, bpy.ops.mesh.mark_seam, lambda a, b: SEAM(a, b) and a.y + b.y > 1, clear=True)
     flatten_fails("An ease names")
     (issue,) = addon.state.reports.last_report(source).issues
     assert (issue.code, len(issue.edges)) == ("ease_without_side", 2)
@@ -174,7 +171,7 @@ def test_an_ease_without_a_side_names_its_edges(source, addon):
 
 def arrow(addon, target):
     """Return the tail and the tip of the arrow of an ease, and the texts of all names."""
-    lines = addon.overlay.objects.marked_lines(target, bpy.context.evaluated_depsgraph_get())
+    lines = marked_lines(addon, target)
     tail, tip, *_ = lines.places["ease"]
     return tail, tip, [name.texts for name in lines.names]
 
@@ -193,8 +190,7 @@ def test_one_side_or_the_other_is_eased_and_an_arrow_points_into_it(source, addo
     assert sorted(eased["ONE"]) == pytest.approx([0.0, 0.05], abs=1e-5)
     assert eased["OTHER"] == pytest.approx(eased["ONE"][::-1], abs=1e-5)
     ease(source, SEAM, sides="NONE")
-    lines = addon.overlay.objects.marked_lines(source, bpy.context.evaluated_depsgraph_get())
-    assert "ease" not in lines.places
+    assert "ease" not in marked_lines(addon, source).places
 
 
 @pytest.mark.parametrize(
@@ -242,8 +238,7 @@ def eases_of(addon, report, kind):
 
 def test_an_eased_outline_has_its_target_length(source, addon):
     ease(source, HEM, sides="ONE", ease_percent=5.0)
-    bpy.ops.object.wirewarp_flatten()
-    report = addon.state.reports.last_report(source)
+    report = report_after(addon, source)
     places = read(source.data.vertices, "co", np.float32, 3).astype(float)
     hem = [v for v in range(9) if HEM(places[v], places[v])]
     half = np.linalg.norm(np.diff(places[hem], axis=0), axis=1).sum() / 2  # length of the hem in each of the two pieces
@@ -261,8 +256,7 @@ def test_panel_and_paper_say_which_side_is_longer_and_what_to_do(source, addon, 
     settings = bpy.context.scene.unit_settings
     settings.length_unit, settings.scale_length = "MILLIMETERS", 0.5  # so that the text has room on the pattern
     ease(source, SEAM, sides="ONE", ease_percent=percent)
-    bpy.ops.object.wirewarp_flatten()
-    (row,) = addon.state.reports.last_report(source).tables.seams
+    (row,) = report_after(addon, source).tables.seams
     units = addon.blender.objects.length_text(bpy.context.scene)
     left, right = shares(source)
     # The wearer's left is at +x. An ease of -40% makes the eased side shorter, so that the other side is named.
@@ -279,8 +273,7 @@ def test_panel_and_paper_say_which_side_is_longer_and_what_to_do(source, addon, 
 
 def test_the_list_of_seams_shows_the_change_of_all_sides(source, addon):
     mark(source, SEAM, kind="ELASTIC", tolerance=0.03)
-    bpy.ops.object.wirewarp_flatten()
-    (row,) = addon.state.reports.last_report(source).tables.seams
+    (row,) = report_after(addon, source).tables.seams
     left, right = shares(source)
     assert left == pytest.approx(right, abs=1e-5) and 1e-4 < abs(left) <= 0.03 + 1e-6
     assert row.note.endswith(f"; {addon.core.ease_text(left)} on all sides")

@@ -8,7 +8,7 @@ import blf
 import bpy
 import pytest
 from everything import draw_panels, drawn_buttons
-from flattening import fails, world_box
+from flattening import fails, report_after, world_box
 from surfaces import bump, flat_of, grid
 
 pytestmark = pytest.mark.api
@@ -27,8 +27,7 @@ def test_a_sample_is_added_with_its_fabric_and_is_ready_to_cut(addon, place):
     assert source.select_get() and len(bpy.data.scenes) == scenes
     settings = bpy.context.scene.wirewarp
     assert bpy.context.scene.unit_settings.length_unit == "MILLIMETERS"
-    bpy.ops.object.wirewarp_flatten(cloth=settings.cloth, fairness=settings.fairness)
-    assert addon.core.verdict(addon.state.reports.last_report(source)).is_ready
+    assert addon.core.verdict(report_after(addon, source, cloth=settings.cloth, fairness=settings.fairness)).is_ready
     assert "try a sample" not in draw_panels(addon)
 
 

@@ -133,8 +133,7 @@ def test_the_flat_pieces_carry_the_seams_and_wires_of_the_model():
     places = read(source.data.vertices, "co", np.float32, 3)[flat_sources(source)][edge_vertices(flat)]
     on = {value: np.array([on_line(1, value)(a, b) for a, b in places]) for value in (0.0, 0.5)}
     seam = np.array([on_line(0, 0.0)(a, b) for a, b in places])
-    assert seam.sum() == 16
-    assert np.array_equal(read(flat.edges, "use_seam", bool), seam)
+    assert seam.sum() == 16 and np.array_equal(read(flat.edges, "use_seam", bool), seam)
     assert np.array_equal(read(flat.edges, "use_edge_sharp", bool), on[0.0] | on[0.5])
     assert wire_marks(flat) == wire_marks(source.data)
     ids = read(flat.attributes["wirewarp_wire"].data, "value", np.int32)
@@ -175,8 +174,7 @@ def test_a_second_run_replaces_pieces_and_a_copy_gets_its_own():
     mark_seam(source, on_line(0, 0.0))
     flatten(source)
     assert (len(bpy.data.objects), len(bpy.data.meshes), len(source.data.uv_layers)) == before
-    assert flat.data == mesh
-    assert tuple(flat.location) == (5, 6, 7)
+    assert flat.data == mesh and tuple(flat.location) == (5, 6, 7)
     assert len(mesh.vertices) == len(source.data.vertices) + 9
     assert len(mesh.attributes["source_vertex"].data) == len(mesh.vertices)
     flat.name = "Bump Flat"

@@ -6,8 +6,8 @@ import math
 import bpy
 import numpy as np
 import pytest
-from flattening import edited, flatten, flatten_fails
-from surfaces import bump, flat_of, grid, make_object, on_line, select_edges
+from flattening import edited, flatten, flatten_fails, flattened
+from surfaces import bump, flat_of, grid, make_object, on_edges, on_line
 
 
 def hints(addon, source, code):
@@ -15,8 +15,7 @@ def hints(addon, source, code):
 
 
 def test_places_with_equal_strain_are_one_hint(addon):
-    target = grid("Domes", lambda x, y: (x, y, 0.3 * math.exp(-((abs(x) - 0.5) ** 2 + y * y) / 0.05)), size=32)
-    flatten(target)
+    target = flattened("Domes", lambda x, y: (x, y, 0.3 * math.exp(-((abs(x) - 0.5) ** 2 + y * y) / 0.05)), size=32)
     (hint,) = addon.state.reports.last_report(target).hints
     assert hint.short.endswith("most, at 2 places")
     across = np.array([polygon.center.x for polygon in target.data.polygons])[hint.faces]
@@ -66,12 +65,6 @@ def test_the_shortening_of_outlines_is_reported_and_levels_are_limited(addon, ca
     assert modifier.levels == addon.state.read_model.MOST_LEVELS
 
 
-def split(source, line):
-    select_edges(source, line)
-    bpy.ops.mesh.edge_split()
-    bpy.ops.object.mode_set(mode="OBJECT")
-
-
 @pytest.mark.parametrize(
     ("line", "count"),
     [
@@ -81,7 +74,7 @@ def split(source, line):
 )
 def test_overlapping_edges_are_reported_until_they_are_merged(addon, line, count):
     source = grid("Bump", bump)
-    split(source, line)
+    on_edges(source, bpy.ops.mesh.edge_split, line)
     flatten(source)
     (hint,) = hints(addon, source, "torn")
     report = addon.state.reports.last_report(source)
@@ -99,7 +92,7 @@ def test_overlapping_edges_are_reported_until_they_are_merged(addon, line, count
 
 def test_separate_panels_are_not_tears(addon):
     source = grid("Bump", bump)
-    split(source, on_line(0, 0.0))
+    on_edges(source, bpy.ops.mesh.edge_split, on_line(0, 0.0))
     with edited(source.data) as edit:
         for vertex in {vertex for face in edit.faces if face.calc_center_median().x > 0 for vertex in face.verts}:
             vertex.co.x += 1e-3
@@ -109,6 +102,6 @@ def test_separate_panels_are_not_tears(addon):
 
 def test_the_error_of_a_failed_piece_names_its_tears():
     source = grid("Bump", bump)
-    split(source, on_line(0, 0.0))
+    on_edges(source, bpy.ops.mesh.edge_split, on_line(0, 0.0))
     source.data.polygons[0].flip()
     flatten_fails("point to opposite sides(.|\\n)*Some edges overlap but are not joined")

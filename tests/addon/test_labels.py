@@ -6,11 +6,11 @@ import math
 import bpy
 import numpy as np
 import pytest
-from flattening import flatten
+from flattening import flatten, flattened
 from mathutils import Matrix
 from surfaces import bump, flat_of, grid, mark, on_line
 from two_sided import made
-from view_context import look
+from view_context import look, marked_lines
 
 HEIGHT, LETTER = 10.0, 6.0  # pixels
 
@@ -51,8 +51,7 @@ def test_the_name_of_a_small_piece_is_beside_it_and_not_on_another_piece(addon):
     assert inside.base > 100
     front = label(addon, "Front", room=20.0, box=box)
     (below,) = arrange([front], size_of)
-    assert below.base + HEIGHT < 90
-    assert below.left + size_of("Front")[0] / 2 == 100
+    assert below.base + HEIGHT < 90 and below.left + size_of("Front")[0] / 2 == 100
     back = label(addon, "Back", at=(100, 60), piece=2, box=[(0, 0), (200, 88)])  # a piece below Front
     above, _ = arrange([front, back], size_of)
     assert above.base > 110
@@ -69,8 +68,7 @@ def test_the_name_beside_a_slanted_piece_touches_it(addon):
 
 
 def test_the_outermost_vertices_of_a_piece_are_around_it(addon):
-    source = grid("Sheet", lambda x, y: (x, y, 0.0))
-    flatten(source)
+    source = flattened("Sheet", lambda x, y: (x, y, 0.0))
     (middle,) = addon.overlay.objects._middles(flat_of(source).data).values()
     low, high = middle.around.min(axis=0), middle.around.max(axis=0)
     assert len(middle.around) == 4 and np.allclose(high - low, (2, 2, 0))
@@ -97,20 +95,14 @@ def test_a_seam_names_the_joined_pieces_if_there_is_room_and_selected_names_are_
 
 @pytest.fixture
 def source():
-    target = grid("Bump", bump, seam=on_line(0, 0.0), wire=on_line(1, 0.0))
-    flatten(target)
-    return target
-
-
-def drawn(addon, target):
-    return addon.overlay.objects.marked_lines(target, bpy.context.evaluated_depsgraph_get())
+    return flattened("Bump", bump, seam=on_line(0, 0.0), wire=on_line(1, 0.0))
 
 
 def test_on_the_model_a_seam_names_both_pieces_and_on_each_piece_the_other(addon, source):
     names = [piece.name for piece in addon.state.reports.last_report(source).pieces]
-    on_model = {name.texts[0] for name in drawn(addon, source).names}
+    on_model = {name.texts[0] for name in marked_lines(addon, source).names}
     assert f"Seam 1: {names[0]} – {names[1]}" in on_model
-    on_flat = {name.texts[0] for name in drawn(addon, flat_of(source)).names}
+    on_flat = {name.texts[0] for name in marked_lines(addon, flat_of(source)).names}
     assert {f"Seam 1: {name}" for name in names} < on_flat
 
 
@@ -132,7 +124,7 @@ def test_names_hide_at_most_a_quarter_of_a_model_that_is_far_away(addon):
 
 def arrows(addon, source, kind):
     """Return the vector (k,2) of each arrow from its tail to its tip."""
-    corners = drawn(addon, flat_of(source)).places.get(kind, np.empty((0, 3))).reshape(-1, 6, 3)
+    corners = marked_lines(addon, flat_of(source)).places.get(kind, np.empty((0, 3))).reshape(-1, 6, 3)
     return corners[:, 1, :2] - corners[:, 0, :2]
 
 
@@ -145,7 +137,7 @@ def angles(addon, source):
 
 def test_an_upright_grain_arrow_lies_inside_every_piece(addon, source):
     assert angles(addon, source) == pytest.approx([90, 90], abs=1e-3)
-    lines = drawn(addon, flat_of(source)).places
+    lines = marked_lines(addon, flat_of(source)).places
     outline = np.concatenate([lines["seam"], lines["outline"]])
     for corners in lines["default grain"].reshape(2, -1, 3):
         assert np.linalg.norm(outline[:, None] - corners, axis=2).min() > 0.05

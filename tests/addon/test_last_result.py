@@ -8,7 +8,7 @@ import bpy
 import numpy as np
 import pytest
 from everything import answer, draw_panels
-from flattening import flatten_fails, raise_vertex, uv_of
+from flattening import flatten_fails, flattened, raise_vertex, report_after, uv_of
 from surfaces import bump, flat_of, grid, read, select_only
 from test_failures import cube
 
@@ -34,8 +34,7 @@ def test_a_failed_run_keeps_the_report_of_the_pieces(source, addon, tmp_path):
     uv = uv_of(source.data)
     fail(source)
     assert np.array_equal(uv_of(source.data), uv) and len(flat_of(source).data.polygons) == 64
-    assert not addon.state.reports.last_report(source).ok
-    assert addon.state.reports.pieces_report(source).ok
+    assert not addon.state.reports.last_report(source).ok and addon.state.reports.pieces_report(source).ok
     words = draw_panels(addon)
     assert "Not flattened" in words or "The model has changed since" in words
     assert export(tmp_path) == "{'FINISHED'}"
@@ -144,16 +143,13 @@ def test_a_copy_of_the_pieces_is_distinguished_from_them(source, addon, tmp_path
     assert sentence in draw_panels(addon) and sentence in export(tmp_path)
     select_only(source)
     assert export(tmp_path) == "{'FINISHED'}"
-    bpy.ops.object.wirewarp_flatten()
-    assert any(sentence in note.text for note in addon.state.reports.last_report(source).notes)
+    assert any(sentence in note.text for note in report_after(addon, source).notes)
     bpy.data.objects.remove(copy)
-    bpy.ops.object.wirewarp_flatten()
-    assert not addon.state.reports.last_report(source).notes
+    assert not report_after(addon, source).notes
 
 
 def test_the_longest_name_leaves_room_for_the_suffix_of_its_pieces():
-    source = grid("ä" * 200, bump, size=4)
-    bpy.ops.object.wirewarp_flatten()
+    source = flattened("ä" * 200, bump, size=4)
     bpy.ops.object.wirewarp_flatten()
     (flat,) = [each for each in bpy.data.objects if each.wirewarp_source == source]
     assert flat.name.startswith("ää") and flat.name.endswith("ä Flat")

@@ -4,8 +4,8 @@
 import bpy
 import numpy as np
 import pytest
-from flattening import edge_vertices, flat_places, flat_sources, flatten, world_box
-from surfaces import bump, flat_of, grid, half_cylinder, mark, mark_seam, on_line, read, select_edges, select_only
+from flattening import edge_vertices, flat_places, flat_sources, flatten, flattened, world_box
+from surfaces import bump, flat_of, grid, half_cylinder, mark, mark_seam, on_edges, on_line, read, select_only
 from two_sided import select_side
 
 
@@ -82,17 +82,14 @@ def test_a_chosen_grain_wire_turns_pieces_and_can_be_undone():
 @pytest.mark.parametrize("mode", ["OBJECT", "EDIT"])
 def test_either_a_wire_or_its_copy_can_be_the_grain_wire(mode):
     source = two_wires()
-    select_edges(source, lambda *_: True)
-    bpy.ops.mesh.duplicate_move(TRANSFORM_OT_translate={"value": (0, 5, 0)})
-    bpy.ops.object.mode_set(mode="OBJECT")
+    on_edges(source, bpy.ops.mesh.duplicate_move, lambda *_: True, TRANSFORM_OT_translate={"value": (0, 5, 0)})
     original, copy = edge_of_wire(source, ALONG_X), edge_of_wire(source, [81 + vertex for vertex in ALONG_X])
     bpy.ops.object.mode_set(mode=mode)
     bpy.ops.mesh.wirewarp_grain_wire(edge=copy)
     assert source.mode == mode
     bpy.ops.object.mode_set(mode="OBJECT")
     ids = read(source.data.attributes["wirewarp_wire"].data, "value", np.int32)
-    assert ids[original] != ids[copy]
-    assert source.data.wirewarp_grain == ids[copy]
+    assert ids[original] != ids[copy] and source.data.wirewarp_grain == ids[copy]
 
 
 def test_pieces_without_the_grain_wire_are_upright_as_on_the_model():
@@ -175,17 +172,14 @@ def mark_one_side(source):
 
 def mark_one_side_and_clear_it(source):
     mark_one_side(source)
-    select_edges(source, on_line(0, 0.0))
-    assert bpy.ops.mesh.wirewarp_allowance(kind="DEFAULT") == {"FINISHED"}
-    bpy.ops.object.mode_set(mode="OBJECT")
+    assert on_edges(source, bpy.ops.mesh.wirewarp_allowance, on_line(0, 0.0), kind="DEFAULT") == {"FINISHED"}
 
 
 def mark_a_former_seam(source):
-    select_edges(source, on_line(1, 0.0))
-    bpy.ops.mesh.mark_seam()
-    assert bpy.ops.mesh.wirewarp_allowance(kind="WIDTH", width=40.0) == {"FINISHED"}
-    bpy.ops.mesh.mark_seam(clear=True)
-    bpy.ops.object.mode_set(mode="OBJECT")
+    line = on_line(1, 0.0)
+    mark_seam(source, line)
+    assert on_edges(source, bpy.ops.mesh.wirewarp_allowance, line, kind="WIDTH", width=40.0) == {"FINISHED"}
+    on_edges(source, bpy.ops.mesh.mark_seam, line, clear=True)
 
 
 @pytest.mark.parametrize(
@@ -203,8 +197,7 @@ def test_the_gap_counts_from_the_widest_allowance_on_an_outline(mark_widths, wid
 
 
 def test_another_allowance_alone_moves_no_piece():
-    source = grid("Plane", lambda x, y: (x, y, 0), seam=on_line(0, 0.0))
-    flatten(source)
+    source = flattened("Plane", lambda x, y: (x, y, 0), seam=on_line(0, 0.0))
     before = read(flat_of(source).data.vertices, "co", np.float32, 3)
     bpy.context.scene.wirewarp.allowance = 40.0
     flatten(source)

@@ -7,7 +7,8 @@ import bpy
 import numpy as np
 import pytest
 from flattening import edge_vertices, flat_places, flat_sources, uv_of
-from surfaces import bump, flat_of, grid, half_cylinder, mark, on_line, read, select_edges
+from surfaces import bump, flat_of, grid, half_cylinder, mark, on_line, read
+from two_sided import ease
 
 pytestmark = pytest.mark.api
 
@@ -96,9 +97,7 @@ def test_lines_with_their_target_length_have_no_change(addon):
     bpy.ops.object.wirewarp_flatten(cloth="SWIM", worn_across=20.0, worn_along=20.0, orientation="UP")
     values, _ = variations(target)
     assert values == pytest.approx(0, abs=1e-5)
-    select_edges(target, on_line(1, -1.0))
-    bpy.ops.mesh.wirewarp_ease(sides="ONE", ease_percent=5.0)
-    bpy.ops.object.mode_set(mode="OBJECT")
+    ease(target, on_line(1, -1.0), sides="ONE", ease_percent=5.0)
     bpy.ops.object.wirewarp_flatten()
     values, on_outline = variations(target)
     assert values[on_outline] == pytest.approx(0, abs=1e-5) and values.max() > 0.01

@@ -7,7 +7,7 @@ import bmesh
 import bpy
 import pytest
 from flattening import edited, fails, wire_marks
-from surfaces import bump, flat_of, grid, mark, on_line, select_edges, select_only
+from surfaces import bump, everywhere, flat_of, grid, mark, on_edges, on_line, select_edges, select_only
 
 pytestmark = pytest.mark.api
 
@@ -52,8 +52,7 @@ def test_crossing_lines_are_two_wires_however_they_are_marked(at_once):
     target.scale.z = 0
     for lines in [(EAST_WEST, NORTH_SOUTH)] if at_once else [(EAST_WEST,), (NORTH_SOUTH,)]:
         mark(target, *lines)
-    assert list(wire_marks(target.data).values()) == [8, 8]
-    assert names(target) == ["Wire 1", "Wire 2"]
+    assert list(wire_marks(target.data).values()) == [8, 8] and names(target) == ["Wire 1", "Wire 2"]
 
 
 def test_marking_a_whole_wire_again_changes_its_kind_and_keeps_its_id_and_name():
@@ -76,11 +75,8 @@ def test_marking_a_part_of_a_wire_makes_a_wire_of_its_own():
 def test_clear_removes_the_marks_and_the_name():
     target = grid("Bump", bump)
     mark(target, EAST_WEST, NORTH_SOUTH)
-    select_edges(target, EAST_WEST)
-    assert bpy.ops.mesh.wirewarp_clear() == {"FINISHED"}
-    bpy.ops.object.mode_set(mode="OBJECT")
-    assert list(wire_marks(target.data).values()) == [8]
-    assert len(names(target)) == 1
+    assert on_edges(target, bpy.ops.mesh.wirewarp_clear, EAST_WEST) == {"FINISHED"}
+    assert list(wire_marks(target.data).values()) == [8] and len(names(target)) == 1
     select_edges(target, on_line(1, 0.5))
     assert bpy.ops.mesh.wirewarp_clear() == {"CANCELLED"}
 
@@ -106,8 +102,8 @@ def test_all_or_none_of_several_objects_are_marked(operator):
     second.data.attributes.new("wirewarp_wire", "FLOAT", "EDGE")
     before = wire_marks(first.data)
     bpy.ops.object.mode_set(mode="EDIT")
-    with pytest.raises(RuntimeError, match='attribute "wirewarp_wire" of mesh "Second"'):
-        getattr(bpy.ops.mesh, f"wirewarp_{operator}")(**{"kind": "SUPER_ELASTIC"} if operator == "mark" else {})
+    settings = {"kind": "SUPER_ELASTIC"} if operator == "mark" else {}
+    fails(getattr(bpy.ops.mesh, f"wirewarp_{operator}"), 'attribute "wirewarp_wire" of mesh "Second"', **settings)
     bpy.ops.object.mode_set(mode="OBJECT")
     assert wire_marks(first.data) == before
 
@@ -151,10 +147,9 @@ def test_marks_of_models_are_refused_on_flat_pieces(command):
     select_only(source)
     bpy.ops.object.wirewarp_flatten()
     flat = flat_of(source)
-    select_edges(flat, lambda *_: True)
+    select_edges(flat, everywhere)
     before = wire_marks(flat.data)
-    with pytest.raises(RuntimeError, match="These are flat pieces: .* on the model"):
-        getattr(bpy.ops.mesh, f"wirewarp_{command}")()
+    fails(getattr(bpy.ops.mesh, f"wirewarp_{command}"), "These are flat pieces: .* on the model")
     assert wire_marks(flat.data) == before
     bpy.ops.object.mode_set(mode="OBJECT")
     select_only(source, flat)

@@ -4,7 +4,7 @@
 import bpy
 import numpy as np
 import pytest
-from flattening import fails, flatten, notify, raise_vertex
+from flattening import fails, flatten, flattened, notify, raise_vertex
 from mathutils import Euler, Matrix, Vector
 from surfaces import bump, flat_of, grid, new_object, on_line, select_edges, select_only
 
@@ -13,14 +13,12 @@ LINE, OTHER = on_line(1, 0.0), on_line(0, 0.0)
 
 @pytest.fixture
 def source():
-    target = grid("Bump", bump, seam=OTHER, wire=LINE)
-    flatten(target)
-    return target
+    return flattened("Bump", bump, seam=OTHER, wire=LINE)
 
 
 @pytest.fixture
-def has_changed(addon, source):
-    return lambda: addon.state.changes.has_changed(source, addon.state.reports.last_report(source).model_state)
+def has_changed(addon):
+    return lambda target: addon.state.changes.has_changed(target, addon.state.reports.last_report(target).model_state)
 
 
 EDITS = {  # the line to select, or None for all elements, and the edit of the selection
@@ -37,18 +35,18 @@ EDITS = {  # the line to select, or None for all elements, and the edit of the s
 @pytest.mark.parametrize("change", EDITS)
 def test_edits_are_seen_in_both_modes(source, has_changed, change):
     line, edit = EDITS[change]
-    assert not has_changed()
+    assert not has_changed(source)
     select_edges(source, line or LINE)
     if line is None:
         bpy.ops.mesh.select_all(action="SELECT")
-    assert not has_changed()
+    assert not has_changed(source)
     edit()
     bpy.context.view_layer.update()
-    assert has_changed()
+    assert has_changed(source)
     bpy.ops.object.mode_set(mode="OBJECT")
-    assert has_changed()
+    assert has_changed(source)
     bpy.ops.object.wirewarp_flatten()
-    assert not has_changed()
+    assert not has_changed(source)
 
 
 def test_scale_is_a_change_but_place_and_an_applied_scale_of_one_are_not(source, has_changed):
@@ -58,13 +56,13 @@ def test_scale_is_a_change_but_place_and_an_applied_scale_of_one_are_not(source,
     bpy.ops.object.transform_apply(location=False, rotation=False, scale=True)
     source.data.vertices[40].co.x = 0.0  # because some versions of Blender keep the sign
     source.data.update()
-    assert not has_changed()
+    assert not has_changed(source)
     source.location, source.rotation_euler = (1, 2, 3), (0.1, 0.2, 0.3)
     bpy.context.view_layer.update()
-    assert not has_changed()
+    assert not has_changed(source)
     source.scale.x = 1.01
     bpy.context.view_layer.update()
-    assert has_changed()
+    assert has_changed(source)
 
 
 def placed(source):
@@ -84,7 +82,7 @@ def test_applying_a_transformation_keeps_all_lengths_so_it_is_no_change(source, 
     before = [*source.data.vertices[0].co]
     bpy.ops.object.transform_apply(location=location, rotation=rotation, scale=scale)
     assert [*source.data.vertices[0].co] != before
-    assert not has_changed()
+    assert not has_changed(source)
     assert bpy.ops.object.wirewarp_export_svg(filepath=str(tmp_path / "pattern.svg")) == {"FINISHED"}
     assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
 
@@ -93,30 +91,29 @@ def test_a_change_beside_an_applied_scale_is_noticed(source, has_changed):
     placed(source)
     bpy.ops.object.transform_apply(scale=True)
     raise_vertex(source, 1e-3)
-    assert has_changed()
+    assert has_changed(source)
     flatten(source)
     source.scale.x = 1.01
     bpy.ops.object.transform_apply(scale=True)
-    assert not np.allclose(source.matrix_world.to_scale(), (1.01, 1, 1)) and has_changed()
+    assert not np.allclose(source.matrix_world.to_scale(), (1.01, 1, 1)) and has_changed(source)
 
 
 def test_the_smallest_change_counts_if_no_transformation_was_applied(source, has_changed):
     """Applied transformations have larger rounding errors than this change."""
     source.data.vertices[40].co.z = np.nextafter(np.float32(source.data.vertices[40].co.z), np.float32(1))
     notify(source)
-    assert has_changed()
+    assert has_changed(source)
 
 
-def test_applying_a_transformation_with_modifiers_is_no_change(addon, smooth):
+def test_applying_a_transformation_with_modifiers_is_no_change(smooth, has_changed):
     smooth.modifiers.remove(smooth.modifiers["Mirror"])
     placed(smooth)
-    report = addon.state.reports.last_report(smooth)
     bpy.ops.object.transform_apply(location=True, rotation=True, scale=True)
-    assert not addon.state.changes.has_changed(smooth, report.model_state)
+    assert not has_changed(smooth)
     displace = smooth.modifiers.new("Displace", "DISPLACE")
     displace.strength = 0.001
     bpy.context.view_layer.update()
-    assert addon.state.changes.has_changed(smooth, report.model_state)
+    assert has_changed(smooth)
 
 
 def test_selections_names_unused_modifiers_and_shape_keys_in_edit_mode_are_no_changes(source, has_changed):
@@ -124,21 +121,21 @@ def test_selections_names_unused_modifiers_and_shape_keys_in_edit_mode_are_no_ch
     source.data.uv_layers.new(name="Mine")
     source.modifiers.new("Wave", "WAVE")
     select_edges(source, LINE)
-    assert not has_changed()
+    assert not has_changed(source)
     bpy.ops.object.mode_set(mode="OBJECT")
-    assert not has_changed()
+    assert not has_changed(source)
     source.shape_key_add(name="Basis")
     source.shape_key_add(name="Taller").data[40].co.z += 1
     source.active_shape_key_index = 1
     bpy.ops.object.mode_set(mode="EDIT")
-    assert not has_changed()
+    assert not has_changed(source)
 
 
 def test_an_attribute_of_another_type_is_a_change(source, has_changed):
     source.data.attributes.remove(source.data.attributes["wirewarp_wire"])
     source.data.attributes.new("wirewarp_wire", "FLOAT", "POINT")
     notify(source)
-    assert has_changed()
+    assert has_changed(source)
 
 
 @pytest.fixture
@@ -170,7 +167,7 @@ CHANGES = {
 
 
 @pytest.mark.parametrize("change", CHANGES)
-def test_changed_modifiers_are_seen_by_report_export_and_auto_update(addon, smooth, tmp_path, change):
+def test_changed_modifiers_are_seen_by_report_export_and_auto_update(addon, smooth, has_changed, tmp_path, change):
     def taken():
         bpy.context.view_layer.update()
         return addon.flatten.auto_update.take_changed(bpy.context)
@@ -182,24 +179,24 @@ def test_changed_modifiers_are_seen_by_report_export_and_auto_update(addon, smoo
     CHANGES[change](smooth)
     assert taken() == [smooth]
     assert taken() == []  # Auto tries each state once.
-    assert addon.state.changes.has_changed(smooth, addon.state.reports.last_report(smooth).model_state)
+    assert has_changed(smooth)
     fails(bpy.ops.object.wirewarp_export_svg, "has changed since it was flattened", filepath=str(path))
     bpy.ops.object.wirewarp_flatten(use_modifiers=True)
     assert taken() == []
     assert bpy.ops.object.wirewarp_export_svg(filepath=str(path)) == {"FINISHED"}
 
 
-def test_a_model_may_move_together_with_the_objects_of_its_modifiers(addon, smooth):
-    report, mirror = addon.state.reports.last_report(smooth), bpy.data.objects["Mirror"]
+def test_a_model_may_move_together_with_the_objects_of_its_modifiers(smooth, has_changed):
+    mirror = bpy.data.objects["Mirror"]
     for step in range(1, 6):
         motion = Matrix.LocRotScale(Vector((0.37, -7.1, 12.3)) * step, Euler((0.3, 0.2 * step, 1.1)), None)
         for moved in (smooth, mirror):
             moved.matrix_world = motion @ moved.matrix_world
         bpy.context.view_layer.update()
-        assert not addon.state.changes.has_changed(smooth, report.model_state)
+        assert not has_changed(smooth)
     mirror.location.x += 0.001
     bpy.context.view_layer.update()
-    assert addon.state.changes.has_changed(smooth, report.model_state)
+    assert has_changed(smooth)
 
 
 @pytest.mark.parametrize("count", [1, 100, 100_000])
@@ -229,17 +226,16 @@ def test_rounding_errors_of_a_modifier_along_normals_are_not_changes(addon):
     assert addon.state.changes.has_changed(target, report.model_state, addon.state.memory.read_anew)
 
 
-def test_another_frame_of_an_animated_modifier_is_a_change(addon, smooth):
+def test_another_frame_of_an_animated_modifier_is_a_change(smooth, has_changed):
     modifier = smooth.modifiers["Smooth"]
     for frame, levels in ((1, 1), (20, 2)):
         modifier.levels = levels
         modifier.keyframe_insert("levels", frame=frame)
     bpy.context.scene.frame_set(1)
     bpy.ops.object.wirewarp_flatten(use_modifiers=True)
-    report = addon.state.reports.last_report(smooth)
-    assert not addon.state.changes.has_changed(smooth, report.model_state)
+    assert not has_changed(smooth)
     bpy.context.scene.frame_set(20)
-    assert addon.state.changes.has_changed(smooth, report.model_state)
+    assert has_changed(smooth)
 
 
 def test_a_hidden_model_with_modifiers_must_be_shown_first(smooth, tmp_path):

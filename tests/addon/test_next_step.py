@@ -6,8 +6,8 @@ from types import SimpleNamespace
 import bpy
 import pytest
 from everything import draw_panels, drawn_buttons
-from flattening import fails, flatten_fails
-from surfaces import bump, flat_of, grid, make_object, mark, on_line, select_edges, select_only, tube
+from flattening import fails, flatten_fails, flattened
+from surfaces import bump, everywhere, flat_of, grid, make_object, mark, on_edges, on_line, select_only, tube
 from test_proposals import CUT, inside, joined, seams_of
 
 FIX = bpy.ops.object.wirewarp_mend
@@ -15,11 +15,6 @@ FIX = bpy.ops.object.wirewarp_mend
 
 def step_of(addon, source, left_out=()):
     return addon.report_panel.next_step.next_step(addon.state.reports.last_report(source), list(left_out))
-
-
-def ready(addon, source):
-    """Return whether all lengths of the last report are exact. Stretch of the fabric does not count."""
-    return addon.state.reports.last_report(source).ok
 
 
 @pytest.mark.parametrize("mode", ["OBJECT", "EDIT"])
@@ -32,7 +27,7 @@ def test_proposed_seams_are_marked_and_flattened_with_one_click(addon, mode):
     step = step_of(addon, source)
     assert (step.text, step.settings) == ("Mark and Flatten", {"what": "SEAMS"})
     assert FIX(**step.settings) == {"FINISHED"}
-    assert (source.mode, ready(addon, source), step_of(addon, source)) == (mode, True, None)
+    assert (source.mode, addon.state.reports.last_report(source).ok, step_of(addon, source)) == (mode, True, None)
     assert "object.wirewarp_mend" not in drawn_buttons(addon)
 
 
@@ -49,9 +44,7 @@ def sliver():
 def loose_faces():
     """Return a mesh in which each face has vertices of its own, as in some files."""
     source = grid("Loose", bump, size=48)
-    select_edges(source, lambda *_: True)
-    bpy.ops.mesh.edge_split()
-    bpy.ops.object.mode_set(mode="OBJECT")
+    on_edges(source, bpy.ops.mesh.edge_split, everywhere)
     return source
 
 
@@ -80,7 +73,7 @@ def test_a_fault_is_fixed_and_the_model_flattened_with_one_click(addon, make, sa
     # The fault is below the verdict and in the report. All panels are drawn twice: narrow and wide.
     assert draw_panels(addon).count(fault) == 4
     assert FIX(**step.settings) == {"FINISHED"}
-    assert len(source.data.polygons) == faces and ready(addon, source)
+    assert len(source.data.polygons) == faces and addon.state.reports.last_report(source).ok
     assert len(source.data.vertices) == (49 * 49 if make is loose_faces else len(source.data.vertices))
     fails(FIX, again, **step.settings)
 
@@ -117,8 +110,7 @@ def test_ignored_modifiers_turn_the_verdict_amber_and_are_used_afterwards(addon)
 
 def test_places_without_a_remedy_are_shown(addon):
     """The button shows the worst place of a strained piece, or the place of a failure."""
-    source = grid("Peak", lambda x, y: (x, y, 3 * (1 - x * x) * (1 - y * y)), size=6)
-    bpy.ops.object.wirewarp_flatten()
+    source = flattened("Peak", lambda x, y: (x, y, 3 * (1 - x * x) * (1 - y * y)), size=6)
     step = step_of(addon, source)
     assert (step.text, step.settings) == ("Show Worst Place", {"what": "HINT", "index": 0})
     assert drawn_buttons(addon).count("object.wirewarp_suggest_darts") == 2  # narrow and wide
@@ -131,8 +123,7 @@ def test_places_without_a_remedy_are_shown(addon):
 
 def test_an_evenly_strained_piece_gets_a_suggested_cut(addon):
     """Some fabrics cannot stretch as much as this piece, but no place in it is strained enough for a hint."""
-    source = grid("Low", lambda x, y: (x, y, 0.3 * (1 - x * x) * (1 - y * y)), size=6)
-    bpy.ops.object.wirewarp_flatten()
+    source = flattened("Low", lambda x, y: (x, y, 0.3 * (1 - x * x) * (1 - y * y)), size=6)
     report = addon.state.reports.last_report(source)
     assert report.pieces[0].is_strained and not report.hints and step_of(addon, source) is None
     assert drawn_buttons(addon).count("object.wirewarp_suggest_darts") == 2  # narrow and wide
@@ -147,8 +138,7 @@ def test_the_button_is_refused_without_a_fault(addon):
 
 
 def test_flat_pieces_represent_their_model(addon):
-    source = grid("Bump", bump)
-    bpy.ops.object.wirewarp_flatten()
+    source = flattened("Bump", bump)
     mark(source, on_line(0, 0.0))
     select_only(flat_of(source))
     assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
@@ -169,8 +159,7 @@ def test_edges_proposed_for_mirror_images_are_counted_once(addon):
 
 
 def test_refusals_of_flatten_are_reported(addon):
-    source = grid("Bump", bump)
-    bpy.ops.object.wirewarp_flatten()
+    source = flattened("Bump", bump)
     source.hide_set(True)
     fails(FIX, '"Bump" is hidden', what="MODIFIERS")
     assert not bpy.context.scene.wirewarp.use_modifiers
@@ -194,7 +183,7 @@ def test_modifiers_are_applied_so_that_proposed_edges_can_be_marked(addon, mode)
     step = step_of(addon, source)
     assert step.text == "Mark and Flatten"
     assert FIX(**step.settings) == {"FINISHED"}
-    assert ready(addon, source)
+    assert addon.state.reports.last_report(source).ok
 
 
 def test_modifiers_of_a_shared_mesh_are_not_applied(addon):
@@ -224,8 +213,7 @@ def test_the_strained_place_is_the_largest_of_the_worst_piece(addon):
 
 
 def test_amber_offers_fabrics_and_one_click_flattens_for_one(addon):
-    source = grid("Bump", bump, size=4)
-    bpy.ops.object.wirewarp_flatten()
+    source = flattened("Bump", bump, size=4)
     report = addon.state.reports.last_report(source)
     offered, others = addon.report_panel.flatten_panel.fabrics_to_choose(report)
     needed = report.pieces[0].needed
@@ -277,19 +265,14 @@ def test_a_fabric_is_offered_if_it_stretches_far_enough_in_each_direction(addon)
 
 
 def test_pieces_without_room_for_their_allowances_are_named(addon, capfd):
-    source = grid("Strip", lambda x, y: (0.1 * x, 0.008 * y, 0.0))  # a strip of 200 by 16 mm
-    bpy.ops.object.wirewarp_flatten()
+    source = flattened("Strip", lambda x, y: (0.1 * x, 0.008 * y, 0.0))  # a strip of 200 by 16 mm
     message = capfd.readouterr().out
     assert "no room for two allowances" in message and "Ready to cut" not in message
     words = "has no room for two allowances in one place, and may be too narrow to sew."
     for allowance, is_named in ((10.0, True), (5.0, False), (10.0, True)):
         bpy.context.scene.wirewarp.allowance = allowance
         assert (f"{source.wirewarp_pieces[0].name} {words}" in draw_panels(addon)) == is_named
-    select_only(source)
-    bpy.ops.object.mode_set(mode="EDIT")
-    bpy.ops.mesh.select_all(action="SELECT")
-    bpy.ops.mesh.wirewarp_allowance(kind="WIDTH", width=2.0)
-    bpy.ops.object.mode_set(mode="OBJECT")
+    on_edges(source, bpy.ops.mesh.wirewarp_allowance, everywhere, kind="WIDTH", width=2.0)
     capfd.readouterr()
     bpy.ops.object.wirewarp_flatten()
     shown, message = draw_panels(addon), capfd.readouterr().out

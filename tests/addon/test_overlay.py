@@ -8,10 +8,10 @@ import bpy
 import numpy as np
 import pytest
 from everything import sidebar
-from flattening import flatten_fails, notify, raise_vertex
+from flattening import flatten_fails, flattened, notify, raise_vertex, report_after
 from mathutils import Vector
 from surfaces import bump, flat_of, grid, make_object, mark, mark_seam, on_line, read, select_edges, select_only, tube
-from view_context import look, view_context
+from view_context import look, marked_lines, view_context
 
 pytestmark = pytest.mark.api
 
@@ -32,23 +32,15 @@ def source():
     return target
 
 
-def depsgraph():
-    return bpy.context.evaluated_depsgraph_get()
-
-
-def lines_of(addon, target):
-    return addon.overlay.objects.marked_lines(target, depsgraph())
-
-
 def edges_of(lines):
     return {kind: len(places) // 2 for kind, places in lines.places.items()}
 
 
 def test_lines_of_each_kind_lie_on_their_edges_on_the_model_and_on_the_pieces(addon, source):
     wires = {"rigid": 8, "elastic": 8, "free": 8}
-    assert edges_of(lines_of(addon, source)) == {"seam": 8, "outline": 32, **wires}
-    assert edges_of(lines_of(addon, flat_of(source))) == {"seam": 16, "outline": 32, "default grain": 2 * 3, **wires}
-    places = lines_of(addon, source).places
+    assert edges_of(marked_lines(addon, source)) == {"seam": 8, "outline": 32, **wires}
+    assert edges_of(marked_lines(addon, flat_of(source))) == {"seam": 16, "outline": 32, "default grain": 6, **wires}
+    places = marked_lines(addon, source).places
     assert np.all(np.abs(places["seam"][:, 0]) < 1e-6)
     for kind, y in (("rigid", 0.0), ("elastic", 0.5), ("free", -0.5)):
         assert places[kind][:, 1] == pytest.approx(np.full(16, y), abs=1e-6)
@@ -59,11 +51,11 @@ def test_lines_of_each_kind_lie_on_their_edges_on_the_model_and_on_the_pieces(ad
 @pytest.mark.parametrize("flat", [False, True])
 def test_edit_mode_shows_the_same_lines_and_names(addon, source, flat):
     target = flat_of(source) if flat else source
-    before = lines_of(addon, target)
+    before = marked_lines(addon, target)
     select_only(target)
     bpy.ops.object.mode_set(mode="EDIT")
     bpy.ops.mesh.select_all(action="DESELECT")
-    during = lines_of(addon, target)
+    during = marked_lines(addon, target)
     before.places.pop("default grain", None)  # Arrows and names of pieces are drawn in Object Mode only.
     assert during.places.keys() == before.places.keys()
     for kind, places in before.places.items():
@@ -73,57 +65,56 @@ def test_edit_mode_shows_the_same_lines_and_names(addon, source, flat):
 
 
 def test_an_object_with_the_same_mesh_shows_its_lines_in_edit_mode(addon, source):
-    before = lines_of(addon, source)
+    before = marked_lines(addon, source)
     select_only(source)
     bpy.ops.object.duplicate(linked=True)
     other = bpy.context.active_object
     select_only(source)
     bpy.ops.object.mode_set(mode="EDIT")
     assert (other.mode, source.mode) == ("OBJECT", "EDIT")
-    assert edges_of(lines_of(addon, other)).items() >= edges_of(before).items()
+    assert edges_of(marked_lines(addon, other)).items() >= edges_of(before).items()
     shown = {drawing.target: drawing for drawing in addon.overlay.shown.drawings(view_context())}
     assert (shown[other].failures, shown[other].surface) == (None, None)
 
 
 def test_names_are_those_of_the_report_and_are_on_their_lines(addon, source):
-    on_model = [name.texts[-1] for name in lines_of(addon, source).names]
+    on_model = [name.texts[-1] for name in marked_lines(addon, source).names]
     assert sorted(on_model) == ["Seam 1", "Waist", "Wire 2 ±5%", "Wire 3"]
-    on_pieces = [name.texts[-1] for name in lines_of(addon, flat_of(source)).names]
+    on_pieces = [name.texts[-1] for name in marked_lines(addon, flat_of(source)).names]
     assert sorted(on_pieces) == sorted(2 * on_model + ["Top Left", "Top Right"])
-    lines = lines_of(addon, source)
+    lines = marked_lines(addon, source)
     name = next(name for name in lines.names if name.texts == ("Waist",))
     for place in name.places:
         assert np.linalg.norm(lines.places["rigid"] - place, axis=1).min() < 0.25
-    assert abs(name.places[0][0]) < 0.3
-    assert min(name.places[:, 0]) < -0.5 < 0.5 < max(name.places[:, 0])
+    assert abs(name.places[0][0]) < 0.3 and min(name.places[:, 0]) < -0.5 < 0.5 < max(name.places[:, 0])
     assert name.normals[0][2] > 0.9
 
 
 def test_edges_with_their_own_allowance_are_seen_on_the_model(addon, source):
-    assert "allowance" not in lines_of(addon, source).places
+    assert "allowance" not in marked_lines(addon, source).places
     select_edges(source, SEAM)
     bpy.ops.mesh.wirewarp_allowance(kind="HEM")
-    lines = lines_of(addon, source)
+    lines = marked_lines(addon, source)
     assert np.array_equal(lines.places["allowance"], lines.places["seam"])
     bpy.ops.object.mode_set(mode="OBJECT")
     bpy.ops.object.wirewarp_flatten()
-    assert "allowance" not in lines_of(addon, flat_of(source)).places  # Flat pieces have cutting lines instead.
+    assert "allowance" not in marked_lines(addon, flat_of(source)).places  # Flat pieces have cutting lines instead.
     assert addon.overlay.lines.STYLES["allowance"].width > 1.5 * addon.overlay.lines.STYLES["seam"].width
 
 
 def test_selected_edges_are_seen_on_their_lines(addon, source):
     select_edges(source, on_line(1, 0.0))
-    lines = lines_of(addon, source)
+    lines = marked_lines(addon, source)
     assert len(lines.places["selected"]) == len(lines.places["rigid"])
     assert list(addon.overlay.lines.STYLES)[-1] == "selected"  # so that it is drawn last, over wider lines
     width_of = {kind: style.width for kind, style in addon.overlay.lines.STYLES.items()}
     assert all(width_of["selected"] < 0.6 * width_of[kind] for kind in ("outline", "seam", "free", "elastic", "rigid"))
     bpy.ops.mesh.select_all(action="DESELECT")
-    assert "selected" not in lines_of(addon, source).places
+    assert "selected" not in marked_lines(addon, source).places
     bpy.ops.object.mode_set(mode="OBJECT")
     source.modifiers.new("Smooth", "SUBSURF").levels = 1
     bpy.context.view_layer.update()
-    assert edges_of(lines_of(addon, source))["rigid"] == 16  # The visible modifier halves edges.
+    assert edges_of(marked_lines(addon, source))["rigid"] == 16  # The visible modifier halves edges.
 
 
 def test_seams_of_a_changed_model_keep_their_names_without_the_joined_pieces(addon, source):
@@ -131,15 +122,15 @@ def test_seams_of_a_changed_model_keep_their_names_without_the_joined_pieces(add
     for mode in ("OBJECT", "EDIT"):
         select_only(source)
         bpy.ops.object.mode_set(mode=mode)
-        assert ("Seam 1",) in [name.texts for name in lines_of(addon, source).names]
+        assert ("Seam 1",) in [name.texts for name in marked_lines(addon, source).names]
     bpy.ops.object.mode_set(mode="OBJECT")
     source.data.edges.foreach_set("use_seam", np.zeros(len(source.data.edges), dtype=bool))
-    assert ("Seam 1",) not in [name.texts for name in lines_of(addon, source).names]
-    assert "Seam 1" in [name.texts[-1] for name in lines_of(addon, flat_of(source)).names]
+    assert ("Seam 1",) not in [name.texts for name in marked_lines(addon, source).names]
+    assert "Seam 1" in [name.texts[-1] for name in marked_lines(addon, flat_of(source)).names]
 
 
 def surface_of(addon, target, color_map):
-    return addon.overlay.objects.colored_surface(target, depsgraph(), color_map)
+    return addon.overlay.objects.colored_surface(target, bpy.context.evaluated_depsgraph_get(), color_map)
 
 
 def colors_by_face(mesh, surface):
@@ -154,8 +145,7 @@ def test_a_face_has_the_color_of_its_flat_face(addon, source):
     on_model = colors_by_face(source.data, surface_of(addon, source, color_map))
     on_pieces = colors_by_face(flat.data, surface_of(addon, flat, color_map))
     sources = read(flat.data.attributes["source_face"].data, "value", np.int32).tolist()
-    assert len(set(map(tuple, on_model.values()))) > 10
-    assert len(on_pieces) == len(on_model)
+    assert len(set(map(tuple, on_model.values()))) > 10 and len(on_pieces) == len(on_model)
     for face, color in on_pieces.items():
         assert color == pytest.approx(on_model[sources[face]], abs=1e-6)
     source.modifiers.new("Smooth", "SUBSURF").levels = 1
@@ -199,9 +189,8 @@ def test_names_are_written_where_their_lines_are_seen(addon, source, perspective
     bpy.context.view_layer.update()
     above = look(addon, source, (10, 0, 4.4), (10, 0, 0), perspective)
     assert above["Waist"].points[0] == pytest.approx([400, 300], abs=15)
-    assert np.ptp(above["Waist"].points[:, 0]) > 80
-    assert np.ptp(above["Waist"].points[:, 1]) < 1
-    (reach,) = (name.reach for name in lines_of(addon, source).names if name.texts == ("Waist",))
+    assert np.ptp(above["Waist"].points[:, 0]) > 80 and np.ptp(above["Waist"].points[:, 1]) < 1
+    (reach,) = (name.reach for name in marked_lines(addon, source).names if name.texts == ("Waist",))
     assert above["Waist"].reach == pytest.approx(100 * reach, rel=0.03)  # 100 pixels per unit at this distance
     assert look(addon, source, (10, 0, -4.4), (10, 0, 0), perspective) == {}  # from behind the surface
     assert look(addon, source, (10, 0, 4.4), (10, 0, 9), perspective) == {}  # in the other direction
@@ -233,8 +222,7 @@ def test_names_behind_another_part_of_the_model_are_not_written(addon, perspecti
 
 
 def test_all_names_of_the_piece_that_is_chosen_in_the_list_are_written(addon):
-    source = grid("Bump", bump, seam=on_line(0, 0.0))
-    bpy.ops.object.wirewarp_flatten()
+    source = flattened("Bump", bump, seam=on_line(0, 0.0))
     flat = flat_of(source)
     eye = sum((Vector(corner) for corner in flat.bound_box), Vector()) / 8 + Vector((0, 0, 20))
     for chosen in range(2):
@@ -261,8 +249,7 @@ def test_a_map_shows_its_figure_or_why_it_is_missing(addon, source, notes):
     needed = max(piece.needed for piece in addon.state.reports.last_report(source).pieces)
     figure = f"99% of the area: up to {addon.core.percent_text(needed)} in the worst direction"
     assert notes("STRETCH_COLOR", "map_notes") == [figure]
-    assert notes("LENGTH_VARIATION_COLOR", "map_notes") == []
-    assert notes("STRETCH_COLOR") == []
+    assert notes("LENGTH_VARIATION_COLOR", "map_notes") == [] and notes("STRETCH_COLOR") == []
     assert notes("WEFT_STRAIN_COLOR") == ["No fabric was chosen: no map"]
     raise_vertex(source)
     assert notes("STRETCH_COLOR") == ["Model changed: flatten again"]
@@ -271,8 +258,7 @@ def test_a_map_shows_its_figure_or_why_it_is_missing(addon, source, notes):
 
 
 def test_the_legend_shows_the_figures_of_the_piece_list_and_no_others(addon, source, notes):
-    bpy.ops.object.wirewarp_flatten(cloth="JERSEY")
-    threads = [piece.threads for piece in addon.state.reports.last_report(source).pieces]
+    threads = [piece.threads for piece in report_after(addon, source, cloth="JERSEY").pieces]
     across, along, shear = (max(getattr(each, way) for each in threads) for way in ("across", "along", "shear"))
     figures = {
         "WEFT_STRAIN_COLOR": addon.core.percent_text(across),
@@ -333,8 +319,7 @@ def test_a_failed_piece_has_lines_around_it_and_none_inside(addon):
     assert len(found.triangles) == 3 * 2 * 12
     drawn = found.lines["failed"].reshape(-1, 2, 3)
     around = np.abs(drawn[:, 0, 2] - drawn[:, 1, 2]) < 1e-6
-    assert around.sum() == 2 * 12
-    assert (~around).sum() <= len(issue.vertices)
+    assert around.sum() == 2 * 12 and (~around).sum() <= len(issue.vertices)
 
 
 def test_a_closed_model_has_not_failed_but_a_closed_piece_beside_a_good_one_is_in_the_legend(addon):

@@ -107,8 +107,7 @@ def test_the_legend_is_in_its_box_and_nothing_covers_a_text(addon, map_name, uni
         for text in legend.texts
     ]
     for left, bottom, right, top in [*texts, *((box.left, box.bottom, box.right, box.top) for box in legend.boxes)]:
-        assert ground.left <= left < right <= ground.right
-        assert ground.bottom <= bottom < top <= ground.top
+        assert ground.left <= left < right <= ground.right and ground.bottom <= bottom < top <= ground.top
     for a, b in combinations(texts, 2):
         assert a[2] <= b[0] or b[2] <= a[0] or a[3] <= b[1] or b[3] <= a[1]
 

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 from drawing import SVG, Drawing
 from everything import AnyLayout, draw_panels, sidebar
-from flattening import flat_places
-from surfaces import flat_of, grid, on_line, select_edges, select_only
+from flattening import flat_places, flattened
+from surfaces import flat_of, grid, on_edges, on_line, select_edges, select_only
 from test_export import pages as pages_in
 from two_sided import two_pieces
 from view_context import view_context
@@ -76,8 +76,7 @@ def test_copies_are_drawn_once_in_file_and_preview(addon, at_once, tmp_path, arr
 
 
 def test_the_list_of_pieces_does_not_change_what_is_drawn_once(addon):
-    source = grid("Flat", lambda x, y: (x, y, 0.0), seam=on_line(0, 0.0))
-    bpy.ops.object.wirewarp_flatten()
+    source = flattened("Flat", lambda x, y: (x, y, 0.0), seam=on_line(0, 0.0))
     bpy.context.scene.wirewarp.pairs, bpy.context.scene.wirewarp.on_fold = True, False
     one, other = (piece.name for piece in source.wirewarp_pieces)
     given = view_context(), source, flat_of(source)
@@ -87,8 +86,7 @@ def test_the_list_of_pieces_does_not_change_what_is_drawn_once(addon):
 
 
 def test_the_panel_says_that_no_pieces_are_equal(addon):
-    source = grid("Uneven", lambda x, y: (x * (1.2 + 0.2 * x + 0.1 * y), y * (1.3 + 0.1 * x + 0.3 * y), 0.0))
-    bpy.ops.object.wirewarp_flatten()
+    source = flattened("Uneven", lambda x, y: (x * (1.2 + 0.2 * x + 0.1 * y), y * (1.3 + 0.1 * x + 0.3 * y), 0.0))
     settings = bpy.context.scene.wirewarp
     for settings.pairs, settings.on_fold, said in (
         (True, False, ["No two pieces have the same shape."]),
@@ -102,8 +100,7 @@ def test_the_panel_says_that_no_pieces_are_equal(addon):
 def test_the_list_of_pieces_makes_no_pattern_until_names_or_marked_allowances_change(addon, at_once, monkeypatch):
     made, cut_lines = [], addon.overlay.shown.cut_lines
     monkeypatch.setattr(addon.overlay.shown, "cut_lines", lambda *a, **b: (made.append(b), cut_lines(*a, **b))[1])
-    source = grid("Flat", lambda x, y: (x, y, 0.0), seam=on_line(0, 0.0))
-    bpy.ops.object.wirewarp_flatten()
+    source = flattened("Flat", lambda x, y: (x, y, 0.0), seam=on_line(0, 0.0))
     one, other = (piece.name for piece in source.wirewarp_pieces)
     given = view_context(), source, flat_of(source)
 
@@ -119,9 +116,7 @@ def test_the_list_of_pieces_makes_no_pattern_until_names_or_marked_allowances_ch
     assert sentence(other) and len(made) == 1
     source.wirewarp_pieces[1].name = "Lining"
     assert sentence() == "Cut 2, with Lining. Can be cut on the fold" and len(made) == 2
-    select_edges(source, on_line(0, 1.0))
-    bpy.ops.mesh.wirewarp_allowance(kind="WIDTH", width=30.0)
-    bpy.ops.object.mode_set(mode="OBJECT")
+    on_edges(source, bpy.ops.mesh.wirewarp_allowance, on_line(0, 1.0), kind="WIDTH", width=30.0)
     assert sentence() == "Can be cut on the fold" and len(made) == 3
 
 

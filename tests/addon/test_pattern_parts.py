@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from everything import export_dialog
 from flattening import edge_lengths, edge_vertices
-from surfaces import bump, flat_of, grid, mark, on_line, read, select_edges
+from surfaces import bump, flat_of, grid, mark, on_edges, on_line, read
 
 SEAM, WIRE = on_line(0, 0.0), on_line(1, 0.0)
 
@@ -65,11 +65,8 @@ def test_pieces_have_names_outlines_and_wires_of_the_model(addon, source, mirror
 
 def test_allowances_of_edges_sides_and_folds_are_in_millimeters(addon, source):
     bpy.ops.object.wirewarp_flatten()
-    select_edges(source, on_line(0, 1.0))
-    bpy.ops.mesh.wirewarp_allowance(kind="HEM", hem=30.0)
-    select_edges(source, on_line(0, -1.0))
-    bpy.ops.mesh.wirewarp_allowance(kind="FOLD")
-    bpy.ops.object.mode_set(mode="OBJECT")
+    on_edges(source, bpy.ops.mesh.wirewarp_allowance, on_line(0, 1.0), kind="HEM", hem=30.0)
+    on_edges(source, bpy.ops.mesh.wirewarp_allowance, on_line(0, -1.0), kind="FOLD")
     both, sides, folds = addon.export.read.read_pattern(bpy.context.scene, source).allowances
     model = read(source.data.vertices, "co", np.float32, 3)
     assert sides == [] and [width for *_, width in both] == pytest.approx([30.0] * len(both))
@@ -144,5 +141,4 @@ def test_each_format_gets_its_options(addon):
         return export_dialog(addon, format="PDF", **settings).choices().options
 
     assert pdf(paper="ROLL", roll_width=900.0)["paper"] == 900.0
-    assert pdf(arrangement="MARKER")["paper"] is None
-    assert pdf(arrangement="AS_LAID_OUT")["keep_places"]
+    assert pdf(arrangement="MARKER")["paper"] is None and pdf(arrangement="AS_LAID_OUT")["keep_places"]

@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 from flattening import edited, flatten_fails
 from surfaces import bump, flat_of, grid, make_object, mark_seam, new_object, on_line, read, select_edges, select_only
+from view_context import marked_lines
 
 TURN = [2 * math.pi * k / 8 for k in range(8)]
 TUBE_FACES = [[k, (k + 1) % 8, (k + 1) % 8 + 8, k + 8] for k in range(8)]
@@ -59,8 +60,7 @@ def test_a_tube_turned_inside_out_keeps_front_and_back_and_is_reported():
     tube = make_object("Tube", [(x, y, z) for z in (0, 1) for x, y in around], TUBE_FACES)
     mark_seam(tube, on_line(1, 0.0))
     assert sorted(flatten(tube)) == ["Back", "Front"]
-    assert middle_of(tube, "Front")[1] < 0
-    assert json.loads(tube["wirewarp_report"])["notes"] == []
+    assert middle_of(tube, "Front")[1] < 0 and json.loads(tube["wirewarp_report"])["notes"] == []
     tube.wirewarp_pieces.clear()
     tube.data.flip_normals()
     assert sorted(flatten(tube)) == ["Back", "Front"]
@@ -206,8 +206,7 @@ def test_a_name_given_by_the_user_stays_when_the_model_is_reshaped_and_subdivide
     bpy.ops.mesh.subdivide()
     assert sorted(flatten(source)) == ["Sleeve", "Top Right"]
     bpy.ops.object.mode_set(mode="OBJECT")
-    assert len(source.data.polygons) == 256
-    assert middle_of(source, "Sleeve")[0] > 0
+    assert len(source.data.polygons) == 256 and middle_of(source, "Sleeve")[0] > 0
 
 
 def test_the_larger_of_two_parts_keeps_the_name(source):
@@ -259,8 +258,7 @@ def test_names_in_the_report_and_the_overlay_follow_a_renaming_at_once(source, a
     assert sorted(piece.name for piece in report.pieces) == ["Sleeve", "Top Right"]
     (row,) = report.tables.seams
     assert sorted(side.label for side in row.sides) == ["Sleeve", "Top Right"]
-    depsgraph = bpy.context.evaluated_depsgraph_get()
-    drawn = [name.texts[-1] for name in addon.overlay.objects.marked_lines(flat_of(source), depsgraph).names]
+    drawn = [name.texts[-1] for name in marked_lines(addon, flat_of(source)).names]
     assert {"Sleeve", "Top Right"} <= set(drawn)
 
 

@@ -9,12 +9,13 @@ import bpy
 import numpy as np
 import pytest
 from everything import drawn_buttons
-from flattening import edge_lengths, edge_vertices, edited, fails, flat_places, flat_sources, flatten, flatten_fails
+from flattening import edited, fails, flat_places, flat_sources, flatten, flatten_fails, flattened
 from mathutils import Vector
-from surfaces import bump, flat_of, grid, mark, mark_seam, on_line, read, select_edges, select_only
+from surfaces import bump, everywhere, flat_of, mark, mark_seam, on_edges, on_line, read, select_only
+from test_flatten import assert_true_lengths
+from test_piece_names import HALVES, names_of
 
 SEAM = on_line(0, 0.0)
-HALVES = ["Top Left", "Top Right"]
 NEAR = 1e-5  # tolerance of single precision for coordinates of about 10
 
 
@@ -44,22 +45,9 @@ def boxes(source):
     return {name: (points.min(axis=0), points.max(axis=0)) for name, points in own}
 
 
-def assert_true(source):
-    """Check that every outline edge has its length on the model."""
-    flat, sources = flat_of(source).data, flat_sources(source)
-    on_model = dict(zip(map(frozenset, edge_vertices(source.data).tolist()), edge_lengths(source), strict=True))
-    outline = np.bincount(read(flat.loops, "edge_index", np.int32), minlength=len(flat.edges)) == 1
-    expected = [on_model[frozenset(pair)] for pair in sources[edge_vertices(flat)[outline]].tolist()]
-    assert edge_lengths(flat_of(source))[outline] == pytest.approx(np.array(expected), rel=1e-5)
-
-
 @pytest.fixture
 def notes(source, addon):
     return lambda: [note.text for note in addon.state.reports.last_report(source).notes]
-
-
-def names_of(source):
-    return [entry.name for entry in source.wirewarp_pieces]
 
 
 def move(source, name, angle=0.0, by=(0.0, 0.0)):
@@ -88,12 +76,10 @@ def test_pieces_moved_and_turned_by_the_user_stay(source):
     flatten(source)
     again = places_of(source)
     assert 1e-4 < farthest(again, before) < 0.05
-    assert_true(source)
+    assert_true_lengths(source, tolerance=NEAR)
     flatten(source)
     assert_same_places(places_of(source), again)
-    select_edges(source, lambda *_: True)
-    bpy.ops.mesh.subdivide(smoothness=0)
-    bpy.ops.object.mode_set(mode="OBJECT")
+    on_edges(source, bpy.ops.mesh.subdivide, everywhere, smoothness=0)
     flatten(source)
     assert len(places_of(source)) > 3 * len(before) and farthest(places_of(source), before) < 0.1
     select_only(flat_of(source))
@@ -113,7 +99,7 @@ def test_a_new_piece_goes_beside_the_others(source):
     (new,) = set(names_of(source)) - {"Top Left", "Top Right"}
     found = boxes(source)
     assert all(are_apart(found[new], found[other]) for other in ("Top Left", "Top Right"))
-    assert_true(source)
+    assert_true_lengths(source, tolerance=NEAR)
 
 
 def test_a_piece_that_grew_into_another_is_moved_beside_it_with_a_message(source, notes):
@@ -169,8 +155,7 @@ def test_a_failed_piece_returns_to_its_place_or_beside_a_piece_that_is_there_now
 
 @pytest.mark.parametrize("is_selected", [True, False])
 def test_only_the_active_model_is_rearranged(source, is_selected):
-    other = grid("Other", bump, seam=SEAM)
-    flatten(other)
+    other = flattened("Other", bump, seam=SEAM)
     laid_out = places_of(source)
     for each in (source, other):
         move(each, "Top Left", by=(7, 8))
@@ -221,8 +206,7 @@ def test_a_rotated_model_is_mentioned_only_if_the_grain_wire_leaves_out_a_piece(
 
 
 def test_a_dart_does_not_confuse_the_fit():
-    source = grid("Bump", bump, seam=lambda a, b: on_line(1, 0.0)(a, b) and a[0] + b[0] > 0)
-    bpy.ops.object.wirewarp_flatten()
+    source = flattened("Bump", bump, seam=lambda a, b: on_line(1, 0.0)(a, b) and a[0] + b[0] > 0)
     move(source, "Bump", angle=-0.7, by=(-3, 1))
     before = flat_places(source)
     flatten(source)
@@ -304,7 +288,7 @@ def test_lengths_are_true_again_after_the_flat_object_was_edited(source, change)
     flatten(source)
     assert len(mesh.polygons) == len(source.data.polygons)
     assert np.all(read(mesh.vertices, "co", np.float32, 3)[:, 2] == 0)
-    assert_true(source)
+    assert_true_lengths(source, tolerance=NEAR)
 
 
 def test_unreadable_pieces_are_laid_out_again_for_the_rotated_model(source, notes):

@@ -11,8 +11,9 @@ import bpy
 import numpy as np
 import pytest
 from everything import draw_panels, sidebar
-from flattening import edge_lengths, edge_vertices, fails, flatten_fails, notify, raise_vertex
+from flattening import edge_lengths, edge_vertices, fails, flatten_fails, flattened, notify, raise_vertex, report_after
 from surfaces import bump, flat_of, grid, mark, on_line
+from view_context import marked_lines
 
 WIRE, SEAM = on_line(1, 0.0), on_line(0, 0.0)
 
@@ -63,8 +64,7 @@ def test_the_report_states_lengths_in_blender_units_and_meters(source, tmp_path)
 )
 def test_the_row_of_a_wire_shows_the_use_of_its_tolerance(source, addon, kind, tolerance, method, note):
     mark(source, WIRE, kind=kind, tolerance=tolerance)
-    bpy.ops.object.wirewarp_flatten(method=method)
-    report = addon.state.reports.last_report(source)
+    report = report_after(addon, source, method=method)
     (row,) = report.tables.wires
     assert row.note == f"Top Right, Top Left{note}"
     is_at_limit = "limit" in note
@@ -84,8 +84,7 @@ def test_a_sentence_is_broken_where_it_fills_the_sidebar(addon):
             lines = addon.ui.layout.broken(context, text)
             assert " ".join(lines) == text
             counts.append(len(lines))
-        assert counts == sorted(counts, reverse=True)
-        assert (counts[0] > 5, counts[-1]) == (True, 1)
+        assert counts == sorted(counts, reverse=True) and (counts[0] > 5, counts[-1]) == (True, 1)
 
 
 def test_a_canceled_piece_with_exact_lengths_reports_it(addon, monkeypatch):
@@ -111,8 +110,7 @@ def test_a_canceled_piece_with_exact_lengths_reports_it(addon, monkeypatch):
         return addon.solve.report.object_report(result, arrays, facts, identities, [], 1.0)
 
     first, last = report_of_run(0), report_of_run(1_000_000)
-    assert not first.ok
-    assert "Canceled before the piece was flat" in first.issues[0].sentence
+    assert not first.ok and "Canceled before the piece was flat" in first.issues[0].sentence
     assert (last.ok, last.notes) == (True, [])
     stopped = next(report for report in map(report_of_run, itertools.count()) if report.ok)
     assert stopped.pieces[0].termination == "cancelled"
@@ -123,8 +121,7 @@ def test_a_canceled_piece_with_exact_lengths_reports_it(addon, monkeypatch):
 def test_notes_are_not_warnings(addon, source):
     """The message after a run contains its notes. It is a warning only if one of the notes is a warning."""
     bpy.ops.object.wirewarp_flatten()
-    bpy.ops.object.wirewarp_flatten(use_modifiers=True)
-    report = addon.state.reports.last_report(source)
+    report = report_after(addon, source, use_modifiers=True)
     (note,) = report.notes
     assert "from an earlier run without Modifiers" in note.text
     level, text = addon.solve.report.run_message([report], {})
@@ -148,8 +145,7 @@ def test_the_method_and_the_settings_reach_the_core(source, tmp_path):
 
 
 def test_the_report_is_saved_with_the_object(source, addon, tmp_path):
-    bpy.ops.object.wirewarp_flatten()
-    before = addon.state.reports.last_report(source)
+    before = report_after(addon, source)
     assert before.ok
     bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "flat.blend"))
     bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "flat.blend"))
@@ -205,16 +201,15 @@ def test_the_report_follows_the_names_of_wires(addon):
     assert names() == ['"Hip \\1" ±0.2%', '"Wire 2" ±0.1%']
     words = draw_panels(addon)
     assert "Hip \\1" in words and "Wire 1" not in words
-    drawn = addon.overlay.objects.marked_lines(flat_of(source), bpy.context.evaluated_depsgraph_get())
-    assert sorted(name.texts[-1] for name in drawn.names) == ["Bump", "Hip \\1 ±0.2%", "Wire 2 ±0.1%"]
+    drawn = [name.texts[-1] for name in marked_lines(addon, flat_of(source)).names]
+    assert sorted(drawn) == ["Bump", "Hip \\1 ±0.2%", "Wire 2 ±0.1%"]
     for entry in source.data.wirewarp_names:
         entry.name = "Waist"
     assert [wire.name for wire in addon.state.reports.last_report(source).wires] == ["Waist", "Waist (2)"]
 
 
 def test_the_report_is_parsed_and_its_rows_are_made_once(addon, source):
-    bpy.ops.object.wirewarp_flatten()
-    report = addon.state.reports.last_report(source)
+    report = report_after(addon, source)
     tables = report.tables
     assert addon.state.reports.last_report(source) is report and report.tables is tables
     assert [side.label for side in tables.seams[0].sides] == ["Top Right", "Top Left"]
@@ -226,8 +221,7 @@ def test_the_table_for_spreadsheets_is_in_the_scenes_units(addon, source, capfd)
     settings = bpy.context.scene.unit_settings
     fails(bpy.ops.object.wirewarp_copy_report, '"Bump" has not been flattened yet')
     settings.system, settings.length_unit, settings.scale_length = "METRIC", "CENTIMETERS", 0.1
-    bpy.ops.object.wirewarp_flatten()
-    report = addon.state.reports.last_report(source)
+    report = report_after(addon, source)
     text = addon.core.report_csv(report, addon.blender.objects.length_text(bpy.context.scene))
     lines = list(csv.DictReader(io.StringIO(text)))
     assert [line["Kind"] for line in lines] == ["Seam", "Seam", "Wire", "Open edge", "Open edge", "Piece", "Piece"]
@@ -242,8 +236,7 @@ def test_the_table_for_spreadsheets_is_in_the_scenes_units(addon, source, capfd)
 
 
 def test_the_list_of_pieces_has_the_worst_first(addon):
-    source = grid("Bump", bump, seam=on_line(0, 0.5))
-    bpy.ops.object.wirewarp_flatten()
+    source = flattened("Bump", bump, seam=on_line(0, 0.5))
     listed = bpy.types.WIREWARP_UL_pieces
     this = SimpleNamespace(filter_name="", bitflag_filter_item=1 << 30, use_filter_sort_alpha=False)
     shown, places = listed.filter_items(this, bpy.context, source, "wirewarp_pieces")

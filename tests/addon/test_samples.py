@@ -41,8 +41,7 @@ def check_mesh_and_marks(shape, mesh):
     for wire in shape.wires:
         chain = np.column_stack([wire.vertices[:-1], wire.vertices[1:]])
         own = ids == zlib.crc32(wire.name.encode()) & 0x7FFFFFFF
-        assert pairs(edges[own]) == pairs(chain)
-        assert (tolerances[own] == np.float32(wire.tolerance)).all()
+        assert pairs(edges[own]) == pairs(chain) and (tolerances[own] == np.float32(wire.tolerance)).all()
     assert {entry.name for entry in mesh.wirewarp_names} == {wire.name for wire in shape.wires}
 
 

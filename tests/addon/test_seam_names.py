@@ -8,8 +8,9 @@ import bpy
 import numpy as np
 import pytest
 from everything import draw_panels
-from flattening import flatten, flatten_fails
-from surfaces import bump, flat_of, grid, mark_seam, on_line, read, select_only, tube
+from flattening import flatten, flatten_fails, flattened
+from surfaces import bump, everywhere, flat_of, mark_seam, on_edges, on_line, read, select_only, tube
+from view_context import marked_lines
 
 DOWN = on_line(0, 0.0)
 
@@ -20,9 +21,7 @@ def at(x):
 
 @pytest.fixture
 def source():
-    target = grid("Bump", bump, seam=at(0.5))
-    flatten(target)
-    return target
+    return flattened("Bump", bump, seam=at(0.5))
 
 
 def seams(addon, target):
@@ -52,10 +51,7 @@ def test_a_new_seam_changes_no_other_number_and_numbers_are_not_reused(addon, so
 def test_a_seam_keeps_its_name_through_edits(addon, source, tmp_path):
     source.wirewarp_seams[0].name = "Side"
     mark_seam(source, DOWN)
-    bpy.ops.object.mode_set(mode="EDIT")
-    bpy.ops.mesh.select_all(action="SELECT")
-    bpy.ops.mesh.subdivide()
-    bpy.ops.object.mode_set(mode="OBJECT")
+    on_edges(source, bpy.ops.mesh.subdivide, everywhere)
     flatten(source)
     assert seams(addon, source) == {"Side": [0.5, 0.0], "Seam 2": [0.0, 0.0]}
     bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "saved.blend"))
@@ -67,13 +63,11 @@ def test_the_longer_part_of_a_divided_seam_keeps_the_name(addon, source):
     mark_seam(source, lambda a, b: on_line(1, 0.5)(a, b) and min(a[0], b[0]) > 0.4)
     flatten(source)
     found = seams(addon, source)
-    assert found["Seam 1"] == [0.5, -0.25]
-    assert sorted(found) == ["Seam 1", "Seam 2", "Seam 3"]
+    assert found["Seam 1"] == [0.5, -0.25] and sorted(found) == ["Seam 1", "Seam 2", "Seam 3"]
 
 
 def test_a_seam_that_ends_inside_is_a_dart_and_one_that_opens_a_tube_is_not(addon):
-    target = grid("Bump", bump, seam=lambda a, b: DOWN(a, b) and max(a[1], b[1]) < 0.1)
-    flatten(target)
+    target = flattened("Bump", bump, seam=lambda a, b: DOWN(a, b) and max(a[1], b[1]) < 0.1)
     assert list(seams(addon, target)) == ["Dart 1"]
     assert addon.state.reports.last_report(target).tables.seams[0].note == "Bump"
     mark_seam(target, DOWN)  # The seam now divides the piece.
@@ -114,8 +108,7 @@ def test_a_seam_without_a_name_gets_a_new_name_that_stays_when_a_run_is_refused(
     source.scale.x = 0.0
     select_only(source)
     flatten_fails("scaled to zero")
-    lines = addon.overlay.objects.marked_lines(source, bpy.context.evaluated_depsgraph_get())
-    assert [name.texts for name in lines.names] == [("Seam 2",)]
+    assert [name.texts for name in marked_lines(addon, source).names] == [("Seam 2",)]
 
 
 class MovingEntries(list):

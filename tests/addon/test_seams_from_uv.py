@@ -5,11 +5,12 @@ import bpy
 import numpy as np
 import pytest
 from everything import draw_panels, drawn_buttons
-from flattening import edge_vertices, fails, flatten, flatten_fails
+from flattening import edge_vertices, fails, flatten, flatten_fails, flattened
 from mathutils import Vector
-from surfaces import bump, grid, mark_seam, on_line, read, select_edges, select_only
+from surfaces import bump, everywhere, grid, mark_seam, on_edges, on_line, read, select_only
 
 CUT, ACROSS = on_line(0, 0.0), on_line(1, 0.0)
+MARK = bpy.ops.mesh.wirewarp_seams_from_uv_islands
 
 
 def with_islands(faces="quads"):
@@ -39,13 +40,9 @@ def test_the_borders_of_islands_become_seams_and_present_ones_stay(faces):
     target = with_islands(faces)
     mark_seam(target, ACROSS)
     present = edges_on(target.data, ACROSS)
-    select_edges(target)
-    assert bpy.ops.mesh.wirewarp_seams_from_uv_islands() == {"FINISHED"}
-    assert target.mode == "EDIT"
-    bpy.ops.object.mode_set(mode="OBJECT")
+    assert on_edges(target, MARK) == {"FINISHED"}
     borders = edges_on(target.data, CUT)
-    assert len(borders) == 8
-    assert seam_edges(target.data) == borders | present
+    assert len(borders) == 8 and seam_edges(target.data) == borders | present
 
 
 @pytest.mark.api
@@ -53,16 +50,13 @@ def test_after_a_run_the_users_own_map_is_read(capfd):
     target = with_islands()
     flatten(target)
     assert target.data.uv_layers.active.name == "WireWarp"
-    select_edges(target)
-    bpy.ops.mesh.wirewarp_seams_from_uv_islands()
+    on_edges(target, MARK)
     assert '8 edges marked as seam, from the UV map "Map"' in capfd.readouterr().out
-    bpy.ops.object.mode_set(mode="OBJECT")
     assert seam_edges(target.data) == edges_on(target.data, CUT)
     target.data.uv_layers["Map"].name = "Lightmap"
     target.data.uv_layers.new(name="Islands", do_init=False).active_render = True
     target.data.uv_layers.active = target.data.uv_layers["WireWarp"]
-    select_edges(target)
-    bpy.ops.mesh.wirewarp_seams_from_uv_islands()
+    on_edges(target, MARK)
     assert 'the UV map "Islands"' in capfd.readouterr().out
 
 
@@ -71,22 +65,17 @@ def test_the_active_map_is_read_and_a_missing_map_is_refused(capfd):
     target = with_islands()
     plain = target.data.uv_layers.new(name="Plain", do_init=False)  # All corners are at one point of this map.
     target.data.uv_layers.active = plain
-    select_edges(target)
-    assert bpy.ops.mesh.wirewarp_seams_from_uv_islands() == {"CANCELLED"}
+    assert on_edges(target, MARK) == {"CANCELLED"}
     assert 'No new seams: every island border of the UV map "Plain" is a seam already' in capfd.readouterr().out
-    bpy.ops.object.mode_set(mode="OBJECT")
     assert seam_edges(target.data) == set()
     select_only(target, grid("Bare", bump))
     bpy.ops.object.mode_set(mode="EDIT")
-    fails(bpy.ops.mesh.wirewarp_seams_from_uv_islands, '"Bare" has no UV map')
+    fails(MARK, '"Bare" has no UV map')
     bpy.ops.object.mode_set(mode="OBJECT")
     assert seam_edges(target.data) == set()  # Either all selected models get seams or none does.
-    other = grid("Bump", bump, seam=CUT)
-    flatten(other)
-    select_edges(other)
-    bpy.ops.mesh.select_all(action="SELECT")
-    bpy.ops.mesh.mark_seam(clear=True)
-    bpy.ops.mesh.wirewarp_seams_from_uv_islands()
+    other = flattened("Bump", bump, seam=CUT)
+    on_edges(other, bpy.ops.mesh.mark_seam, everywhere, clear=True)
+    on_edges(other, MARK)
     assert '8 edges marked as seam, from the UV map "WireWarp"' in capfd.readouterr().out
 
 
@@ -156,8 +145,7 @@ def test_seams_of_a_map_that_lowers_the_stretch_are_offered_for_a_model_without_
     _, by_map = addon.flatten.read.solved_pieces(source)
     assert by_map.size == 2  # pieces that are kept, so that marking the seams solves nothing again
     report = addon.state.reports.last_report(source)
-    assert report.uv_seams.pieces == 2
-    assert 0 < report.uv_seams.stretch < report.pieces[0].needed
+    assert report.uv_seams.pieces == 2 and 0 < report.uv_seams.stretch < report.pieces[0].needed
     mark_seam(source, ACROSS)
     flatten(source)
     assert uv_seams_of(addon, source) is None
@@ -209,9 +197,7 @@ def test_seams_of_the_map_are_offered_although_some_of_their_pieces_exceed_every
 
 def test_an_island_for_each_face_comes_after_suggestions(addon):
     source = cube()
-    bpy.ops.object.mode_set(mode="EDIT")
-    bpy.ops.mesh.subdivide(number_cuts=3)
-    bpy.ops.object.mode_set(mode="OBJECT")
+    on_edges(source, bpy.ops.mesh.subdivide, everywhere, number_cuts=3)
     uv = source.data.uv_layers.active.data
     for face in source.data.polygons:
         for loop in face.loop_indices:

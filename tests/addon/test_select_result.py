@@ -102,8 +102,7 @@ def places(target, edges):
 def test_a_wire_is_selected_on_the_model_and_on_the_flat_pieces(wired, what):
     SELECT(what=what, index=0)
     edges = selected(wired, "edges")
-    assert len(edges) == 8
-    assert (places(wired, edges)[..., 1] == 0).all()
+    assert len(edges) == 8 and (places(wired, edges)[..., 1] == 0).all()
     flat = flat_of(wired)
     select_only(flat)
     SELECT(what=what, index=0)
@@ -133,8 +132,7 @@ def test_the_most_strained_place_is_selected(source, addon, what):
     piece = addon.state.reports.last_report(source).pieces[1]
     SELECT(what=what, index=1)
     faces = selected(source, "polygons")
-    assert faces.tolist() == getattr(piece, f"{what.lower()}_faces")
-    assert 0 < len(faces) < 32
+    assert faces.tolist() == getattr(piece, f"{what.lower()}_faces") and 0 < len(faces) < 32
     select_only(flat_of(source))
     SELECT(what=what, index=1)
     on_flat = selected(flat_of(source), "polygons")
@@ -162,5 +160,4 @@ def test_buttons_say_what_they_do(addon, name):
     for item in properties.rna_type.properties["what"].enum_items:
         properties.what = item.identifier
         said.append(operator.description(bpy.context, properties))
-    assert len(set(said)) == len(said)
-    assert all(said)
+    assert len(set(said)) == len(said) and all(said)

@@ -5,7 +5,7 @@ import bpy
 import numpy as np
 import pytest
 from flattening import fails
-from surfaces import flat_of, grid, mark, mark_seam, new_object, on_line, read, select_edges, select_only
+from surfaces import flat_of, grid, mark, mark_seam, new_object, on_edges, on_line, read, select_edges, select_only
 from two_sided import HEM, SEAM, ease, join_split_and_flip, made, select_side, shares, two_pieces, widths_at_seam
 
 
@@ -152,9 +152,7 @@ def test_between_parts_of_a_face_one_side_is_marked_and_other_marks_stay(source,
 
 
 def mark_allowance(target, line, **settings):
-    select_edges(target, line)
-    assert bpy.ops.mesh.wirewarp_allowance(**settings) == {"FINISHED"}
-    bpy.ops.object.mode_set(mode="OBJECT")
+    assert on_edges(target, bpy.ops.mesh.wirewarp_allowance, line, **settings) == {"FINISHED"}
 
 
 @pytest.mark.parametrize("mode", ["OBJECT", "EDIT"])
@@ -244,8 +242,7 @@ def test_an_allowance_is_drawn_as_soon_as_it_is_marked_and_in_edit_mode(source, 
     assert plain[:2] == pytest.approx(flat[:2] + 0.2, abs=0.04)
     select_edges(source, on_line(0, -1.0), on_line(0, 1.0), on_line(1, -1.0), on_line(1, 1.0))
     bpy.ops.mesh.wirewarp_allowance(kind="HEM", hem=30.0)
-    assert source.mode == "EDIT"
-    assert (drawn(addon, source) - plain).max() == pytest.approx(2 * 0.2, abs=0.05)
+    assert source.mode == "EDIT" and (drawn(addon, source) - plain).max() == pytest.approx(2 * 0.2, abs=0.05)
     assert drawn(addon, source, 0.0).max() > 0
 
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from flattening import edge_vertices, fails
 from suggesting import add_layers, check_layers, pairs, places
-from surfaces import bump, flat_of, grid, mark_seam, on_line, read, round_bump, select_edges, select_only
+from surfaces import bump, flat_of, grid, mark_seam, on_edges, on_line, read, round_bump, select_edges, select_only
 from test_proposals import seams_of
 
 pytestmark = pytest.mark.api
@@ -26,10 +26,7 @@ def stairs(target):
 
 
 def smooth(target, line=lambda a, b: True):
-    select_edges(target, line)
-    result = bpy.ops.mesh.wirewarp_smooth_seam()
-    bpy.ops.object.mode_set(mode="OBJECT")
-    return result
+    return on_edges(target, bpy.ops.mesh.wirewarp_smooth_seam, line)
 
 
 def seam_places(source):
@@ -89,10 +86,7 @@ def test_the_new_line_is_selected_and_the_old_one_is_not_a_seam():
     source = grid("Bump", bump)
     stairs(source)
     old = pairs(seams_of(source))
-    select_edges(source, lambda a, b: True)
-    bpy.ops.mesh.wirewarp_smooth_seam()
-    assert source.mode == "EDIT"
-    bpy.ops.object.mode_set(mode="OBJECT")
+    smooth(source)
     new = pairs(seams_of(source))
     selected = {tuple(sorted(each.vertices)) for each in source.data.edges if each.select}
     assert new == selected
@@ -112,8 +106,7 @@ def test_wires_other_seams_and_eases_stay_and_the_wire_is_met_at_the_same_places
     count = len(source.data.vertices)
     wires = read(source.data.attributes["wirewarp_wire"].data, "value", np.int32)
     select_edges(source, lambda a, b: True)
-    with pytest.raises(RuntimeError, match='selected edges of "Bump" would lose a mark: a wire'):
-        mark_allowance_and_smooth(source)
+    fails(mark_allowance_and_smooth, 'selected edges of "Bump" would lose a mark: a wire')
     assert len(source.data.vertices) == count
     assert smooth(source, lambda a, b: max(a[1], b[1]) < 0.45) == {"FINISHED"}
     assert len(crossed) == 2 and crossed == on_the_wire(source)  # where both seams cross the wire
@@ -129,7 +122,7 @@ def on_the_wire(source):
     return {tuple(place) for place in seams[np.abs(seams[:, 0] - 0.25) < 1e-6].tolist()}
 
 
-def mark_allowance_and_smooth(source):
+def mark_allowance_and_smooth():
     bpy.ops.mesh.wirewarp_allowance(kind="WIDTH", width=5)
     try:
         bpy.ops.mesh.wirewarp_smooth_seam()
@@ -140,13 +133,11 @@ def mark_allowance_and_smooth(source):
 
 def test_lines_that_cannot_be_smoothed_are_reported_and_stay(addon):
     source = grid("Bump", bump)
-    with pytest.raises(RuntimeError, match="Nothing to smooth: select edges of a seam first"):
-        smooth(source)
+    fails(smooth, "Nothing to smooth: select edges of a seam first", target=source)
     bpy.ops.object.mode_set(mode="OBJECT")
     mark_seam(source, lambda a, b: all(max(abs(each[0]), abs(each[1])) == 0.5 for each in (a, b, (a + b) / 2)))
     before = edge_vertices(source.data)
-    with pytest.raises(RuntimeError, match='A line of "Bump" meets itself at vertex .* smooth each part'):
-        smooth(source)
+    fails(smooth, 'A line of "Bump" meets itself at vertex .* smooth each part', target=source)
     bpy.ops.object.mode_set(mode="OBJECT")
     assert np.array_equal(edge_vertices(source.data), before)
     bpy.ops.object.wirewarp_flatten()
@@ -204,5 +195,4 @@ def test_if_a_second_line_fails_the_first_is_not_cut(addon, monkeypatch, of):
     bpy.ops.object.mode_set(mode="OBJECT")
     assert calls
     assert np.array_equal(edge_vertices(source.data), before[0])
-    assert np.array_equal(seams_of(source), before[1])
-    assert np.array_equal(places(source), before[2])
+    assert np.array_equal(seams_of(source), before[1]) and np.array_equal(places(source), before[2])

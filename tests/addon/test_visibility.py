@@ -4,16 +4,15 @@
 import bpy
 import numpy as np
 import pytest
-from flattening import edge_lengths, fails, flatten, flatten_fails, world_box
-from surfaces import bump, flat_of, grid, new_object, select_only
+from flattening import edge_lengths, fails, flatten, flatten_fails, flattened, world_box
+from surfaces import bump, flat_of, new_object, select_only
 
 pytestmark = pytest.mark.api
 
 
 def failed_source():
     """Return a model with flat pieces. A later run has failed, and its report names faulty elements."""
-    source = grid("Bump", bump)
-    bpy.ops.object.wirewarp_flatten()
+    source = flattened("Bump", bump)
     source.data.vertices[0].co = source.data.vertices[1].co
     flatten_fails("no area")
     return source
@@ -65,14 +64,12 @@ def notes(addon, source):
 
 
 def test_flattening_again_restores_the_actual_size_and_keeps_the_place(addon):
-    source = grid("Bump", bump)
-    bpy.ops.object.wirewarp_flatten()
+    source = flattened("Bump", bump)
     flat = flat_of(source)
     before = edge_lengths(flat)
     flat.location, flat.rotation_euler, flat.scale, flat.delta_scale = (5, 6, 7), (0, 0, 1), (2, 2, 2), (3, 1, 1)
     flatten(source)
-    assert tuple(flat.location) == (5, 6, 7)
-    assert edge_lengths(flat) == pytest.approx(before, rel=1e-5)
+    assert tuple(flat.location) == (5, 6, 7) and edge_lengths(flat) == pytest.approx(before, rel=1e-5)
     assert notes(addon, source) == []
 
 
@@ -90,8 +87,7 @@ def neighbor(x, bottom, top, size=0.5):
 
 def test_new_pieces_do_not_overlap_objects_beside_the_model():
     standing = [neighbor(2.0, 0.0, 1.0), neighbor(4.6, -1.0, 1.0)]
-    source = grid("Bump", bump)
-    flatten(source)
+    source = flattened("Bump", bump)
     assert all(are_apart(flat_of(source), each) for each in standing)
     place = tuple(flat_of(source).location)
     neighbor(*flat_of(source).location[:1], 0.0, 1.0)
@@ -105,8 +101,7 @@ def test_new_pieces_do_not_overlap_objects_beside_the_model():
     ids=["below the floor", "hanging", "a room around all"],
 )
 def test_pieces_do_not_avoid_objects_elsewhere(bottom, top, size):
-    source = grid("Bump", bump)
-    flatten(source)
+    source = flattened("Bump", bump)
     expected = flat_of(source).location.x
     bpy.data.objects.remove(flat_of(source))
     neighbor(2.0, bottom, top, size)
@@ -135,8 +130,7 @@ SAID = {  # how the pieces are changed, and the resulting message
 
 @pytest.mark.parametrize("how", SAID)
 def test_pieces_that_stay_hidden_or_scaled_are_reported(addon, how):
-    source = grid("Bump", bump)
-    bpy.ops.object.wirewarp_flatten()
+    source = flattened("Bump", bump)
     flat = flat_of(source)
     flat.hide_set(True)
     flatten(source)

@@ -7,8 +7,8 @@ import bpy
 import numpy as np
 import pytest
 from everything import AnyLayout, draw_panels, drawn_buttons, sidebar
-from flattening import fails, notify, wire_marks
-from surfaces import bump, grid, mark, on_line, read, select_edges, select_only
+from flattening import fails, notify, report_after, wire_marks
+from surfaces import bump, everywhere, grid, mark, on_edges, on_line, read, select_edges, select_only
 
 pytestmark = pytest.mark.api
 
@@ -35,12 +35,6 @@ def edge_of(addon, target, wanted):
     return next(wire.edges[0] for name, wire in addon.state.identities.listed_wires(target) if name == wanted)
 
 
-def in_edit_mode(target, line, operator, **settings):
-    select_edges(target, line)
-    operator(**settings)
-    bpy.ops.object.mode_set(mode="OBJECT")
-
-
 @pytest.mark.parametrize("mode", ["OBJECT", "EDIT"])
 def test_names_kinds_and_tolerances_are_changed_from_the_list(addon, source, mode):
     select_only(source)
@@ -59,11 +53,11 @@ def test_names_kinds_and_tolerances_are_changed_from_the_list(addon, source, mod
 
 
 def test_a_wire_without_its_middle_becomes_two(addon, source):
-    in_edit_mode(source, lambda a, b: EAST_WEST(a, b) and abs(a.x + b.x) < 1, bpy.ops.mesh.wirewarp_clear)
+    on_edges(source, bpy.ops.mesh.wirewarp_clear, lambda a, b: EAST_WEST(a, b) and abs(a.x + b.x) < 1)
     assert listed(addon, source) == [("Bust", 0, 2), ("Middle", 0.05, 8), ("Bust (2)", 0, 2)]
     assert [entry.name for entry in source.data.wirewarp_names] == ["Bust", "Middle", "Bust (2)"]
     assert len(wire_marks(source.data)) == 3
-    in_edit_mode(source, EAST_WEST, bpy.ops.mesh.delete, type="EDGE")
+    on_edges(source, bpy.ops.mesh.delete, EAST_WEST, type="EDGE")
     assert listed(addon, source) == [("Middle", 0.05, 8)]
 
 
@@ -86,9 +80,7 @@ def ends_of(target):
 
 
 def test_a_wire_that_was_copied_is_changed_alone(addon, source):
-    select_edges(source, lambda *_: True)
-    bpy.ops.mesh.duplicate_move(TRANSFORM_OT_translate={"value": (0, 0, 3)})
-    bpy.ops.object.mode_set(mode="OBJECT")
+    on_edges(source, bpy.ops.mesh.duplicate_move, everywhere, TRANSFORM_OT_translate={"value": (0, 0, 3)})
     both = [("Bust", 0, 8), ("Bust (2)", 0, 8), ("Middle", 0.05, 8), ("Middle (2)", 0.05, 8)]
     assert sorted(listed(addon, source)) == sorted(both)
     bpy.ops.mesh.wirewarp_change_wire(edge=edge_of(addon, source, "Middle (2)"), name="Back", kind="RIGID")
@@ -102,8 +94,7 @@ def test_joined_copies_are_wires_of_their_own(addon, source):
     bpy.ops.object.join()
     names = ["Bust", "Bust (2)", "Middle", "Middle (2)"]
     assert sorted(name for name, _, _ in listed(addon, source)) == names
-    bpy.ops.object.wirewarp_flatten()
-    report = addon.state.reports.last_report(source)
+    report = report_after(addon, source)
     assert sorted(wire.name for wire in report.wires) == names
     flat = bpy.data.objects["Bump Flat"]
     assert sorted(entry.name for entry in flat.data.wirewarp_names) == names

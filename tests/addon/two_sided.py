@@ -5,7 +5,7 @@ import bmesh
 import bpy
 import numpy as np
 from flattening import edge_vertices, flat_sources
-from surfaces import bump, flat_of, grid, on_line, read, select_edges, select_only
+from surfaces import bump, flat_of, grid, on_edges, on_line, read, select_only
 
 SEAM, HEM = on_line(0, 0.0), on_line(1, -1.0)
 
@@ -29,10 +29,7 @@ def join_split_and_flip(source):
 
 
 def ease(target, line, **settings):
-    select_edges(target, line)
-    assert bpy.ops.mesh.wirewarp_ease(**settings) == {"FINISHED"}
-    assert target.mode == "EDIT"
-    bpy.ops.object.mode_set(mode="OBJECT")
+    assert on_edges(target, bpy.ops.mesh.wirewarp_ease, line, **settings) == {"FINISHED"}
 
 
 def lengths(source, line):

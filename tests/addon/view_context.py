@@ -14,6 +14,10 @@ def view_context(show_overlays=True):
     return SimpleNamespace(scene=bpy.context.scene, view_layer=bpy.context.view_layer, space_data=space)
 
 
+def marked_lines(addon, target):
+    return addon.overlay.objects.marked_lines(target, bpy.context.evaluated_depsgraph_get())
+
+
 def look(addon, source, eye, target, perspective=True, xray=False):
     """Return the names in a view of 800 by 600 pixels from `eye` toward `target`, keyed by their texts."""
     forward = (Vector(target) - Vector(eye)).normalized()
@@ -29,6 +33,5 @@ def look(addon, source, eye, target, perspective=True, xray=False):
         space_data=SimpleNamespace(shading=SimpleNamespace(type="SOLID", show_xray=xray)),
         view_layer=bpy.context.view_layer,
     )
-    lines = addon.overlay.objects.marked_lines(source, bpy.context.evaluated_depsgraph_get())
-    drawing = addon.overlay.shown.Drawing(source, lines, None, None)
+    drawing = addon.overlay.shown.Drawing(source, marked_lines(addon, source), None, None)
     return {name.texts[-1]: name for name in addon.overlay.view3d._names_in_view(context, drawing)}
