@@ -4,6 +4,7 @@
 import bpy
 import numpy as np
 import pytest
+from flattening import report_after
 from surfaces import read
 
 SIMPLIFY = bpy.ops.object.wirewarp_simplify_seams
@@ -14,10 +15,17 @@ def found(addon, source):
     return addon.state.suggestions.current_suggestions(source)
 
 
+def suggested(addon, source, kind, lines=None, **search):
+    """Search for cuts, and return the suggestions. lines: "SMOOTH" or "EDGES", or None for the present setting."""
+    if lines:
+        bpy.context.scene.wirewarp.dart_lines = lines
+    assert SUGGEST[kind](**search) == {"FINISHED"}
+    return found(addon, source)
+
+
 def choose_smooth(addon, source, kind):
     """Suggest cuts, and choose and return the first cut that crosses faces."""
-    assert SUGGEST[kind]() == {"FINISHED"}
-    cuts = found(addon, source).cuts
+    cuts = suggested(addon, source, kind).cuts
     index = next(index for index, cut in enumerate(cuts) if not cut.edges)
     bpy.ops.object.wirewarp_choose_suggestion(index=index)
     return cuts[index]
@@ -53,8 +61,7 @@ def pairs(edges):
 
 def needed(addon, source):
     """Flatten the model, and return the maximum stretch of its worst piece."""
-    bpy.ops.object.wirewarp_flatten()
-    return max(piece.needed for piece in addon.state.reports.last_report(source).pieces)
+    return max(piece.needed for piece in report_after(addon, source).pieces)
 
 
 def are_mirrored(source, edges):

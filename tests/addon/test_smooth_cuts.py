@@ -5,9 +5,9 @@ import bpy
 import numpy as np
 import pytest
 from everything import draw_panels
-from flattening import fails
+from flattening import fails, flatten_fails, flattened
 from mathutils import Vector
-from suggesting import SUGGEST, add_layers, bent_ring, check_layers, choose_smooth, found, places
+from suggesting import SUGGEST, add_layers, bent_ring, check_layers, choose_smooth, found, places, suggested
 from surfaces import bump, flat_of, grid, on_line, round_bump
 from test_smooth_lines import seam_places, surface
 from test_suggestions import two_hills
@@ -35,8 +35,7 @@ def are_alike(ends, others):
     [("triangles", bump), ("quads", bump), pytest.param("ngons", round_bump, marks=pytest.mark.api)],
 )
 def test_the_dart_is_cut_as_drawn_and_has_the_claimed_figure(addon, faces, shape):
-    source = grid("Bump", shape, faces=faces)
-    bpy.ops.object.wirewarp_flatten()
+    source = flattened("Bump", shape, faces=faces)
     cut = choose_smooth(addon, source, "DARTS")
     words = draw_panels(addon)
     assert words.index("Mark and Flatten") < words.index("Marking it adds vertices and edges")
@@ -55,8 +54,7 @@ def test_the_dart_is_cut_as_drawn_and_has_the_claimed_figure(addon, faces, shape
 
 def test_mirror_images_are_cut_together(addon):
     source = two_hills()
-    SUGGEST["DARTS"]()
-    cuts = found(addon, source).cuts
+    cuts = suggested(addon, source, "DARTS").cuts
     index, cut = next((index, cut) for index, cut in enumerate(cuts) if len(cut.lengths) == 2 and not cut.edges)
     bpy.ops.object.wirewarp_choose_suggestion(index=index)
     bpy.ops.object.wirewarp_mend(what="SUGGESTION")
@@ -72,8 +70,7 @@ def test_painted_faces_are_not_entered(addon):
     crossed = set(choose_smooth(addon, source, "DARTS").segments.polygons.tolist())
     painted = source.data.attributes.new("wirewarp_no_seam", "BOOLEAN", "FACE")
     painted.data.foreach_set("value", [index in crossed for index in range(len(source.data.polygons))])
-    SUGGEST["DARTS"]()
-    smooth = [cut for cut in found(addon, source).cuts if not cut.edges]
+    smooth = [cut for cut in suggested(addon, source, "DARTS").cuts if not cut.edges]
     assert smooth
     for cut in smooth:
         assert crossed.isdisjoint(cut.segments.polygons.tolist())
@@ -84,9 +81,7 @@ def test_darts_along_edges_may_run_around_painted_faces(addon):
     source = grid("Bump", bump)
     painted = source.data.attributes.new("wirewarp_no_seam", "BOOLEAN", "FACE")
     painted.data.foreach_set("value", [(index + index // 8) % 2 == 0 for index in range(64)])
-    bpy.context.scene.wirewarp.dart_lines = "SMOOTH"
-    SUGGEST["DARTS"]()
-    cuts = found(addon, source).cuts
+    cuts = suggested(addon, source, "DARTS", lines="SMOOTH").cuts
     assert all(cut.edges for cut in cuts)
     for polygon, value in zip(source.data.polygons, painted.data, strict=True):
         if value.value:
@@ -95,13 +90,9 @@ def test_darts_along_edges_may_run_around_painted_faces(addon):
 
 def test_a_dart_along_edges_does_not_change_the_mesh(addon):
     source = grid("Bump", bump, faces="triangles")
-    bpy.context.scene.wirewarp.dart_lines = "EDGES"
-    SUGGEST["DARTS"]()
-    cuts = found(addon, source).cuts
+    cuts = suggested(addon, source, "DARTS", lines="EDGES").cuts
     assert all(cut.edges for cut in cuts)
-    bpy.context.scene.wirewarp.dart_lines = "SMOOTH"
-    SUGGEST["DARTS"]()
-    both = found(addon, source).cuts
+    both = suggested(addon, source, "DARTS", lines="SMOOTH").cuts
     # A line with a corner is listed only if its strain is lower by at least this share.
     worth_elbows = 0.05
     assert min(cut.strain for cut in both) <= cuts[0].strain / (1 - worth_elbows)
@@ -115,9 +106,7 @@ def test_a_dart_along_edges_does_not_change_the_mesh(addon):
 
 def test_a_dart_along_diagonals_adds_only_their_edges(addon):
     source = grid("Bump", round_bump, faces="ngons")
-    bpy.context.scene.wirewarp.dart_lines = "EDGES"
-    SUGGEST["DARTS"]()
-    cuts = found(addon, source).cuts
+    cuts = suggested(addon, source, "DARTS", lines="EDGES").cuts
     index = next(index for index, cut in enumerate(cuts) if cut.diagonals)
     bpy.ops.object.wirewarp_choose_suggestion(index=index)
     new, mesh = len(cuts[index].diagonals), source.data
@@ -156,8 +145,7 @@ def test_lines_that_cross_in_a_face_meet_there(addon, scale):
 
 
 def test_a_piece_that_no_dart_helps_is_reported_in_one_sentence(addon, monkeypatch):
-    source = grid("Bump", bump, wire=on_line(0, -0.75))
-    bpy.ops.object.wirewarp_flatten()
+    source = flattened("Bump", bump, wire=on_line(0, -0.75))
     source.wirewarp_pieces[0].name = "Front"
 
     def fail(faces, **_):
@@ -197,8 +185,7 @@ def test_a_set_beside_a_painted_face_is_cut_as_drawn_and_has_the_claimed_figures
     source = bent_ring(12, 6)  # a coarse ring, because the searches take most of the time of this test
     mesh = source.data
     add_layers(source)
-    with pytest.raises(RuntimeError):
-        bpy.ops.object.wirewarp_flatten()
+    flatten_fails("is closed")
     assert "SMOOTH" in draw_panels(addon)  # the choice of smooth lines
     cut = choose_beside_painted_face(addon, source)
     assert cut.is_set and "Marking it adds vertices and edges" in draw_panels(addon)

@@ -9,8 +9,8 @@ import bpy
 import numpy as np
 import pytest
 from everything import draw_panels, drawn_buttons
-from flattening import fails, flatten_fails, notify
-from suggesting import SUGGEST, cancel_at, found, needed, pairs
+from flattening import fails, flatten_fails, flattened, notify, report_after
+from suggesting import SUGGEST, cancel_at, found, needed, pairs, suggested
 from surfaces import bump, flat_of, grid, join_cube, on_line, read
 from test_proposals import seams_of
 from view_context import view_context
@@ -32,8 +32,7 @@ def test_a_closed_model_gets_cut_sets_of_which_one_is_marked(addon, capfd):
     flatten_fails("is closed")
     buttons = drawn_buttons(addon)
     assert "object.wirewarp_suggest_seams" in buttons and "object.wirewarp_suggest_darts" not in buttons
-    assert SUGGEST["SEAMS"]() == {"FINISHED"}
-    suggestions = found(addon, source)
+    suggestions = suggested(addon, source, "SEAMS")
     cuts, chosen = suggestions.cuts, suggestions.cuts[suggestions.chosen]
     assert f"{len(cuts)} sets of seams. Chosen: {chosen.num_pieces} piece" in capfd.readouterr().out
     assert all(cut.is_first and cut.piece == 0 and len(cut.lengths) == 1 for cut in cuts)
@@ -69,13 +68,11 @@ def test_sets_with_pieces_narrower_than_two_allowances_have_a_warning(addon):
     settings.dart_lines = "EDGES"  # smooth sets of a ball have no narrow pieces
     # This fabric stretches far enough for every set.
     settings.cloth, settings.gives_across, settings.gives_along = "SWIM", 100, 100
-    SUGGEST["SEAMS"]()
-    cuts = found(addon, source).cuts
+    cuts = suggested(addon, source, "SEAMS").cuts
     limit = (min(cut.width for cut in cuts) + max(cut.width for cut in cuts)) / 2
     assert not any(cut.is_narrow for cut in cuts) and "too narrow" not in draw_panels(addon)
     bpy.context.scene.unit_settings.scale_length = 0.02 / limit  # The limit becomes 20 mm, which is two allowances.
-    SUGGEST["SEAMS"]()
-    suggestions = found(addon, source)
+    suggestions = suggested(addon, source, "SEAMS")
     widths = [cut.width for cut in suggestions.cuts]
     is_narrow = [cut.is_narrow for cut in suggestions.cuts]
     assert is_narrow == [width < limit for width in widths] and 0 < sum(is_narrow) < len(is_narrow)
@@ -84,8 +81,7 @@ def test_sets_with_pieces_narrower_than_two_allowances_have_a_warning(addon):
     bpy.ops.object.wirewarp_choose_suggestion(index=is_narrow.index(True))
     assert "less than two allowances. It may be too narrow to sew." in draw_panels(addon)
     settings.allowance = 0.0
-    SUGGEST["SEAMS"]()
-    assert not any(cut.is_narrow for cut in found(addon, source).cuts)
+    assert not any(cut.is_narrow for cut in suggested(addon, source, "SEAMS").cuts)
 
 
 def test_a_set_that_makes_too_many_pieces_of_the_model_has_a_warning(addon, monkeypatch):
@@ -104,10 +100,8 @@ def test_a_set_that_makes_too_many_pieces_of_the_model_has_a_warning(addon, monk
 def test_seams_of_a_strained_piece_are_for_its_fabric(addon):
     source = grid("Bump", bump)
     bpy.context.scene.wirewarp.cloth = "MINKY"
-    bpy.ops.object.wirewarp_flatten(cloth="MINKY")
-    (piece,) = addon.state.reports.last_report(source).pieces
-    SUGGEST["SEAMS"]()
-    assert not found(addon, source).cuts[0].is_set
+    (piece,) = report_after(addon, source, cloth="MINKY").pieces
+    assert not suggested(addon, source, "SEAMS").cuts[0].is_set
     assert found(addon, source).cuts[0].strain_before == pytest.approx(piece.needed, rel=1e-6)
 
 
@@ -116,12 +110,9 @@ def test_the_search_is_for_the_fabric(addon):
     """Woven cotton stretches 3%, and the sets for unknown fabrics need 5% or more."""
     source = ball()
     settings = bpy.context.scene.wirewarp
-    settings.dart_lines = "EDGES"
-    SUGGEST["SEAMS"]()
-    assert min(cut.strain for cut in found(addon, source).cuts) > 0.03
+    assert min(cut.strain for cut in suggested(addon, source, "SEAMS", lines="EDGES").cuts) > 0.03
     settings.cloth = "WOVEN"
-    SUGGEST["SEAMS"]()
-    suggestions = found(addon, source)
+    suggestions = suggested(addon, source, "SEAMS")
     assert suggestions.cuts[suggestions.chosen].strain <= 0.03
 
 
@@ -129,8 +120,7 @@ def test_pieces_get_seams_even_if_their_fabric_stretches_far_enough(addon):
     source = grid("Bump", bump, size=6)
     settings = bpy.context.scene.wirewarp
     settings.cloth, settings.gives_across, settings.gives_along = "MINKY", 90, 19
-    bpy.ops.object.wirewarp_flatten(cloth="MINKY", gives_across=0.9, gives_along=0.19)
-    assert addon.state.reports.last_report(source).pieces[0].needed < 0.19
+    assert report_after(addon, source, cloth="MINKY", gives_across=0.9, gives_along=0.19).pieces[0].needed < 0.19
     assert SUGGEST["SEAMS"]() == {"FINISHED"}
 
 
@@ -140,8 +130,7 @@ def test_a_cut_of_a_modified_mesh_applies_the_modifiers_when_it_is_marked(addon,
     source.modifiers.new("Finer", "SUBSURF").levels = 1
     settings = bpy.context.scene.wirewarp
     settings.use_modifiers, settings.dart_lines = True, lines
-    bpy.ops.object.wirewarp_flatten(use_modifiers=True)
-    before = addon.state.reports.last_report(source).pieces[0].needed
+    before = report_after(addon, source, use_modifiers=True).pieces[0].needed
     assert SUGGEST["DARTS"]() == {"FINISHED"}
     assert "applies the modifiers" in draw_panels(addon)
     cut = found(addon, source).cuts[0]
@@ -201,8 +190,7 @@ def test_cuts_disappear_if_the_model_is_painted(addon):
     source.vertex_groups.clear()  # because a vertex group and an attribute cannot have the same name
     source.update_tag()
     bpy.context.view_layer.update()
-    SUGGEST["DARTS"]()
-    assert found(addon, source)
+    assert suggested(addon, source, "DARTS")
     paint(source)
     assert found(addon, source) is None
 
@@ -226,9 +214,7 @@ def test_an_attribute_of_another_kind_is_refused(data_type, domain):
 @pytest.mark.parametrize("kind", ["FACES", "GROUP"])
 def test_no_cut_enters_a_painted_area(addon, kind):
     source = grid("Bump", bump, size=6, faces="triangles")
-    bpy.context.scene.wirewarp.dart_lines = "EDGES"
-    SUGGEST["DARTS"]()
-    cut = found(addon, source).cuts[0].edges
+    cut = suggested(addon, source, "DARTS", lines="EDGES").cuts[0].edges
     assert cut
     mesh = source.data
     if kind == "FACES":
@@ -237,18 +223,14 @@ def test_no_cut_enters_a_painted_area(addon, kind):
         attribute.data.foreach_set("value", painted)
     else:
         source.vertex_groups.new(name="wirewarp_no_seam").add(np.unique(cut).tolist(), 1.0, "REPLACE")
-    SUGGEST["DARTS"]()
-    for other in found(addon, source).cuts:
+    for other in suggested(addon, source, "DARTS").cuts:
         assert not pairs(cut) & pairs(other.edges)
 
 
 @pytest.mark.parametrize("data_type", ["INT8", "INT", "FLOAT"])
 def test_a_fully_painted_model_has_no_cuts(data_type):
     paint(grid("Bump", bump, size=6), data_type)
-    with pytest.raises(
-        RuntimeError, match='no room for a dart.*Seams are also not allowed where "wirewarp_no_seam" is painted'
-    ):
-        SUGGEST["DARTS"]()
+    fails(SUGGEST["DARTS"], 'no room for a dart.*Seams are also not allowed where "wirewarp_no_seam" is painted')
 
 
 @pytest.fixture
@@ -263,11 +245,9 @@ def settings():
 def test_a_row_is_marked_with_all_earlier_rows_and_leaves_its_stretch(addon, settings, row):
     source = grid("Bump", bump, size=6, faces="triangles")
     before = needed(addon, source)
-    SUGGEST["DARTS"]()
-    first, second = found(addon, source).cuts
+    first, second = suggested(addon, source, "DARTS").cuts
     assert found(addon, source).chosen == 1 and first.strain_before == pytest.approx(before, rel=1e-5)
-    assert pairs(first.edges) < pairs(second.edges)
-    assert second.lengths[:1] == first.lengths
+    assert pairs(first.edges) < pairs(second.edges) and second.lengths[:1] == first.lengths
     assert first.strain_before == second.strain_before > first.strain > second.strain
     bpy.ops.object.wirewarp_choose_suggestion(index=row)
     chosen = (first, second)[row]
@@ -280,15 +260,12 @@ def test_a_row_is_marked_with_all_earlier_rows_and_leaves_its_stretch(addon, set
 
 
 def test_figures_of_the_model_are_those_of_its_worst_piece(addon, settings):
-    source = grid("Bump", bump, seam=on_line(0, 0.25))
-    bpy.ops.object.wirewarp_flatten()
+    source = flattened("Bump", bump, seam=on_line(0, 0.25))
     settings.aim_cuts = 1
     apart = []
     for piece in (0, 1):
-        SUGGEST["DARTS"](piece=piece)
-        apart += found(addon, source).cuts
-    SUGGEST["DARTS"]()
-    (cut,) = found(addon, source).cuts
+        apart += suggested(addon, source, "DARTS", piece=piece).cuts
+    (cut,) = suggested(addon, source, "DARTS").cuts
     assert cut.strain_before == pytest.approx(max(each.strain_before for each in apart), rel=1e-6)
     left = max(apart[cut.piece].strain, apart[1 - cut.piece].strain_before)
     assert cut.strain == pytest.approx(left, rel=1e-6)
@@ -298,18 +275,15 @@ def test_figures_of_the_model_are_those_of_its_worst_piece(addon, settings):
 def test_the_target_reaches_the_search_and_the_remaining_stretch_is_reported(addon, settings, capfd):
     """That plans keep to their targets is tested in tests/bindings."""
     source = grid("Bump", bump, size=6)
-    SUGGEST["DARTS"]()
-    first, second = found(addon, source).cuts
+    first, second = suggested(addon, source, "DARTS").cuts
     assert "is left, more than your target of 0.0%. Allow more cuts." in draw_panels(addon)
     assert "your target of 0.0%. Allow more cuts." in capfd.readouterr().out
     settings.aim_length, settings.aim_cuts = 0.9 * first.lengths[0], 9
-    SUGGEST["DARTS"]()
-    assert sum(found(addon, source).cuts[-1].lengths) <= settings.aim_length
+    assert sum(suggested(addon, source, "DARTS").cuts[-1].lengths) <= settings.aim_length
     assert "Allow more length, because another cut may help." in draw_panels(addon)
     settings.aim_length, settings.aim_cuts = 0.0, 2
     settings.aim_stretch = 100 * (first.strain + first.strain_before) / 2
-    SUGGEST["DARTS"]()
-    assert [cut.edges for cut in found(addon, source).cuts] == [first.edges]
+    assert [cut.edges for cut in suggested(addon, source, "DARTS").cuts] == [first.edges]
     assert "more than your target" not in draw_panels(addon)
     settings.aim_stretch = 100.0
     fails(SUGGEST["DARTS"], r"is flat enough.* and 100% is accepted")
@@ -318,8 +292,7 @@ def test_the_target_reaches_the_search_and_the_remaining_stretch_is_reported(add
 def test_steps_of_a_target_fit_a_row(addon, settings):
     source = ball()
     settings.aim_stretch = 30.0
-    SUGGEST["SEAMS"]()
-    (cut,) = found(addon, source).cuts
+    (cut,) = suggested(addon, source, "SEAMS").cuts
     assert f"Stretch with Seams, {source.name} First seams: " in draw_panels(addon)
     step, lengths = replace(cut, lengths=[*cut.lengths, 1.0]), addon.core.LengthText("mm", 1000)
     assert addon.solve.suggest.row_text("SEAMS", step, found(addon, source).target, lengths).startswith("and 1 seam: ")

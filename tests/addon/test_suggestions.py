@@ -8,8 +8,8 @@ import bpy
 import numpy as np
 import pytest
 from everything import AnyLayout, draw_panels, drawn_buttons, sidebar
-from flattening import edge_vertices, fails, raise_vertex
-from suggesting import SUGGEST, are_mirrored, found, needed, pairs
+from flattening import edge_vertices, fails, flattened, raise_vertex
+from suggesting import SUGGEST, are_mirrored, found, needed, pairs, suggested
 from surfaces import bump, flat_of, grid, half_cylinder, make_object, mark, on_line, read, tube
 from test_proposals import seams_of
 from view_context import view_context
@@ -38,8 +38,7 @@ def test_the_figures_are_those_of_flattening_with_the_cut(addon, kind, faces):
     assert (suggestions.kind, suggestions.chosen, suggestions.target) == (kind, 0, None)
     edges = pairs(edge_vertices(source.data))
     for cut in suggestions.cuts:
-        assert pairs(cut.edges) - edges == pairs(cut.diagonals)
-        assert cut.strain < cut.strain_before
+        assert pairs(cut.edges) - edges == pairs(cut.diagonals) and cut.strain < cut.strain_before
         places = read(source.data.vertices, "co", np.float32, 3)[np.array(cut.edges)]
         assert sum(cut.lengths) == pytest.approx(np.linalg.norm(places[:, 1] - places[:, 0], axis=1).sum(), rel=1e-6)
     assert bpy.ops.object.wirewarp_mend(what="SUGGESTION") == {"FINISHED"}
@@ -54,9 +53,7 @@ def test_the_figures_are_those_of_flattening_with_the_cut(addon, kind, faces):
 
 def test_mirror_images_are_one_suggestion_and_the_least_strain_is_first(addon, capfd):
     source = two_hills()
-    bpy.context.scene.wirewarp.dart_lines = "EDGES"
-    SUGGEST["DARTS"]()
-    cuts = found(addon, source).cuts
+    cuts = suggested(addon, source, "DARTS", lines="EDGES").cuts
     mirrored = [cut for cut in cuts if len(cut.lengths) == 2]
     assert mirrored and [cut.strain for cut in cuts] == sorted(cut.strain for cut in cuts)
     assert all(are_mirrored(source, cut.edges) for cut in mirrored)
@@ -65,8 +62,7 @@ def test_mirror_images_are_one_suggestion_and_the_least_strain_is_first(addon, c
 
 
 def test_the_list_belongs_to_the_chosen_piece_and_is_cleared_when_the_model_changes(addon, capfd):
-    source = grid("Bump", bump, size=6, seam=on_line(0, 0.0))
-    bpy.ops.object.wirewarp_flatten()
+    source = flattened("Bump", bump, size=6, seam=on_line(0, 0.0))
     source.wirewarp_pieces[1].name = "Left Half"
     buttons = drawn_buttons(addon)
     assert {"object.wirewarp_suggest_darts", "object.wirewarp_suggest_seams"} <= set(buttons)
@@ -86,11 +82,8 @@ def test_the_list_belongs_to_the_chosen_piece_and_is_cleared_when_the_model_chan
 
 
 def test_the_chosen_cut_is_drawn_on_model_and_pieces(addon, at_once):
-    source = grid("Bump", bump, size=6)
-    bpy.ops.object.wirewarp_flatten()
-    bpy.context.scene.wirewarp.dart_lines = "EDGES"
-    SUGGEST["DARTS"]()
-    first, second, *_ = found(addon, source).cuts
+    source = flattened("Bump", bump, size=6)
+    first, second, *_ = suggested(addon, source, "DARTS", lines="EDGES").cuts
 
     def drawn():
         lines = {each.target: each.failures for each in addon.overlay.shown.drawings(view_context())}
@@ -125,8 +118,7 @@ def test_the_chosen_cut_is_drawn_on_model_and_pieces(addon, at_once):
 
 
 def test_the_chosen_cut_is_drawn_in_edit_mode_until_the_mesh_changes(addon, at_once):
-    source = grid("Bump", bump, size=6)
-    bpy.ops.object.wirewarp_flatten()
+    source = flattened("Bump", bump, size=6)
     SUGGEST["DARTS"]()
 
     def drawn(target=source):
@@ -135,8 +127,7 @@ def test_the_chosen_cut_is_drawn_in_edit_mode_until_the_mesh_changes(addon, at_o
 
     in_object_mode, on_flat = drawn(), drawn(flat_of(source))
     bpy.ops.object.mode_set(mode="EDIT")
-    assert np.array_equal(drawn(), in_object_mode)
-    assert np.array_equal(drawn(flat_of(source)), on_flat)
+    assert np.array_equal(drawn(), in_object_mode) and np.array_equal(drawn(flat_of(source)), on_flat)
     raise_vertex(source, vertex=24)
     assert drawn() is None and drawn(flat_of(source)) is None
 
@@ -208,8 +199,7 @@ def test_a_set_beyond_the_fabric_says_so_before_it_is_marked_and_names_the_next_
     bpy.ops.mesh.primitive_uv_sphere_add(segments=24, ring_count=12, radius=0.1)
     source, settings, keep = bpy.context.object, bpy.context.scene.wirewarp, addon.state.suggestions.keep
     settings.cloth, settings.gives_across, settings.gives_along = "MINKY", 30, 0.5
-    SUGGEST["SEAMS"]()
-    suggestions = found(addon, source)
+    suggestions = suggested(addon, source, "SEAMS")
     beyond, name = suggestions.cuts[0], suggestions.names[:1]
     enough = replace(beyond, threads=replace(beyond.threads, across=0.0, along=0.0))
     keep(source, replace(suggestions, cuts=[beyond, enough], names=2 * name))
@@ -281,8 +271,7 @@ def test_a_cut_across_quads_leaves_marks_maps_and_surface(addon):
     layer = source.data.uv_layers.new(name="Mine")
     layer.data.foreach_set("uv", np.arange(2 * len(source.data.loops), dtype=np.float32))
     source.vertex_groups.new(name="Half").add([0, 1, 2], 0.5, "REPLACE")
-    SUGGEST["SEAMS"]()
-    cuts = found(addon, source).cuts
+    cuts = suggested(addon, source, "SEAMS").cuts
     index = next(index for index, cut in enumerate(cuts) if cut.diagonals)
     bpy.ops.object.wirewarp_choose_suggestion(index=index)
     assert "across faces of the model" in draw_panels(addon)

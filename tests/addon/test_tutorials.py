@@ -5,7 +5,8 @@ from pathlib import Path
 
 import bpy
 import pytest
-from suggesting import SUGGEST, found
+from flattening import report_after
+from suggesting import suggested
 from test_export import export, pages
 
 pytestmark = pytest.mark.core
@@ -21,14 +22,12 @@ def test_the_ring_of_the_plush_tutorial(addon, tmp_path):
     bpy.ops.mesh.primitive_torus_add(major_radius=0.1, minor_radius=0.05)
     ring, scene = bpy.context.object, bpy.context.scene
     scene.wirewarp.cloth, scene.wirewarp.allowance = "FLEECE", 5.0
-    SUGGEST["SEAMS"]()
-    suggestions, lengths = found(addon, ring), addon.blender.objects.length_text(scene)
+    suggestions, lengths = suggested(addon, ring, "SEAMS"), addon.blender.objects.length_text(scene)
     chosen = suggestions.cuts[suggestions.chosen]
     row = addon.solve.suggest.row_text("SEAMS", chosen, None, lengths)
     assert f"*{row}*" in page
     bpy.ops.object.wirewarp_mend(what="SUGGESTION")
-    bpy.ops.object.wirewarp_flatten(cloth="FLEECE")
-    assert addon.state.reports.last_report(ring).tables.verdict.kind is addon.core.Kind.READY
+    assert report_after(addon, ring, cloth="FLEECE").tables.verdict.kind is addon.core.Kind.READY
     single, all_pieces = (
         pages(export(tmp_path, f"{pairs}.pdf", paper="A4", allowance=5.0, proof_sheet=True, pairs=pairs))
         for pairs in (True, False)
@@ -39,8 +38,7 @@ def test_the_ring_of_the_plush_tutorial(addon, tmp_path):
     flat = bpy.data.objects["Torus Flat"]
     copies = "Cut 2: Top Left and Top Right; Bottom Left and Bottom Right"
     assert addon.overlay.shown.shown_copies(bpy.context, ring, flat) == [copies]
-    SUGGEST["DARTS"](piece=0)
-    darts = found(addon, ring)
+    darts = suggested(addon, ring, "DARTS", piece=0)
     row = addon.solve.suggest.row_text("DARTS", darts.cuts[darts.chosen], None, lengths)
     assert f"*{row}* means one dart of" in page
 
