@@ -37,29 +37,22 @@ def test_other_pieces_are_written_if_one_is_bad(tmp_path):
     faces = read(flat_of(source).data.attributes["piece"].data, "value", np.int32)
     assert (len(faces), set(faces)) == (64, {0})
     starts = read(source.data.polygons, "loop_start", np.int32)
-    assert np.all(uv_of(source.data)[starts[64] :] == 0)
-    assert uv_of(source.data).max() == 1
+    assert np.all(uv_of(source.data)[starts[64] :] == 0) and uv_of(source.data).max() == 1
     (entry,) = json.loads((tmp_path / "r.json").read_text())["objects"]
     assert [piece["ok"] for piece in entry["pieces"]] == [True, False]
     assert [(issue["code"], issue["piece"]) for issue in entry["issues"]] == [("closed_chart", 1)]
     assert (entry["ok"], entry["flat_object"]) == (False, "Both Flat")
 
 
-def test_without_a_good_piece_only_the_report_is_written(tmp_path):
-    source = cube()
-    flatten_fails("Error: Cube: ", report_path=str(tmp_path / "report.json"))
-    assert "wirewarp_report" not in source and [*bpy.data.objects] == [source] and not source.data.uv_layers
-    report = json.loads((tmp_path / "report.json").read_text())
-    assert not report["ok"]
-    assert report["objects"][0]["issues"][0]["code"] == "closed_chart"
-
-
-def test_other_objects_are_flattened_if_one_fails_and_nothing_is_written_for_it(tmp_path):
-    good, bad = grid("Good", bump), cube("Bad")
-    select_only(good, bad)
+@pytest.mark.parametrize("is_alone", [False, True])
+def test_only_the_report_is_written_for_an_object_without_a_good_piece(tmp_path, is_alone):
+    others = [] if is_alone else [grid("Good", bump)]
+    bad = cube("Bad")
+    select_only(bad, *others)
     flatten_fails("Error: Bad: ", report_path=str(tmp_path / "report.json"))
-    assert len(flat_of(good).data.polygons) == 64
-    assert "wirewarp_report" not in bad and not bad.data.uv_layers and "Bad Flat" not in bpy.data.objects
+    assert [len(flat_of(each).data.polygons) for each in others] == [64] * len(others)
+    assert "wirewarp_report" not in bad and not bad.data.uv_layers
+    assert {*bpy.data.objects} == {bad, *others, *map(flat_of, others)}
     report = json.loads((tmp_path / "report.json").read_text())
     (entry,) = (each for each in report["objects"] if each["object"] == "Bad")
     assert not report["ok"] and entry["issues"][0]["code"] == "closed_chart"

@@ -2,10 +2,12 @@
 """An export searches for a marker and stores it with the model. The view draws the stored marker."""
 
 import re
+from functools import partial
 
 import bpy
 import numpy as np
 import pytest
+import test_export
 from drawing import Drawing
 from surfaces import flat_of, read
 from two_sided import two_pieces
@@ -22,10 +24,7 @@ def source(at_once):
     return target
 
 
-def export(tmp_path, name="a.svg", **settings):
-    path = tmp_path / name
-    assert bpy.ops.object.wirewarp_export(filepath=str(path), seconds=0, **(CLOTH | settings)) == {"FINISHED"}
-    return path
+export = partial(test_export.export, seconds=0, **CLOTH)
 
 
 def outlines(path):
@@ -89,5 +88,4 @@ def test_the_progress_of_an_export_grows_through_every_stage_of_the_library(addo
     if has_search:
         stages.insert(stages.index("writing"), "nesting")
     shares = [addon.export.export._share(stage, done, has_search) for stage in stages for done in (0.0, 0.5, 1.0)]
-    assert shares == sorted(shares)
-    assert (shares[0], shares[-1]) == pytest.approx((0.0, 1.0), abs=1e-9)
+    assert shares == sorted(shares) and (shares[0], shares[-1]) == pytest.approx((0.0, 1.0), abs=1e-9)

@@ -8,6 +8,7 @@ import bpy
 import pytest
 from everything import draw_panels
 from flattening import fails, flatten_fails
+from mathutils import Matrix
 from surfaces import bump, flat_of, grid, make_object, mark, mark_seam, new_object, on_line, select_only
 
 
@@ -26,19 +27,6 @@ def nothing_written(source):
     )
 
 
-def scale(source, axis, value):
-    source.scale[axis] = value
-
-
-def lose_a_vertex(source):
-    source.data.vertices[40].co.z = math.nan
-
-
-def enlarge(source):
-    for vertex in source.data.vertices:
-        vertex.co *= 1e25
-
-
 def eight_maps(source, count=8):
     for number in range(count):
         source.data.uv_layers.new(name=f"Map {number}")
@@ -53,9 +41,15 @@ def break_a_wire(source):
 
 NAMED = '"Bump" has something called "WireWarp" under Object Data > '
 REFUSED = {  # for each case, how the model is spoiled, and the resulting sentence
-    "zero scale": (lambda s: scale(s, 2, 0), '"Bump" is scaled to zero along an axis'),
-    "a vertex that is nowhere": (lose_a_vertex, "The coordinates of 1 vertex are not numbers, or far too large. Move"),
-    "too large": (enlarge, '"Bump" is more than 1e.18 Blender units wide, so its areas cannot be computed'),
+    "zero scale": (lambda s: setattr(s, "scale", (1, 1, 0)), '"Bump" is scaled to zero along an axis'),
+    "a vertex that is nowhere": (
+        lambda s: setattr(s.data.vertices[40].co, "z", math.nan),
+        "The coordinates of 1 vertex are not numbers, or far too large. Move",
+    ),
+    "too large": (
+        lambda s: s.data.transform(Matrix.Scale(1e25, 4)),
+        '"Bump" is more than 1e.18 Blender units wide, so its areas cannot be computed',
+    ),
     "eight UV maps": (eight_maps, "already has 8 UV maps"),
     "a flipped face": (lambda s: s.data.polygons[0].flip(), "opposite sides.*Mesh > Normals > Recalculate Outside"),
     "a faulty wire": (break_a_wire, 'Bump: Wire "Dart Line" has an invalid tolerance. Click it'),
