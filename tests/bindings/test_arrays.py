@@ -94,13 +94,19 @@ def test_bad_arguments_are_named(code):
         assert caught.value.faces == ((1,) if (name, code) == ("faces", "vertex_out_of_range") else ())
 
 
-def test_exceptions_of_array_likes_are_not_swallowed():
-    class Broken:
-        def __array__(self, *args, **kwargs):
-            raise OSError("the disk is gone")
+READ = {  # methods with which arguments are read
+    "__array__": lambda broken: wirewarp.flatten(broken, FACES),
+    "__index__": lambda broken: wirewarp.Wire([0, broken]),
+}
+
+
+@pytest.mark.parametrize("method", READ)
+def test_exceptions_of_arrays_and_numbers_are_not_swallowed(method):
+    def fail(*args, **kwargs):
+        raise OSError("the disk is gone")
 
     with pytest.raises(OSError, match="the disk is gone"):
-        wirewarp.flatten(Broken(), FACES)
+        READ[method](type("Broken", (), {method: fail})())
 
 
 @st.composite

@@ -101,15 +101,6 @@ def test_a_wire_name_is_text(name, why):
     assert caught.value.code is ErrorCode.invalid_type
 
 
-def test_exceptions_of_numbers_are_not_swallowed():
-    class Broken:
-        def __index__(self):
-            raise OSError("the disk is gone")
-
-    with pytest.raises(OSError, match="the disk is gone"):
-        Wire([0, Broken()])
-
-
 MADE = Cloth(0.2, 1, np.float32(0.25), squeeze=2, stretch=(0.2, 0), locking=0.5, limits=np.array([0.03, 0.04]))
 CHANGED = {
     "method": "wirewarping",
