@@ -11,7 +11,7 @@ import pytest
 from everything import draw_panels, drawn_buttons
 from flattening import fails, flatten_fails, flattened, notify, report_after
 from suggesting import SUGGEST, cancel_at, found, needed, pairs, suggested
-from surfaces import bump, flat_of, grid, join_cube, on_line, read
+from surfaces import bump, flat_of, grid, join_cube, new_object, on_line, read
 from test_proposals import seams_of
 from view_context import view_context
 
@@ -195,12 +195,18 @@ def test_cuts_disappear_if_the_model_is_painted(addon):
     assert found(addon, source) is None
 
 
-def test_paint_during_the_search_is_noticed(addon):
+def become_a_curve(source):
+    bpy.data.objects.remove(source)
+    new_object("Bump", bpy.data.curves.new("Bump", "CURVE"))
+
+
+@pytest.mark.parametrize("change", [paint, become_a_curve])
+def test_a_change_during_the_search_is_noticed(addon, change):
     source = grid("Bump", bump, size=6)
     search = addon.suggest.operators.begin_search(bpy.context, source, "DARTS", None)
     cuts = addon.solve.steps.in_one_go(search.steps)
-    paint(source)
-    with pytest.raises(addon.issues.ObjectError, match='"Bump" changed during the search'):
+    change(source)
+    with pytest.raises(addon.issues.ObjectError, match='"Bump" changed during the search. Search again'):
         addon.suggest.operators.keep_found(search, cuts)
 
 

@@ -231,17 +231,6 @@ def test_without_suggestions_the_reason_is_reported(make, said):
     fails(SUGGEST["DARTS"], said)
 
 
-def test_a_model_that_became_a_curve_gets_no_suggestion(addon):
-    source = grid("Bump", bump, size=6)
-    suggest = addon.suggest.operators
-    search = suggest.begin_search(bpy.context, source, "DARTS", None)
-    cuts = addon.solve.steps.in_one_go(search.steps)
-    bpy.data.objects.remove(source)
-    bpy.context.scene.collection.objects.link(bpy.data.objects.new("Bump", bpy.data.curves.new("Bump", "CURVE")))
-    with pytest.raises(addon.issues.ObjectError, match='"Bump" changed during the search. Search again'):
-        suggest.keep_found(search, cuts)
-
-
 def test_changed_settings_are_reported(addon, capfd):
     source = grid("Bump", bump, size=6, wire=on_line(0, 0.0))
     settings = bpy.context.scene.wirewarp
