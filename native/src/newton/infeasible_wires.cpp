@@ -6,9 +6,7 @@
 #include <functional>
 #include <limits>
 #include <map>
-#include <optional>
 
-#include "base/attempt.h"
 #include "newton/project_to_lengths.h"
 #include "newton/refine_chart.h"
 #include "newton/relax_lengths.h"
@@ -266,12 +264,9 @@ std::vector<ProposedTolerance> propose_tolerances(Problem& problem, const Intern
 
 LengthDiagnosis diagnose_lengths(Problem& problem, const InternalOptions& options, const StopToken& stop) {
   Budget budget(kMaxRelaxFactorizations);
-  const auto relaxed = attempt([&] {
-    return std::optional(relax_lengths(problem, problem.free_map(stop), {budget, stop}));
-  });
+  const RelaxedShape relaxed = relax_lengths(problem, problem.free_map(stop), {budget, stop});
   stop.check();
-  if (!relaxed) return {};  // a factorization failed
-  return {propose_tolerances(problem, options, *relaxed, stop), shows_conflict(*relaxed)};
+  return {propose_tolerances(problem, options, relaxed, stop), shows_conflict(relaxed)};
 }
 
 }  // namespace wirewarp

@@ -27,7 +27,7 @@ struct LengthDiagnosis {
 };
 
 /// Returns the diagnosis of a problem for which no shape with exact lengths was found. The search may spend more
-/// factorizations than options.max_factorizations. Throws Stopped.
+/// factorizations than options.max_factorizations. Throws Stopped and FactorizationFailed.
 LengthDiagnosis diagnose_lengths(Problem& problem, const InternalOptions& options, const StopToken& stop);
 
 }  // namespace wirewarp
