@@ -66,7 +66,8 @@ StepOutcome TrustRegion::take_step(NewtonState& state) {
   return search(state, space, [&](double radius) { return off_saddle.step_along_lowest_curvature(radius); });
 }
 
-/// Takes the step of the largest radius at which f falls as the model predicts. Returns rejected if no radius is found.
+/// Shrinks the radius until f falls as the model predicts, or doubles it as long as f falls further. Takes the step
+/// with the lowest f. Returns rejected if f never falls as predicted.
 StepOutcome TrustRegion::search(NewtonState& state, const TangentSpace& space,
                                 const std::function<ModelStep(double radius)>& step_of) {
   std::optional<Iterate> best;
