@@ -50,6 +50,7 @@ CutMesh cut_again(const CutMesh& before, const std::vector<SurfacePath>& paths) 
     weights = (weights * first).eval();
     sources.faces[f] = before.sources.faces[static_cast<std::size_t>(sources.faces[f])];
   }
+  sources = {{}, {}, std::move(sources.faces), std::move(sources.corner_weights), {}, {}};
   return after;
 }
 

@@ -9,13 +9,11 @@
 
 namespace wirewarp {
 
+/// Returns a mesh without cuts, from which cut_again() starts. Its sources are only those of faces and corners.
 CutMesh uncut(const FlattenInput& input);
 
 /// Returns the mesh `before`, cut also along the paths that do not collapse (see not_collapsed()). The edges of the
-/// result include earlier cuts. The sources of the result:
-/// - faces and corners: in the first, uncut mesh
-/// - vertices and divided edges: in `before`
-/// - edge_paths: incomplete, do not use
+/// result include earlier cuts. Its sources are only those of faces and corners, in the first, uncut mesh.
 CutMesh cut_again(const CutMesh& before, const std::vector<SurfacePath>& paths);
 
 /// Returns one flag per path: 0 if cut_mesh() refuses the path because all its points move to one point. Other paths
