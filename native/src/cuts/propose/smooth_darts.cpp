@@ -299,17 +299,13 @@ void SmoothDartSearch::propose(const std::vector<SmoothDart>& darts, std::vector
   std::vector<std::array<std::optional<LineFigures>, 2>> each(darts.size());
   run_on_all_cores(2 * darts.size(), exact_.stop(), [&](std::size_t i) {
     const SmoothDart& dart = darts[i / 2];
-    if (!dart.image) return;
+    if (i % 2 == 1 && !dart.image) return;
     const bool is_known = i % 2 == 0 && !dart.are_both;
     each[i / 2][i % 2] = is_known ? dart.found : figures_along({i % 2 == 0 ? dart.line.path : dart.image->path});
   });
   for (std::size_t i = 0; i < darts.size(); ++i) {
     const SmoothDart& dart = darts[i];
     const auto& [alone, image] = each[i];
-    if (!dart.image) {
-      if (is_worth_sewing(dart.found)) proposals.push_back(proposal_of(dart.line, dart.found));
-      continue;
-    }
     if (!alone) continue;
     const bool helps_alone = is_worth_sewing(*alone);
     const bool are_better = image && dart.are_both && is_worth_sewing(dart.found) &&
