@@ -48,6 +48,9 @@ class CutProgress {
     num_polled_ = 0;
   }
 
+  /// Sets the progress to a share of the current part. Polls do not advance it.
+  void stay_at(double share) { enter(share, share); }
+
  private:
   /// Approximate number of polls in a search for darts in a piece of a few thousand triangles.
   static constexpr int kTypicalPolls = 2000;

@@ -283,13 +283,9 @@ void CutSetSearch::add_merged(std::vector<CutSet>& sets) {
   SectionMerger merger({sets.back().cut, sets.back().pieces}, chart_, mirrored_, exact_,
                        {cut_options_.narrowest, kLeastSolidity});
   const std::vector<double> allowed = allowed_strains(std::max(target_, sets.back().proposal.strain), target_);
-  const auto count = static_cast<double>(allowed.size());
   for (std::size_t i = 0; i < allowed.size(); ++i) {
     const bool stopped = was_stopped([&] {
-      merger.run(allowed[i], [&](double share) {
-        const double reached = kCut + (1 - kCut) * (static_cast<double>(i) + share) / count;
-        progress_.enter(reached, reached);
-      });
+      merger.run(allowed[i], [&](double share) { report_merged(static_cast<double>(i) + share, allowed.size()); });
     });
     sets.push_back(with_figures(merger.state().cut, merger.state().pieces));
     if (stopped) throw Stopped();
@@ -305,18 +301,13 @@ bool CutSetSearch::add_smooth(std::vector<CutSet>& sets) {
   const PieceToCut piece{pieces_, piece_, chart_, image_};
   SmoothMerger merger(piece, kLeastSolidity, cut_options_, exact_);
   if (!merger.start(fine.proposal, fine.cut, least)) return false;
-  struct Level {
-    double allowed;      // allowed strain of the smooth set
-    double share = 1.0;  // before smoothing, pieces are merged up to this share of the allowed strain
-  };
-  std::vector<Level> levels;
-  for (const double allowed : allowed_strains(least, target_)) levels.push_back({allowed, kMergeShare});
-  levels.push_back({levels.back().allowed});  // without this last merge, a penguin has two more pieces
-  const auto count = static_cast<double>(levels.size());
-  for (std::size_t i = 0; i < levels.size(); ++i) {
-    const bool stopped = !merger.merge(levels[i].share, levels[i].allowed, [&](double share) {
-      const double reached = kCut + (1 - kCut) * (static_cast<double>(i) + share) / count;
-      progress_.enter(reached, reached);
+  std::vector<double> allowed = allowed_strains(least, target_);
+  allowed.push_back(allowed.back());
+  for (std::size_t i = 0; i < allowed.size(); ++i) {
+    const bool is_last = i + 1 == allowed.size();
+    // Without the last merge up to the whole strain, a penguin has two more pieces.
+    const bool stopped = !merger.merge(is_last ? 1 : kMergeShare, allowed[i], [&](double share) {
+      report_merged(static_cast<double>(i) + share, allowed.size());
     });
     if (i == 0) {
       const auto has_more = [&](const CutSet& set) { return set.proposal.num_pieces > merger.set().num_pieces; };
@@ -324,13 +315,13 @@ bool CutSetSearch::add_smooth(std::vector<CutSet>& sets) {
     }
     sets.emplace_back().proposal = merger.set();
     if (stopped) throw Stopped();
-    const DartProposal smooth = merger.smooth(levels[i].allowed, true);
+    const DartProposal smooth = merger.smooth(allowed[i], true);
     sets.back().proposal = smooth;
-    if (i + 1 == levels.size()) break;
-    const bool may_have_more = levels[i + 1].allowed > levels[i].allowed;
-    merger.go_on(may_have_more ? merger.smooth(levels[i + 1].allowed, false) : smooth);
+    if (is_last) break;
+    const bool may_have_more = allowed[i + 1] > allowed[i];
+    merger.go_on(may_have_more ? merger.smooth(allowed[i + 1], false) : smooth);
   }
-  if (sets.back().proposal.strain <= levels.back().allowed) return true;
+  if (sets.back().proposal.strain <= allowed.back()) return true;
   sets.push_back(fine);  // add_merged() merges the pieces of this set along edges
   return false;
 }
@@ -339,7 +330,12 @@ bool CutSetSearch::add_smooth(std::vector<CutSet>& sets) {
 void CutSetSearch::report_strain(double first, double now) {
   const double least = std::max(target_, kFlat);
   const double share = first > least ? std::clamp(std::log(first / now) / std::log(first / least), 0.0, 1.0) : 1;
-  progress_.enter(kOpened + (kCut - kOpened) * share, kOpened + (kCut - kOpened) * share);
+  progress_.stay_at(kOpened + (kCut - kOpened) * share);
+}
+
+/// num_done: number of merged sets out of `count`, with a fraction for the set that is being merged.
+void CutSetSearch::report_merged(double num_done, std::size_t count) {
+  progress_.stay_at(kCut + (1 - kCut) * num_done / static_cast<double>(count));
 }
 
 std::vector<DartProposal> CutSetSearch::search() {

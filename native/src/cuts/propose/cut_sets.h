@@ -63,6 +63,7 @@ class CutSetSearch {
   CutSet with_figures(CutMask cut, FlatPieces pieces) const;
   CutSet evaluate(const FlatPieces& before, const CutMask& cut) const;
   void report_strain(double first, double now);
+  void report_merged(double num_done, std::size_t count);
   bool makes_narrow(const CutSet& more, const FlatPiece& part) const;
   std::size_t worst_part(const CutSet& set) const;
   std::optional<CutSet> cut_once_more(const CutSet& set) const;

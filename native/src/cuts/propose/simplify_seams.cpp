@@ -108,10 +108,8 @@ class SeamSimplifier {
     for (const Part& part : parts_) total += length_of_cut(part.chart.mesh, part.cut);
     for (Part& part : parts_) {
       const double length = length_of_cut(part.chart.mesh, part.cut);
-      merge(part, [&](double share) {
-        const double reached = kFlattened + (1 - kFlattened) * (done + share * length) / total;
-        progress_.enter(reached, reached);
-      });
+      merge(part,
+            [&](double share) { progress_.stay_at(kFlattened + (1 - kFlattened) * (done + share * length) / total); });
       done += length;
     }
   }
