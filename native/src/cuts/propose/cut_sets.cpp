@@ -68,6 +68,20 @@ FlattenError none_found(const Chart& chart, const CutOptions& cut_options) {
   return no_proposal(chart, {{"reason", "no_set"}, {"is_restricted", cut_options.no_seam.rows() > 0}});
 }
 
+/// Returns up to `count` sets. The ratios of their consecutive strains are about equal. sets: sorted by strain.
+std::vector<DartProposal> evenly_chosen(const std::vector<DartProposal>& sets, std::size_t count) {
+  if (sets.size() <= count) return sets;
+  std::vector<DartProposal> chosen{sets.front()};
+  const double least = std::max(sets.front().strain, kFlat), ratio = sets.back().strain / least;
+  for (std::size_t i = 1; i < sets.size() && chosen.size() < count; ++i) {
+    const double step = static_cast<double>(chosen.size()) / static_cast<double>(count - 1);
+    const bool is_far_enough = sets[i].strain >= least * std::pow(ratio, step) * (1 - kWorthSewing);
+    const bool are_all_needed = sets.size() - i <= count - chosen.size();
+    if (is_far_enough || are_all_needed) chosen.push_back(sets[i]);
+  }
+  return chosen;
+}
+
 }  // namespace
 
 std::vector<double> allowed_strains(double least, double target) {
@@ -253,18 +267,7 @@ std::vector<DartProposal> CutSetSearch::best_of(const std::vector<CutSet>& sets)
     best.push_back(set.proposal);
   }
   std::reverse(best.begin(), best.end());
-  const auto count = static_cast<std::size_t>(cut_options_.count);
-  if (best.size() <= count) return best;
-  // Chooses sets so that the ratios of consecutive strains are about equal.
-  std::vector<DartProposal> chosen{best.front()};
-  const double least = std::max(best.front().strain, kFlat), ratio = best.back().strain / least;
-  for (std::size_t i = 1; i < best.size() && chosen.size() < count; ++i) {
-    const double step = static_cast<double>(chosen.size()) / static_cast<double>(count - 1);
-    const bool is_far_enough = best[i].strain >= least * std::pow(ratio, step) * (1 - kWorthSewing);
-    const bool are_all_needed = best.size() - i <= count - chosen.size();
-    if (is_far_enough || are_all_needed) chosen.push_back(best[i]);
-  }
-  return chosen;
+  return evenly_chosen(best, static_cast<std::size_t>(cut_options_.count));
 }
 
 /// Adds sets with one more cut each, until the last set meets the target. Throws Stopped. Sets added by then remain.
