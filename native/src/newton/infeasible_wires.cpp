@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <map>
 
@@ -92,12 +91,12 @@ Tolerances free_wires_that_change(const Chart& chart, const Solution& free) {
 class ToleranceSearch {
  public:
   /// starts: layouts near exact lengths.
-  ToleranceSearch(const Chart& chart, double fairness, std::vector<Positions2> starts, StopToken stop)
-      : chart_(chart), fairness_(fairness), starts_(std::move(starts)), stop_(std::move(stop)) {}
+  ToleranceSearch(const Chart& chart, const InternalOptions& options, std::vector<Positions2> starts, StopToken stop)
+      : chart_(chart), options_(options), starts_(std::move(starts)), stop_(std::move(stop)) {}
 
   bool work(const Tolerances& tolerances) const {
     const Chart looser = with_tolerances(chart_, tolerances);
-    const Problem problem(looser, fairness_);
+    const Problem problem(looser, options_.fairness);
     return std::any_of(starts_.begin(), starts_.end(), [&](Positions2 uv) {
       Budget budget(kMaxProjectFactorizations);
       return project_to_lengths(problem, uv, {budget, stop_});
@@ -116,10 +115,15 @@ class ToleranceSearch {
     return tolerances;
   }
 
-  /// Returns the wires with the lowest common tolerance that are_good accepts, among the values of kLadder below
-  /// `below`. Returns no wires if there are too many, or if the highest tolerance does not work.
-  Tolerances lowest_shared(const Tolerances& wires, double below,
-                           const std::function<bool(const Tolerances&)>& are_good) const {
+  /// Returns the first tolerances with which the chart lies flat, or no wires.
+  Tolerances first_flat(const std::vector<Tolerances>& choices) {
+    const auto found = std::find_if(choices.begin(), choices.end(), [&](const auto& each) { return are_flat(each); });
+    return found == choices.end() ? Tolerances() : *found;
+  }
+
+  /// Returns the wires with the lowest common tolerance with which the chart lies flat, among the values of kLadder
+  /// below `below`. Returns no wires if there are too many, or if the highest tolerance does not work.
+  Tolerances lowest_shared(const Tolerances& wires, double below) {
     Tolerances lowest;
     const auto all_have = [&](double tolerance) {
       Tolerances shared = wires;
@@ -131,7 +135,7 @@ class ToleranceSearch {
     if (wires.empty() || wires.size() > kMostElasticWires || low == high || !work(all_have(*(high - 1)))) return lowest;
     std::partition_point(low, high, [&](double rung) {
       Tolerances shared = all_have(rung);
-      if (!is_looser(shared) || !are_good(shared)) return true;
+      if (!is_looser(shared) || !are_flat(shared)) return true;
       lowest = std::move(shared);
       return false;
     });
@@ -139,6 +143,14 @@ class ToleranceSearch {
   }
 
  private:
+  bool are_flat(const Tolerances& tolerances) {
+    stop_.check();
+    if (tolerances.empty()) return false;
+    const auto [answer, is_new] = known_.try_emplace(tolerances, false);
+    if (is_new) answer->second = lies_flat(with_tolerances(chart_, tolerances), options_, stop_);
+    return answer->second;
+  }
+
   static std::vector<int> wires_of(const Tolerances& tolerances) {
     std::vector<int> wires;
     for (const auto& [wire, tolerance] : tolerances) wires.push_back(wire);
@@ -197,9 +209,10 @@ class ToleranceSearch {
   }
 
   const Chart& chart_;
-  double fairness_;
-  std::vector<Positions2> starts_;
-  StopToken stop_;
+  const InternalOptions& options_;
+  const std::vector<Positions2> starts_;
+  const StopToken stop_;
+  std::map<Tolerances, bool> known_;  // answers of are_flat(); choices repeat if doubled() changes nothing
   double trials_ = 0;
 };
 
@@ -208,6 +221,24 @@ bool shows_conflict(const RelaxedShape& relaxed) {
   const bool are_wires_violated =
       (relaxed.strain_rms.array() > kKept || relaxed.tolerance_violation.array() > kKept).any();
   return are_wires_violated || relaxed.outline_strain > kKept;
+}
+
+/// Returns the best tolerances with which the chart lies flat, or no wires. freed, changing, all: free wires that the
+/// relaxed shape changes, that change when all wires are free, and all held wires.
+Tolerances best_tolerances(ToleranceSearch& search, const Tolerances& freed, const Tolerances& changing,
+                           const Tolerances& all) {
+  const Tolerances few = search.on_few_wires(freed);
+  const auto is_free = [](const auto& wire) { return std::isinf(wire.second); };
+  const bool are_few_elastic = few.size() <= kFewWires && std::none_of(few.begin(), few.end(), is_free);
+  Tolerances best;
+  if (are_few_elastic) best = search.first_flat({few, doubled(few)});
+  if (best.empty()) {
+    best = search.lowest_shared(freed, kFreeTolerance);
+    // A proposal with more wires is worthwhile if it more than halves the tolerance.
+    const double below = best.empty() ? kFreeTolerance : best.begin()->second / 2;
+    if (Tolerances of_many = search.lowest_shared(changing, below); !of_many.empty()) best = std::move(of_many);
+  }
+  return best.empty() ? search.first_flat({few, doubled(few), freed, all}) : best;
 }
 
 std::vector<ProposedTolerance> propose_tolerances(Problem& problem, const InternalOptions& options,
@@ -222,41 +253,15 @@ std::vector<ProposedTolerance> propose_tolerances(Problem& problem, const Intern
   const Solution free = refine_chart(with_tolerances(chart, all), brief, stop);
   stop.check();
   if (!free.is_exact()) return {};
-  ToleranceSearch search(chart, options.fairness, {relaxed.uv, free.shape.uv}, stop);
-  // Answers of lies_flat(). Choices may repeat, because doubled() does not change free wires.
-  std::map<Tolerances, bool> known;
-  const auto are_sufficient = [&](const Tolerances& tolerances) {
-    stop.check();
-    if (tolerances.empty()) return false;
-    const auto [answer, is_new] = known.try_emplace(tolerances, false);
-    if (is_new) answer->second = lies_flat(with_tolerances(chart, tolerances), options, stop);
-    return answer->second;
-  };
-  const auto first_flat = [&](const std::vector<Tolerances>& choice) {
-    const auto found = std::find_if(choice.begin(), choice.end(), are_sufficient);
-    return found == choice.end() ? Tolerances() : *found;
-  };
+  ToleranceSearch search(chart, options, {relaxed.uv, free.shape.uv}, stop);
   Tolerances freed = wires_to_free(chart, relaxed, kKept);
   if (!search.work(freed)) {
     freed = wires_to_free(chart, relaxed, kPerhapsKept);
     if (!search.work(freed)) freed.clear();
   }
-  const Tolerances few = search.on_few_wires(freed);
-  const auto is_free = [](const auto& wire) { return std::isinf(wire.second); };
-  const bool are_few_elastic = few.size() <= kFewWires && std::none_of(few.begin(), few.end(), is_free);
-  Tolerances proposed;
-  if (are_few_elastic) proposed = first_flat({few, doubled(few)});
-  if (proposed.empty()) {
-    proposed = search.lowest_shared(freed, kFreeTolerance, are_sufficient);
-    // A proposal with more wires is worthwhile if it more than halves the tolerance.
-    const double below = proposed.empty() ? kFreeTolerance : proposed.begin()->second / 2;
-    const Tolerances of_many = search.lowest_shared(free_wires_that_change(chart, free), below, are_sufficient);
-    if (!of_many.empty()) proposed = of_many;
-  }
-  if (proposed.empty() && !are_few_elastic) proposed = first_flat({few, doubled(few)});
-  if (proposed.empty()) proposed = first_flat({freed, all});
   std::vector<ProposedTolerance> listed;
-  for (const auto& [wire, tolerance] : proposed) listed.push_back({wire, tolerance});
+  for (const auto& [wire, tolerance] : best_tolerances(search, freed, free_wires_that_change(chart, free), all))
+    listed.push_back({wire, tolerance});
   return listed;
 }
 
