@@ -48,6 +48,7 @@ class RelaxedLengths {
   void make_groups(const HeldNetwork& network);
   Eigen::VectorXd residual(const Iterate& iterate) const;
   Eigen::VectorXd mean_squares(const Eigen::VectorXd& residual) const;
+  Eigen::VectorXd stiffness_of_edges(const Eigen::VectorXd& residual, double smoothing) const;
   Eigen::VectorXd tolerance_violation(const Eigen::VectorXd& variation) const;
   double value(const Iterate& iterate, double smoothing) const;
   Step step(double smoothing, const StopToken& stop);
@@ -134,19 +135,24 @@ double RelaxedLengths::value(const Iterate& iterate, double smoothing) const {
   return result;
 }
 
-/// Returns the step to the minimum of f plus the energy of springs. The current weights define the stiffness of the
-/// springs. With d eliminated, a dense system in Δh remains.
-Step RelaxedLengths::step(double smoothing, const StopToken& stop) {
-  Positions2 gradient;
-  objective_.value_and_gradient(now_.uv, gradient);
-  const Eigen::VectorXd missing = residual(now_);
-  const Eigen::VectorXd squares = mean_squares(missing);
+Eigen::VectorXd RelaxedLengths::stiffness_of_edges(const Eigen::VectorXd& residual, double smoothing) const {
+  const Eigen::VectorXd squares = mean_squares(residual);
   Eigen::VectorXd stiffness(constraints_.size());
   for (int e = 0; e < constraints_.size(); ++e) {
     const int group = group_of_edge_[e];
     stiffness[e] =
         groups_[group].weight / constraints_.edges()[e].length / std::sqrt(squares[group] + smoothing * smoothing);
   }
+  return stiffness;
+}
+
+/// Returns the step to the minimum of f plus the energy of springs. The current weights define the stiffness of the
+/// springs. With d eliminated, a dense system in Δh remains.
+Step RelaxedLengths::step(double smoothing, const StopToken& stop) {
+  Positions2 gradient;
+  objective_.value_and_gradient(now_.uv, gradient);
+  const Eigen::VectorXd missing = residual(now_);
+  const Eigen::VectorXd stiffness = stiffness_of_edges(missing, smoothing);
   const Eigen::VectorXd forces = stiffness.cwiseProduct(missing);
   system_.set_stiffness(stiffness);
   Step step{{}, Eigen::VectorXd::Zero(constraints_.num_elastic()), 0};
