@@ -23,12 +23,12 @@ class Budget {
   int left() const { return left_; }
   int spent() const { return spent_; }
 
-  /// Returns whether this number of factorizations may be spent. If not, ran_out() is true from then on. The same holds
-  /// for ran_out() of the whole budget.
-  bool allows(int factorizations = 1) {
-    if (whole_) whole_->allows(factorizations);
-    ran_out_ = ran_out_ || left_ < factorizations;
-    return left_ >= factorizations;
+  /// Returns whether another factorization may be spent. If not, ran_out() is true from then on. The same holds for
+  /// ran_out() of the whole budget.
+  bool allows() {
+    if (whole_) whole_->allows();
+    ran_out_ = ran_out_ || left_ < 1;
+    return left_ >= 1;
   }
 
   bool ran_out() const { return ran_out_; }

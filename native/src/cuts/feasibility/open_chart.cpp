@@ -80,13 +80,11 @@ CutMask slit_to_far_end(const HalfEdgeMesh& mesh, const CutMask& forbidden) {
   const bool is_closed = starts.empty();
   if (is_closed) starts.push_back(farthest_vertex(shortest_paths(mesh, {VertexHandle(0)}, around(mesh, forbidden))));
   const ShortestPaths paths = shortest_paths(mesh, starts, around(mesh, forbidden));
-  const std::vector<HalfedgeHandle> path = path_back(mesh, paths, farthest_vertex(paths));
-  CutMask cut(mesh.n_edges(), 0);
+  std::vector<HalfedgeHandle> path = path_back(mesh, paths, farthest_vertex(paths));
   // After a cut along a single edge, a closed surface would have an outline of two edges, which cannot enclose any
   // area.
-  if (is_closed && path.size() == 1) return cut;
-  for (const HalfedgeHandle h : path) cut[mesh.edge_handle(h).idx()] = 1;
-  return cut;
+  if (is_closed && path.size() == 1) path.clear();
+  return cut_along(mesh, path);
 }
 
 /// Searches for a cut of a chart. Cuts are masks of the whole chart's edges, even if they cut only a part. The sources

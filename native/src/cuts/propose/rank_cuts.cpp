@@ -81,12 +81,6 @@ std::vector<RankedCut> CutSearch::ranked() const {
   return cuts;
 }
 
-std::vector<CutEnds> ends_of(const std::vector<RankedCut>& cuts) {
-  std::vector<CutEnds> ends;
-  for (const RankedCut& cut : cuts) ends.push_back(cut.ends);
-  return ends;
-}
-
 }  // namespace
 
 std::vector<RankedCut> rank_cuts(const Chart& chart, const SmoothPathFinder& paths,
@@ -105,11 +99,11 @@ std::vector<RankedCut> rank_cuts(const Chart& chart, const SmoothPathFinder& pat
     const RankedCut improved = search.improve(cut);
     if (!is_beside_best(improved)) best.push_back(improved);
   }
-  const std::vector<CutEnds> best_ends = ends_of(best);
   const double count = limits.share * static_cast<double>(search.num_tried());
   for (const RankedCut& cut : search.ranked()) {
     if (static_cast<double>(best.size()) >= count || cut.energy >= search.energy_uncut()) break;
-    if (std::count(best_ends.begin(), best_ends.end(), cut.ends) == 0) best.push_back(cut);
+    const auto has_same_ends = [&](const RankedCut& b) { return b.ends == cut.ends; };
+    if (std::none_of(best.begin(), best.end(), has_same_ends)) best.push_back(cut);
   }
   std::stable_sort(best.begin(), best.end(),
                    [](const RankedCut& a, const RankedCut& b) { return a.energy < b.energy; });
