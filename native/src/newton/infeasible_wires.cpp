@@ -38,8 +38,6 @@ constexpr double kLadder[] = {0.001, 0.002, 0.003, 0.005, 0.01, 0.015, 0.02, 0.0
 
 using Tolerances = std::map<int, double>;  // by wire index; infinite: the wire is free
 
-bool is_held(const WirePart& part) { return part.kind == WireKind::rigid || part.kind == WireKind::elastic; }
-
 /// Returns free tolerances for the held wires that have a chosen part. chooses(i) returns whether part i is chosen.
 template <typename Chooses>
 Tolerances free_wires(const Chart& chart, const Chooses& chooses) {

@@ -25,8 +25,7 @@ constexpr double kShortestRelaxStep = 1e-3;                  // after ten halvin
 /// variation. Parts with one edge are rigid, because their residual r replaces the variation.
 Chart with_variations(Chart chart) {
   for (WirePart& part : chart.wire_parts) {
-    if (part.kind != WireKind::elastic && part.kind != WireKind::rigid) continue;
-    part.kind = part.half_edges.size() > 1 ? WireKind::elastic : WireKind::rigid;
+    if (is_held(part)) part.kind = part.half_edges.size() > 1 ? WireKind::elastic : WireKind::rigid;
   }
   return chart;
 }

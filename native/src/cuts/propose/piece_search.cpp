@@ -130,9 +130,9 @@ FlattenError no_proposal(const Chart& chart, ErrorArguments arguments) {
 }
 
 FlattenError none_helps(const Chart& chart, CutKind kind, double strain) {
-  std::set<int> wires;  // wires with fixed or elastic lengths
+  std::set<int> wires;
   for (const WirePart& part : chart.wire_parts) {
-    if (part.kind == WireKind::rigid || part.kind == WireKind::elastic) wires.insert(part.wire_index);
+    if (is_held(part)) wires.insert(part.wire_index);
   }
   return no_proposal(chart, {{"reason", "no_gain"},
                              {"kind", name_of(kind)},

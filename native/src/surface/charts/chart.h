@@ -37,11 +37,11 @@ inline double variation_of(const WirePart& part, double g) {
 
 inline bool is_elastic_boundary(const WirePart& part) { return part.kind == WireKind::boundary && part.tolerance > 0; }
 
-/// Returns whether a part has a length of its own to keep: it is a rigid or elastic wire, or an elastic run on the
-/// boundary.
-inline bool has_own_length(const WirePart& part) {
-  return is_elastic_boundary(part) || part.kind == WireKind::rigid || part.kind == WireKind::elastic;
-}
+/// Returns whether a part is a wire inside the piece with a length to keep.
+inline bool is_held(const WirePart& part) { return part.kind == WireKind::rigid || part.kind == WireKind::elastic; }
+
+/// Returns whether a part has a length of its own to keep: it is held, or an elastic run on the boundary.
+inline bool has_own_length(const WirePart& part) { return is_elastic_boundary(part) || is_held(part); }
 
 /// One section of the outline between junctions of seams and boundaries.
 struct BoundaryChain {
