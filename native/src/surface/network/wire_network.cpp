@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "surface/network/wire_network.h"
 
+#include "base/disjoint_sets.h"
 #include "surface/mesh/geometry.h"
 
 namespace wirewarp {
@@ -70,27 +71,13 @@ void add_nodes(const HalfEdgeMesh& mesh, WireNetwork& network) {
 
 /// Numbers the regions between wires, and returns the region of each face.
 std::vector<int> find_patch_of_face(const HalfEdgeMesh& mesh, const WireNetwork& network, int& num_patches) {
-  std::vector<int> patch_of_face(mesh.n_faces(), -1);
-  num_patches = 0;
-  std::vector<FaceHandle> stack;
-  for (const FaceHandle seed : mesh.faces()) {
-    if (patch_of_face[seed.idx()] >= 0) continue;
-    patch_of_face[seed.idx()] = num_patches;
-    stack.push_back(seed);
-    while (!stack.empty()) {
-      HalfedgeHandle h = mesh.halfedge_handle(stack.back());
-      stack.pop_back();
-      for (int k = 0; k < 3; ++k, h = mesh.next_halfedge_handle(h)) {
-        if (is_wire(mesh, network, h)) continue;
-        const FaceHandle neighbor = mesh.face_handle(mesh.opposite_halfedge_handle(h));
-        if (patch_of_face[neighbor.idx()] >= 0) continue;
-        patch_of_face[neighbor.idx()] = num_patches;
-        stack.push_back(neighbor);
-      }
-    }
-    ++num_patches;
+  DisjointSets faces(mesh.n_faces());
+  for (const EdgeHandle e : mesh.edges()) {
+    const HalfedgeHandle h = mesh.halfedge_handle(e, 0);
+    if (is_wire(mesh, network, h)) continue;
+    faces.unite(mesh.face_handle(h).idx(), mesh.opposite_face_handle(h).idx());
   }
-  return patch_of_face;
+  return faces.number(num_patches);
 }
 
 void add_patches(const HalfEdgeMesh& mesh, WireNetwork& network) {
