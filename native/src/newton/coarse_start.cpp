@@ -11,13 +11,17 @@
 namespace wirewarp {
 namespace {
 
-constexpr double kCoarsening = 4;  // coarse edge length over fine edge length; 4 leaves a sixteenth of the faces
+// Coarse edge length over fine edge length; 4 leaves a sixteenth of the faces. With 8, no test of coarse starts
+// changes.
+constexpr double kCoarsening = 4;
 // Least ratio of coarse to fine edge length for which a coarse copy is made. The ratio 2 leaves a quarter of the faces.
 // With more faces, the copy saves no time.
 constexpr double kLeastCoarsening = 2;
 // Largest ratio of coarse edge length to the shortest wavelength of the wires. Longer edges cannot follow the wires.
 constexpr double kPerWiggle = 0.9;
-constexpr int kMaxCoarseFactorizations = 30;  // but at most half of the budget, because the chart itself needs the rest
+// But at most half of the budget, because the chart itself needs the rest. Half or twice this number changes no test of
+// coarse starts.
+constexpr int kMaxCoarseFactorizations = 30;
 
 }  // namespace
 

@@ -14,8 +14,10 @@ namespace wirewarp {
 namespace {
 
 constexpr double kFirstStiffness = 1;  // first value of ρ l / √area: a wire is as stiff as the surface beside it
-constexpr double kStiffening = 4;      // growth of ρ if an update of λ divides the length errors by less than this
-constexpr double kStiffest = 1e6;      // with a larger ρ, rounding errors make the steps useless
+// Growth of ρ if an update of λ divides the length errors by less than this. On 400 random cases, 2 leads to 9% more
+// factorizations, and 8 saves 1%.
+constexpr double kStiffening = 4;
+constexpr double kStiffest = 1e6;  // with a larger ρ, rounding errors make the steps useless
 // From this ρ on, errors above kHopeless mean contradicting lengths. Such wires pull a hundred times as hard as a
 // strain of 1 in the surface.
 constexpr double kStiff = 1e4;

@@ -12,14 +12,21 @@
 namespace wirewarp {
 namespace {
 
-constexpr double kLongestEdge = 2;  // longest new edge over the target length
+// Longest new edge over the target length. On a sheet of 3,200 faces, 1 leaves 522 faces, and 4 leaves only 29.
+constexpr double kLongestEdge = 2;
 // Least quality of a new face: an equilateral face has 1, a face without area 0. All angles are then above 8 degrees.
+// With half this value, quadratic maps of a curved sheet are prolonged less exactly; with twice, no test of coarse
+// starts changes.
 constexpr double kWorstQuality = 0.25;
 // A choice counts as better only if it is better by this factor. So the rounding errors of a rotated or scaled mesh do
 // not change the choice.
 constexpr double kClearly = 1 + 1e-9;
-constexpr double kSharpestTurn = kPi / 4;  // wire vertices at which the wire turns more are not removed
-constexpr double kWorthwhile = 0.02;       // a round that removes a smaller share of the vertices is the last one
+// Wire vertices at which the wire turns more are not removed. With twice this angle, a quarter sphere takes four fine
+// factorizations instead of three; with half, no test of coarse starts changes.
+constexpr double kSharpestTurn = kPi / 4;
+// A round that removes a smaller share of the vertices is the last one. Half or twice this share changes no test of
+// coarse starts.
+constexpr double kWorthwhile = 0.02;
 
 /// The faces around a vertex, or on one side of its wire. They are laid out in the plane with the vertex at the origin.
 /// Face i is between spokes i and i + 1.

@@ -30,7 +30,9 @@ double shorter_by(double slope, double rise) { return std::clamp(-slope / (2 * (
 BoxMinimum minimize_in_box(const BoxFunction& function, const Eigen::VectorXd& lower, const Eigen::VectorXd& upper,
                            const Eigen::VectorXd& start, double tolerance, int max_evaluations,
                            const std::optional<Eigen::MatrixXd>& hessian) {
-  constexpr double kFirstStep = 0.02;     // largest entry of the first steepest descent step
+  // Largest entry of the first steepest descent step. Later steps follow B, so half or twice this value changes no
+  // test of elastic wires.
+  constexpr double kFirstStep = 0.02;
   constexpr double kSmallestStep = 1e-5;  // share of a direction; reached after at most 17 reductions
   BoxMinimum best;
   best.x = start;

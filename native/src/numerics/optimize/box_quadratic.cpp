@@ -8,7 +8,7 @@ namespace wirewarp {
 
 Eigen::VectorXd minimize_quadratic_in_box(const Eigen::VectorXd& g, const Eigen::MatrixXd& b,
                                           const Eigen::VectorXd& lower, const Eigen::VectorXd& upper) {
-  constexpr int kMaxFactorizations = 50;
+  constexpr int kMaxFactorizations = 50;  // with 25, five of 835 random pieces change; with 100, none
   Eigen::VectorXd d = Eigen::VectorXd::Zero(g.size()), slope = g;
   double value = 0;
   Eigen::LLT<Eigen::MatrixXd> factor;

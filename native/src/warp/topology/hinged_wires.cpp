@@ -36,7 +36,7 @@ std::vector<char> other_wires(const SplitChart& split, VertexHandle tail) {
 }
 
 /// Returns whether a path winds around the surface: whether it is more than twice as long as the shortest edge path
-/// between its ends.
+/// between its ends. With 1.5 instead of 2, no shape of 400 random cases changes; with 3, two shapes change.
 bool winds(const HalfEdgeMesh& mesh, const MeshPath& path) {
   constexpr double kTimesLonger = 2;
   const double length = path_length(mesh, path);
