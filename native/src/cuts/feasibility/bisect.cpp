@@ -181,6 +181,7 @@ std::vector<CutMask> bisections(const HalfEdgeMesh& mesh, const CutMask& forbidd
   };
   // On a coarse mesh, shortening may reduce a border to nothing, so the original border is added, too. On fine meshes,
   // original borders are jagged: without the limit kCoarse, 43 models have 154 pieces in total, not 93.
+  // Half or twice the limit changes no test of proposed seams.
   constexpr std::size_t kCoarse = 1000;
   for (Sides& side : all_sides) {
     keep_together(mesh, forbidden, side);

@@ -43,7 +43,7 @@ constexpr double kWorst = 2;
 
 /// Prices added to the mean strain of a divided part, to decide between planes with about the same strain:
 /// - kLengthPrice: per length of the seam over √area, which is 1.8 around a ball; its seam costs 3.5% of strain
-/// - kPartPrice: per new part
+/// - kPartPrice: per new part; half or twice this price changes no test of parts
 /// - kNarrowPrice: per narrow new part; so high that other planes with up to 10% more strain are preferred
 constexpr double kLengthPrice = 0.02, kPartPrice = 0.01, kNarrowPrice = 0.1;
 

@@ -34,15 +34,18 @@ constexpr double kEdges = 4, kOfSize = 0.04;
 constexpr int kLevels = 4;
 
 /// The value of SmoothLimits::far_too_much for sets along edges. The lines of such sets need many changes of level, so
-/// evaluations must be saved.
+/// evaluations must be saved. With 1.05, the lines of an egg are not smooth; with 1.2, no test of
+/// smooth sets changes.
 constexpr double kFarTooMuch = 1.1;
 
 /// A smooth set may have at most this share of the bends of the set along edges. With more bends, the additional strain
-/// is not worthwhile.
+/// is not worthwhile: with 1, a chess bishop gets one more smooth set, with 4% more strain. With 0.25, the lines of an
+/// egg and a dart are not smooth.
 constexpr double kMostBends = 0.5;
 
 /// A smooth set may have this many times the strain of the set along edges. Zigzags are longer and pass through more
-/// vertices, which have all curvature of a coarse mesh. Therefore, zigzags need less strain.
+/// vertices, which have all curvature of a coarse mesh. Therefore, zigzags need less strain. With 1, five tests get no
+/// smooth set; with 4, no test of smooth sets changes.
 constexpr double kMostGrowth = 2;
 
 /// Smaller strains are rounding errors.
