@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/in_threads.h"
+#include "base/planar.h"
 #include "cuts/propose/flat_width.h"
 #include "cuts/propose/merge_sections.h"
 #include "test_meshes.h"
@@ -300,6 +301,22 @@ TEST(MergeSections, JoinsPiecesThatAreEquallyNarrow) {
     ASSERT_EQ(state.pieces.size(), 2U);
     EXPECT_EQ(merge_sections(state, sheet.chart, sheet.exact, 1e-6, 2).pieces.size(), 1U) << k;
   }
+}
+
+/// A spiral ramp of more than one turn first overlaps itself when it is flattened, so the quick trial of its halves
+/// fails. Narrow halves are joined nevertheless.
+TEST(MergeSections, JoinsNarrowPiecesThatFirstOverlap) {
+  const int n = 36;
+  FlattenInput ramp = test::flat_rectangle(n, 2, 1.2, 1);
+  for (auto place : ramp.vertices.rowwise()) {
+    const double turn = 2 * kPi * place.x(), radius = 1 + 0.2 * place.y();
+    place = Eigen::RowVector3d(radius * std::cos(turn), radius * std::sin(turn), 0.3 * place.x());
+  }
+  const CutSurface sheet(ramp);
+  const CutState state = sheet.with(edges_of(test::grid_column(n, 2, n / 2)));
+  ASSERT_EQ(state.pieces.size(), 2U);
+  EXPECT_EQ(merge_sections(state, sheet.chart, sheet.exact, 1).pieces.size(), 2U);
+  EXPECT_EQ(merge_sections(state, sheet.chart, sheet.exact, 1, 2).pieces.size(), 1U);
 }
 
 TEST(MergeSections, JoinsTheHalvesOfARing) {

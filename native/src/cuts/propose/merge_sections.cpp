@@ -167,7 +167,7 @@ SectionMerger::SectionMerger(CutState state, const Chart& chart, const MirroredC
 void SectionMerger::run(double most_strain, const std::function<void(double)>& report) {
   most_strain_ = most_strain;
   report_ = report;
-  while (open_one(false) || open_one(true)) continue;
+  while (open_one(Stage::sections) || open_one(Stage::halves) || open_one(Stage::narrow)) continue;
 }
 
 void SectionMerger::restart(double first) {
@@ -192,6 +192,7 @@ bool SectionMerger::undo(const FlatPieces& unwanted) {
       if (!has_unwanted(trial.after)) continue;
       trial.after.clear();
       trial.strain = kNoFlatShape;
+      trial.is_final = true;
     }
   }
   const std::size_t count = earlier_.size();
@@ -206,19 +207,19 @@ bool SectionMerger::is_unwanted(const Chart& chart) const {
   return std::any_of(unwanted_.begin(), unwanted_.end(), [&](const auto& piece) { return contains(chart, *piece); });
 }
 
-/// Removes the first allowed candidate: a section, or a part of a section if is_half is true. Returns false if no
-/// candidate is allowed.
-bool SectionMerger::open_one(bool is_half) {
+/// Removes the first allowed candidate. Returns false if no candidate is allowed.
+bool SectionMerger::open_one(Stage stage) {
   exact_.stop().check();
-  const std::vector<CutMask> candidates = list_candidates(is_half);
+  const std::vector<CutMask> candidates = list_candidates(stage);
+  const int num_stages = first_ > 0 ? 3 : 2;  // without a width, no piece is narrow
   std::vector<std::optional<Replacement>> tried(candidates.size());
   std::atomic<std::size_t> first_allowed{candidates.size()};
   const std::thread::id caller = std::this_thread::get_id();
   run_on_all_cores(candidates.size(), exact_.stop(), [&](std::size_t i) {
     if (i > first_allowed) return;
     if (std::this_thread::get_id() == caller)
-      report_((static_cast<double>(i) / static_cast<double>(candidates.size()) + (is_half ? 1 : 0)) / 2);
-    tried[i] = try_without(candidates[i]);
+      report_((static_cast<double>(i) / static_cast<double>(candidates.size()) + static_cast<int>(stage)) / num_stages);
+    tried[i] = try_without(candidates[i], stage == Stage::narrow);
     if (tried[i]->after.empty()) return;
     std::size_t first = first_allowed;
     while (i < first && !first_allowed.compare_exchange_weak(first, i)) continue;
@@ -256,33 +257,41 @@ CutState SectionMerger::replaced(const CutMask& mask, const Replacement& replace
   return state;
 }
 
-/// Returns symmetric candidates, the longest first. Leaves out candidates that were rejected before, if the same pieces
-/// are still beside them. Candidates beside narrow pieces come first, because narrow pieces can be joined only while
-/// their neighbors have little strain.
-std::vector<CutMask> SectionMerger::list_candidates(bool are_halves) {
+/// Returns symmetric candidates for which needs_trial() is true, the longest first. Candidates beside narrow pieces
+/// come first, because narrow pieces can be joined only while their neighbors have little strain.
+std::vector<CutMask> SectionMerger::list_candidates(Stage stage) {
   std::vector<HalfEdgeChain> sections;
   for (HalfEdgeChain& whole : sections_of(chart_.mesh, state_.cut)) {
-    if (are_halves) {
+    if (stage != Stage::sections) {
       for (HalfEdgeChain& half : halves_of(chart_.mesh, whole)) sections.push_back(std::move(half));
-    } else {
-      sections.push_back(std::move(whole));
     }
+    if (stage != Stage::halves) sections.push_back(std::move(whole));
   }
   std::vector<CutMask> candidates;
   for (const HalfEdgeChain& section : sorted_by_length(chart_.mesh, std::move(sections))) {
     CutMask mask = mirrored_.with_image(cut_along(chart_.mesh, section));
     for (std::size_t e = 0; e < mask.size(); ++e) mask[e] = mask[e] != 0 && state_.cut[e] != 0;
-    const Replacement* trial = known(mask);
-    if (trial != nullptr && !is_allowed(trial->strain, allowed_beside(beside(mask)))) continue;
+    if (!needs_trial(mask, stage)) continue;
     if (std::find(candidates.begin(), candidates.end(), mask) == candidates.end())
       candidates.push_back(std::move(mask));
   }
-  if (first_ == 0) return candidates;
-  std::stable_partition(candidates.begin(), candidates.end(), [&](const CutMask& mask) {
-    const FlatPieces pieces = beside(mask);
-    return std::any_of(pieces.begin(), pieces.end(), [&](const auto& piece) { return comes_first(piece); });
-  });
+  std::stable_partition(candidates.begin(), candidates.end(),
+                        [&](const CutMask& mask) { return is_beside_narrow(mask); });
   return candidates;
+}
+
+/// Returns whether a section may be allowed in this stage. In the last stage, these are rejected sections beside narrow
+/// pieces, if more factorizations may change their result.
+bool SectionMerger::needs_trial(const CutMask& mask, Stage stage) {
+  const Replacement* trial = known(mask);
+  if (stage == Stage::narrow) return trial != nullptr && !trial->is_final && is_beside_narrow(mask);
+  return trial == nullptr || is_allowed(trial->strain, allowed_beside(beside(mask)));
+}
+
+bool SectionMerger::is_beside_narrow(const CutMask& mask) {
+  if (first_ == 0) return false;
+  const FlatPieces pieces = beside(mask);
+  return std::any_of(pieces.begin(), pieces.end(), [&](const auto& piece) { return comes_first(piece); });
 }
 
 double SectionMerger::allowed_beside(const FlatPieces& pieces) const {
@@ -352,18 +361,18 @@ SectionMerger::Trial SectionMerger::flattened(ChangedPieces changed, const FlatP
 }
 
 /// Returns an earlier trial if its new pieces are stored. Otherwise, flattens the new pieces, unless their free maps
-/// already need too much strain.
-SectionMerger::Replacement SectionMerger::try_without(const CutMask& mask) const {
+/// already need too much strain. is_patient: whether rejected pieces get all factorizations, too.
+SectionMerger::Replacement SectionMerger::try_without(const CutMask& mask, bool is_patient) const {
   const Replacement* same = known(mask);
   if (same != nullptr && !same->after.empty()) return *same;
   const FlatPieces joined = beside(mask);
   ChangedPieces changed = exact_.changed_by(state_.pieces, {}, edges_of(chart_, mask));
   const double allowed = allowed_beside(joined), least = least_strain_of(changed, joined, allowed);
-  if (!is_allowed(least, allowed)) return {joined, {}, least};
-  Trial trial = flattened(changed, joined, allowed, quick_);
-  if (is_allowed(trial.strain, allowed) && !trial.is_final)
+  if (!is_allowed(least, allowed)) return {joined, {}, least, true};
+  Trial trial = flattened(changed, joined, allowed, is_patient ? exact_ : quick_);
+  if (!is_patient && is_allowed(trial.strain, allowed) && !trial.is_final)
     trial = flattened(std::move(changed), joined, allowed, exact_);
-  Replacement made{without_those(state_.pieces, trial.pieces), {}, trial.strain};
+  Replacement made{without_those(state_.pieces, trial.pieces), {}, trial.strain, is_patient || trial.is_final};
   if (is_allowed(trial.strain, allowed)) made.after = without_those(trial.pieces, state_.pieces);
   return made;
 }

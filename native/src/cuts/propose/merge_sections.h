@@ -29,6 +29,7 @@ struct MergeRules {
 
 /// Removes sections of seams from a cut, with their mirror images, the longest first. New pieces must have a flat
 /// shape, and at most the allowed strain or the strain of an old piece beside the section, whichever is larger.
+/// Rejected trials are short, except for those of the last stage, which joins narrow pieces.
 class SectionMerger {
  public:
   /// chart, mirrored and exact must outlive the object. state: a cut of the chart, and the pieces with it.
@@ -62,10 +63,20 @@ class SectionMerger {
     FlatPieces before;  // all pieces that change; if `after` was not flattened, only the pieces beside the section
     FlatPieces after;   // the new pieces; empty if they were not allowed, to save memory
     double strain;      // largest strain of the new pieces; a lower bound if they were not flattened
+    bool is_final;      // whether more factorizations cannot lower the strain
   };
 
-  bool open_one(bool is_half);
-  std::vector<CutMask> list_candidates(bool are_halves);
+  /// Which candidates are tried. A stage begins if no candidate of the earlier stages is allowed.
+  enum class Stage {
+    sections,
+    halves,
+    narrow,  // sections and halves beside narrow pieces, with all factorizations that the options allow
+  };
+
+  bool open_one(Stage stage);
+  std::vector<CutMask> list_candidates(Stage stage);
+  bool needs_trial(const CutMask& mask, Stage stage);
+  bool is_beside_narrow(const CutMask& mask);
   FlatPieces beside(const CutMask& mask) const { return pieces_beside(state_.pieces, edges_of(chart_, mask)); }
   double allowed_beside(const FlatPieces& pieces) const;
   bool had_error(const Chart& chart) const;
@@ -75,7 +86,7 @@ class SectionMerger {
   bool has_long_arms(const FlatPiece& piece, const FlatPieces& old) const;
   double least_strain_of(ChangedPieces& changed, const FlatPieces& joined, double allowed) const;
   Trial flattened(ChangedPieces changed, const FlatPieces& joined, double allowed, const ExactEvaluation& exact) const;
-  Replacement try_without(const CutMask& mask) const;
+  Replacement try_without(const CutMask& mask, bool is_patient) const;
   const Replacement* known(const CutMask& mask) const;
   CutState replaced(const CutMask& mask, const Replacement& replacement) const;
 
