@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "closed_meshes.h"
+#include "cuts/propose/cut_sets.h"
 #include "disguise.h"
 #include "error_of.h"
 #include "judge_cuts.h"
@@ -158,6 +159,22 @@ TEST(CutSetSearch, ReturnsASetThatMeetsTheTargetFirst) {
   ASSERT_GT(sets.size(), 1U);
   cut_options.strain = 0.99 * sets[1].strain;  // a target that sets[1] misses by 1%
   EXPECT_LE(propose_seams(head(), {}, cut_options).front().strain, *cut_options.strain);
+}
+
+TEST(CutSetSearch, PrefersTheShortestSetForEachFabric) {
+  std::vector<DartProposal> sets;
+  for (const double strain : {0.045, 0.06, 0.09, 0.12, 0.19, 0.3}) sets.emplace_back().strain = strain;
+  const auto chosen = [&](int count) {
+    CutOptions cut_options;
+    cut_options.count = count;
+    std::vector<double> strains;
+    for (const DartProposal& set : chosen_by_limit(sets, cut_options)) strains.push_back(set.strain);
+    return strains;
+  };
+  EXPECT_EQ(chosen(1), (std::vector{0.045}));
+  EXPECT_EQ(chosen(3), (std::vector{0.045, 0.09, 0.19}));
+  EXPECT_EQ(chosen(5), (std::vector{0.045, 0.06, 0.09, 0.19, 0.3}));
+  EXPECT_EQ(chosen(9).size(), sets.size());
 }
 
 TEST(CutSetSearch, SuggestsSeamsForThePieceThatNeedsSeams) {

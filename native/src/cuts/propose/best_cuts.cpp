@@ -199,9 +199,8 @@ std::vector<DartProposal> cut_sets(const FlatPieces& pieces, std::size_t piece, 
     });
     sets = without_worse(std::move(sets));
   }
-  if (sets.size() > static_cast<std::size_t>(cut_options.count)) sets.resize(cut_options.count);
   progress.begin_part(0, 1);
-  return sets;
+  return chosen_by_limit(sets, cut_options);
 }
 
 void check_edges(const std::string& name, const VertexPairs& pairs, const FlattenInput& input, const EdgeTable& edges) {

@@ -25,9 +25,10 @@
 namespace wirewarp {
 namespace {
 
-/// Largest number of cuts after the cut that makes the piece flat. A cut and its mirror image count as one. A plush
-/// animal may get two cuts for each of its twenty parts.
-constexpr std::size_t kMostCuts = 40;
+/// Largest number of cuts after the cut that makes the piece flat. A cut and its mirror image count as one.
+/// - kMostCuts: a plush animal may get two cuts for each of its twenty parts
+/// - kMostCutsForPlush: as long as the set needs more strain than plush allows; after 40 cuts, a camel's sets need 44%
+constexpr std::size_t kMostCuts = 40, kMostCutsForPlush = 80;
 
 /// Limits of one call of cut_once_more():
 /// - kPlaces: number of seams, and number of darts, that are candidates; the second is needed if the first fails
@@ -68,20 +69,6 @@ FlattenError none_found(const Chart& chart, const CutOptions& cut_options) {
   return no_proposal(chart, {{"reason", "no_set"}, {"is_restricted", cut_options.no_seam.rows() > 0}});
 }
 
-/// Returns up to `count` sets. The ratios of their consecutive strains are about equal. sets: sorted by strain.
-std::vector<DartProposal> evenly_chosen(const std::vector<DartProposal>& sets, std::size_t count) {
-  if (sets.size() <= count) return sets;
-  std::vector<DartProposal> chosen{sets.front()};
-  const double least = std::max(sets.front().strain, kFlat), ratio = sets.back().strain / least;
-  for (std::size_t i = 1; i < sets.size() && chosen.size() < count; ++i) {
-    const double step = static_cast<double>(chosen.size()) / static_cast<double>(count - 1);
-    const bool is_far_enough = sets[i].strain >= least * std::pow(ratio, step) * (1 - kWorthSewing);
-    const bool are_all_needed = sets.size() - i <= count - chosen.size();
-    if (is_far_enough || are_all_needed) chosen.push_back(sets[i]);
-  }
-  return chosen;
-}
-
 }  // namespace
 
 std::vector<double> allowed_strains(double least, double target) {
@@ -110,6 +97,23 @@ double limit_of_set(const DartProposal& set, const CutOptions& cut_options) {
   double allowed = std::max(cut_options.strain.value_or(kTargetStrain), kFlat);
   while (allowed < set.strain) allowed *= kStrainStep;
   return allowed;
+}
+
+std::vector<DartProposal> chosen_by_limit(const std::vector<DartProposal>& sets, const CutOptions& cut_options) {
+  std::vector<double> limits;
+  for (const DartProposal& set : sets) limits.push_back(limit_of_set(set, cut_options));
+  std::vector<std::size_t> order, others;
+  for (std::size_t i = 0; i < sets.size(); ++i) {
+    const auto next = limits.begin() + static_cast<std::ptrdiff_t>(i) + 1;
+    const bool is_shortest = std::find(next, limits.end(), limits[i]) == limits.end();
+    (i == 0 || is_shortest ? order : others).push_back(i);
+  }
+  order.insert(order.end(), others.begin(), others.end());
+  order.resize(std::min(order.size(), static_cast<std::size_t>(cut_options.count)));
+  std::sort(order.begin(), order.end());
+  std::vector<DartProposal> chosen;
+  for (const std::size_t i : order) chosen.push_back(sets[i]);
+  return chosen;
 }
 
 CutSetSearch::CutSetSearch(const FlatPieces& pieces, std::size_t piece, const CutOptions& cut_options,
@@ -267,12 +271,13 @@ std::vector<DartProposal> CutSetSearch::best_of(const std::vector<CutSet>& sets)
     best.push_back(set.proposal);
   }
   std::reverse(best.begin(), best.end());
-  return evenly_chosen(best, static_cast<std::size_t>(cut_options_.count));
+  return chosen_by_limit(best, cut_options_);
 }
 
 /// Adds sets with one more cut each, until the last set meets the target. Throws Stopped. Sets added by then remain.
 void CutSetSearch::add_more_cuts(std::vector<CutSet>& sets) {
-  while (sets.size() <= kMostCuts && sets.back().proposal.strain > target_) {
+  const auto most = [&] { return sets.back().proposal.strain > kSoftStrain ? kMostCutsForPlush : kMostCuts; };
+  while (sets.size() <= most() && sets.back().proposal.strain > target_) {
     report_strain(sets.front().proposal.strain, sets.back().proposal.strain);
     std::optional<CutSet> more = cut_once_more(sets.back());
     if (!more) break;
@@ -318,11 +323,11 @@ bool CutSetSearch::add_smooth(std::vector<CutSet>& sets) {
     }
     sets.emplace_back().proposal = merger.set();
     if (stopped) throw Stopped();
-    const DartProposal smooth = merger.smooth(allowed[i], true);
+    const DartProposal smooth = merger.smooth(allowed[i]);
     sets.back().proposal = smooth;
     if (is_last) break;
     const bool may_have_more = allowed[i + 1] > allowed[i];
-    merger.go_on(may_have_more ? merger.smooth(allowed[i + 1], false) : smooth);
+    merger.go_on(may_have_more ? merger.smooth(allowed[i + 1]) : smooth);
   }
   if (sets.back().proposal.strain <= allowed.back()) return true;
   sets.push_back(fine);  // add_merged() merges the pieces of this set along edges

@@ -33,6 +33,10 @@ std::vector<DartProposal> without_worse(std::vector<DartProposal> sets);
 /// By default, this is 5% (woven fabric), 10%, 20% (plush) and so on.
 double limit_of_set(const DartProposal& set, const CutOptions& cut_options);
 
+/// Returns up to cut_options.count sets, in their order. Prefers the first set, then the shortest set for each
+/// limit_of_set(), and then the longest other sets. sets: the longest first.
+std::vector<DartProposal> chosen_by_limit(const std::vector<DartProposal>& sets, const CutOptions& cut_options);
+
 /// Searches for cut sets of a piece that has no flat shape or too much strain. First makes the piece flat, then
 /// repeatedly cuts the most strained part, and finally merges pieces.
 class CutSetSearch {

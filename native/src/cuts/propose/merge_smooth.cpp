@@ -64,8 +64,14 @@ bool SmoothMerger::merge(double share, double most_strain, const std::function<v
   const double allowed = std::max(most_strain, set_.strain);
   SectionMerger merger({cut, surface.after()}, chart, mirrored, surface.exact(),
                        {cut_options_.narrowest, least_solidity_});
-  for (int i = 0; i < kMostMerges; ++i) {
-    const bool stopped = was_stopped([&] { merger.run(share * most_strain, report); });
+  for (int i = 0;; ++i) {
+    const bool stopped = was_stopped([&] {
+      // After the last attempt, merges are only undone, so that the other merges remain.
+      if (i < kMostMerges)
+        merger.run(share * most_strain, report);
+      else
+        exact_.stop().check();
+    });
     SurfaceLines lines = lines_across(given, piece_.chart, mesh, chart, image, merger.state().cut);
     std::vector<SurfacePath> paths;
     for (const SurfaceLine& line : lines.lines) paths.push_back(path_of(given, piece_.chart, line));
@@ -85,9 +91,9 @@ bool SmoothMerger::merge(double share, double most_strain, const std::function<v
   return true;
 }
 
-DartProposal SmoothMerger::smooth(double most_strain, bool keeps_room) const {
+DartProposal SmoothMerger::smooth(double most_strain) const {
   SmoothLimits limits{std::max(most_strain, set_.strain)};
-  if (keeps_room) limits.num_narrow = num_narrow_;
+  limits.num_narrow = num_narrow_;
   return smooth_lines(set_, lines_, limits, piece_, cut_options_, exact_).value_or(set_);
 }
 

@@ -27,9 +27,9 @@ class SmoothMerger {
   /// the merges so far, unless they need too much strain. report: see SectionMerger::run().
   bool merge(double share, double most_strain, const std::function<void(double)>& report);
 
-  /// Returns the set after smoothing the corners that merging has left. keeps_room: whether smoothing must not make
-  /// more pieces too narrow. Throws Stopped.
-  DartProposal smooth(double most_strain, bool keeps_room) const;
+  /// Returns the set after smoothing the corners that merging has left. Smoothing makes no more pieces too narrow.
+  /// Throws Stopped.
+  DartProposal smooth(double most_strain) const;
 
   /// Continues from a set that smooth() has returned.
   void go_on(DartProposal set) { set_ = std::move(set); }
