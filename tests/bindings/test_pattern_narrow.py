@@ -1,12 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The narrowest width of a shape is the diameter of the largest disk that can move through the shape."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from patterns import turn
 from surfaces import chain_edges, column_chain, half_cylinder
 from wirewarp import Options, flatten
-from wirewarp.pattern import has_room, narrowest_width, piece_width, pieces_along
+from wirewarp.pattern import has_room, narrow_pieces, narrowest_width, piece_width, pieces_along
+from wirewarp.pattern.make.outline import flat_piece
 
 NEAR = 1e-3  # tolerance of the search, as a share of the width
 
@@ -91,6 +94,23 @@ def test_only_the_allowances_at_the_narrow_place_need_room_there(is_mirrored):
     assert has_room(piece, 0.4, below, [0.59]) and not has_room(piece, 0.4, below, [0.61])
     assert has_room(piece, 0.4, np.flip(below), [0.61])  # the side without the piece has no allowance
     assert has_room(piece, 0.0) and not has_room(piece, 5.0)
+
+
+def test_narrow_pieces_have_too_little_room_for_their_own_allowances():
+    piece, vertices = sheet(7, 3, lambda x, y: x == 3 and y != 1)
+    index = {tuple(place): vertex for vertex, place in enumerate(vertices[:, :2].astype(int).tolist())}
+    bar = flat_piece(piece, "Bar", 1.0)
+    without_shape = replace(bar, name="Without shape", vertices=np.full_like(bar.vertices, np.nan))
+    below = (index[3, 1], index[4, 1])
+
+    def found(allowance=0.4, both=(), sides=(), folds=()):
+        return narrow_pieces([bar, without_shape], allowance, both, sides, folds)
+
+    assert found(0.49) == [] and found(0.51) == ["Bar"]
+    assert found(both=[(*below, 0.61)]) == found(both=[(*below[::-1], 0.61)]) == ["Bar"]
+    assert found(both=[(*below, 0.61)], sides=[(*below, 0.59)]) == []
+    assert found(both=[(*below, 0.59)], sides=[(*below, 0.61)]) == ["Bar"]
+    assert found(sides=[(*below, 0.61)], folds=[below[::-1]]) == []
 
 
 def test_pieces_along_edges_contain_a_whole_edge():

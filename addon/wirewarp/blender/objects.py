@@ -118,7 +118,7 @@ SMALLEST, LARGEST = 0.02, 5.0  # sizes that can be sewn, in meters: from a doll'
 # The others are for models that were scaled down by 10, 100 or 1000 when they were imported.
 UNITS = {1.0: "Meters", 0.1: "Decimeters", 0.01: "Centimeters", 0.001: "Millimeters", 0.0254: "Inches"}
 UNITS |= {10.0: "10 m", 100.0: "100 m", 1000.0: "1000 m"}
-SHOWN = 3  # number of possible units shown; sizes that can be sewn differ by at most a factor of 250
+SHOWN = 3  # number of possible units shown: sizes that can be sewn differ by a factor of 250, three powers of ten
 
 
 def strange_size(target: bpy.types.Object, scene: bpy.types.Scene) -> str:

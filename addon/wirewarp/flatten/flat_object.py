@@ -97,7 +97,7 @@ def _write_new(mesh: bpy.types.Mesh, name: str, pairs: np.ndarray) -> None:
 
 # The name of our collection has a suffix in a second scene, or if a linked collection has the plain name.
 OUR_NAMES = re.compile(rf"{COLLECTION}(\.\d+)?")
-RED = (0.8, 0.02, 0.02, 1.0)  # linear; like the lines of failed areas in overlay/lines.py
+RED = (0.8, 0.02, 0.02, 1.0)  # linear; similar to the lines of failed areas in overlay/lines.py
 
 
 def write_flat_object(

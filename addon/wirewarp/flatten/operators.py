@@ -224,7 +224,7 @@ class OBJECT_OT_wirewarp_flatten(FlattenSteps, bpy.types.Operator):
 
 
 class OBJECT_OT_wirewarp_cancel(bpy.types.Operator):
-    """Stop this run, and keep suggestions that the search has already found"""
+    """Cancel this run, but keep suggestions that a search has found so far"""
 
     bl_idname = "object.wirewarp_cancel"
     bl_label = "Cancel"

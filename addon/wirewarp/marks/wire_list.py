@@ -172,7 +172,7 @@ def _ends(target: bpy.types.Object, rows: list[int]) -> list[tuple[int, int]]:
 
 
 ROWS = 5  # fixed number of rows, so that the buttons below do not move
-SHOWN_UNLISTED = 3  # wires below the list, with their number fewer rows than the list has
+SHOWN_UNLISTED = 3  # wires shown below the list; with a line for the other wires, fewer than ROWS
 
 
 def shown_wires(target: bpy.types.Object) -> list[tuple[str, WireSummary]]:

@@ -11,7 +11,7 @@ from ..export.read import kept_marker
 from ..issues import ObjectError
 from .lines import Name
 
-BELOW = 50.0  # millimeters between the pieces and the pages below them: five times the gap between pieces in rows
+BELOW = 50.0  # millimeters between the pieces and the pages below them, so that they look separate
 # Place of a page's name from the page's lower left corner, as shares of its size: 13 mm and 15 mm on A4.
 INSET = np.array([0.06, 0.05])
 

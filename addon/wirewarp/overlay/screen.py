@@ -122,7 +122,7 @@ def _add_scale(
     return bar + (SCALE_HEIGHT + 4) * unit + ROW * unit
 
 
-FONT, FONT_SIZE, MARGIN = 0, 12, 16  # Blender's interface font; its size and the legend's margin, as for the legend
+FONT, FONT_SIZE, MARGIN = 0, 12, 16  # Blender's interface font; its size and the legend's margin, in pixels at scale 1
 MAX_NAMES = 150  # names of 100 x 19 pixels then cover a fifth of a view of 1600 x 900 pixels
 NAME_TO_LINE = 1.3  # largest length of a name, as a multiple of the length of its line, so that the line is recognized
 SAME = 1.0  # pixels: points this close to the outermost point on a side count as outermost

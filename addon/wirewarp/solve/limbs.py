@@ -44,8 +44,8 @@ def limb_names(
     names: list[str | None] = [None] * len(offsets)
     for kind in (SLEEVE, LEG):
         own = [pair for pair in alone if all(_kind(result, piece, places) == kind for piece in pair)]
-        for piece in own[0] if len(own) == 1 else ():
-            names[piece] = kind
+        if len(own) == 1:  # two pairs of sleeves would have the same names
+            names[own[0][0]] = names[own[0][1]] = kind
     return names
 
 

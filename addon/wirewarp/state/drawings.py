@@ -14,7 +14,7 @@ from .memory import all_states, state_of
 
 T = TypeVar("T")
 IDLE_SHARE = 9  # pause after a build, as a multiple of its duration, so that builds take a tenth of the time
-MAX_IDLE = 1.0  # longest pause after a build in seconds, so that no drawing is older
+MAX_IDLE = 1.0  # longest pause after a build, in seconds, so that slow drawings are also updated often
 FELT = 0.03  # seconds, 2 frames at 60 Hz; if a build takes longer, later builds wait for SOON or REST
 SOON = 0.01  # seconds from a change to the build of a slow drawing, so that the screen is redrawn before
 REST = 0.2  # seconds without a change before a slow drawing is built in Edit Mode, where the user may be dragging

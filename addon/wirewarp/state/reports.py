@@ -52,8 +52,8 @@ def pieces_report(source: bpy.types.Object) -> ObjectReport | None:
 
 
 def seems_changed(source: bpy.types.Object, report: ObjectReport) -> bool:
-    """Return has_changed() since the report, for drawing: it may be out of date for a moment. While a large model with
-    modifiers changes, it is not read at every redraw, because reading takes as long as drawing."""
+    """Return whether the model has changed since its report, for drawing: the answer may be out of date for a moment.
+    While a large model with modifiers changes, reading it at every redraw would take as long as drawing."""
     place = source.mode, source.visible_get(), source.matrix_world.copy()
     seen = stamp(source), stamp(source.data), place, Same(report)
     return kept_drawing(source, _SEEMS_CHANGED, seen, lambda: has_changed(source, report.model_state))

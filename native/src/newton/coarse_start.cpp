@@ -19,8 +19,8 @@ constexpr double kCoarsening = 4;
 constexpr double kLeastCoarsening = 2;
 // Largest ratio of coarse edge length to the shortest wavelength of the wires. Longer edges cannot follow the wires.
 constexpr double kPerWiggle = 0.9;
-// But at most half of the budget, because the chart itself needs the rest. Half or twice this number changes no test of
-// coarse starts.
+// Largest number of factorizations for the coarse copy. At most half of the budget is spent, because the chart itself
+// needs the rest. Half or twice this number changes no test of coarse starts.
 constexpr int kMaxCoarseFactorizations = 30;
 
 }  // namespace

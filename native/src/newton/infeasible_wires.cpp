@@ -222,8 +222,10 @@ bool shows_conflict(const RelaxedShape& relaxed) {
   return are_wires_violated || relaxed.outline_strain > kKept;
 }
 
-/// Returns the best tolerances with which the chart lies flat, or no wires. freed, changing, all: free wires that the
-/// relaxed shape changes, that change when all wires are free, and all held wires.
+/// Returns the best tolerances with which the chart lies flat, or no wires. All parameters are free wires:
+/// - freed: wires that the relaxed shape changes
+/// - changing: wires that change if all wires are free
+/// - all: all held wires
 Tolerances best_tolerances(ToleranceSearch& search, const Tolerances& freed, const Tolerances& changing,
                            const Tolerances& all) {
   const Tolerances few = search.on_few_wires(freed);

@@ -5,7 +5,7 @@ Unlike Check and Repair in the add-on, this module keeps interior faces.
 """
 
 from collections import defaultdict
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
@@ -147,7 +147,7 @@ def _without_flat_faces(model: Model, close: float) -> tuple[Model, int, dict[fr
         faces.gone.add(row)
         divided[frozenset(long_edge)] = tip
         flat += [new for new in faces.divide(long_edge, tip) if _height(model.vertices, faces.corners[new]) <= close]
-    return faces.left(), count, divided
+    return faces.remaining(), count, divided
 
 
 class _DividedFaces:
@@ -172,8 +172,8 @@ class _DividedFaces:
                 parts += _cut_at(self._model.vertices, self.corners[row], self._uv[row], edge, tip)
         return [self._add(*part) for part in parts]
 
-    def left(self) -> Model:
-        """Return the model with the faces that are left."""
+    def remaining(self) -> Model:
+        """Return the model with the remaining faces."""
         rows = [row for row in range(len(self.corners)) if row not in self.gone]
         uv = None if self._model.corner_uv is None else np.array([self._uv[row] for row in rows])
         faces = np.array([self.corners[row] for row in rows], dtype=np.int64).reshape(-1, 3)
@@ -239,7 +239,7 @@ def _opposed_faces(model: Model) -> np.ndarray:
     return np.sort(np.concatenate(opposed))
 
 
-def _neighbors(faces: np.ndarray) -> Mapping[int, list[tuple[int, bool]]]:
+def _neighbors(faces: np.ndarray) -> defaultdict[int, list[tuple[int, bool]]]:
     """Return the neighbors of each face at edges of two faces, and whether their directions differ."""
     at_edge: dict[tuple[int, int], list[tuple[int, bool]]] = defaultdict(list)
     for row, face in enumerate(faces.tolist()):
@@ -253,7 +253,7 @@ def _neighbors(faces: np.ndarray) -> Mapping[int, list[tuple[int, bool]]]:
 
 
 def _connected(
-    begin: int, neighbors: Mapping[int, list[tuple[int, bool]]], side: np.ndarray
+    begin: int, neighbors: defaultdict[int, list[tuple[int, bool]]], side: np.ndarray
 ) -> tuple[np.ndarray, bool]:
     """Return the faces that are connected with face `begin`, and whether their part has two sides. Set their `side`
     (f,) to 0 for the direction of face `begin`, and to 1 for the other direction."""

@@ -14,7 +14,7 @@ namespace wirewarp {
 namespace {
 
 /// Number of base points on a closed surface. The search tries one cut through each base point, and returns the
-/// shortest. Of three closed tori, two get other cut sets with 4 points, and one with 16.
+/// shortest. Of three closed tori, two get other cut sets with 4 points, but only one with 16.
 constexpr int kBasePoints = 8;
 
 /// Lengths of cuts count as equal if they differ by less than this share. Detours (see edges_left_over()) count as

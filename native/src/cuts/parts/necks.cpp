@@ -52,7 +52,7 @@ constexpr double kWidens = 1.12, kSoon = 1.8;
 /// - nested: above the share kNested of the smaller part
 /// - disjoint: below the share kDisjoint of the smaller part
 /// kNested and kDisjoint allow 3% for faces at the loops, which are inside or outside as a whole. With half of kSame,
-/// or without it, no test of parts changes.
+/// no test of parts changes.
 constexpr double kSame = 0.6, kNested = 0.97, kDisjoint = 0.03;
 
 /// Two parts have the same neck if more than this share of the surface is in exactly one of them. The neck then

@@ -50,7 +50,10 @@ CutMesh cut_again(const CutMesh& before, const std::vector<SurfacePath>& paths) 
     weights = (weights * first).eval();
     sources.faces[f] = before.sources.faces[static_cast<std::size_t>(sources.faces[f])];
   }
-  sources = {{}, {}, std::move(sources.faces), std::move(sources.corner_weights), {}, {}};
+  CutSources of_uncut;  // the other sources are those of the last cut only
+  of_uncut.faces = std::move(sources.faces);
+  of_uncut.corner_weights = std::move(sources.corner_weights);
+  sources = std::move(of_uncut);
   return after;
 }
 

@@ -34,8 +34,7 @@ constexpr double kEdges = 4, kOfSize = 0.04;
 constexpr int kLevels = 4;
 
 /// The value of SmoothLimits::far_too_much for sets along edges. The lines of such sets need many changes of level, so
-/// evaluations must be saved. With 1.05, the lines of an egg are not smooth; with 1.2, no test of
-/// smooth sets changes.
+/// evaluations must be saved. With 1.05, the lines of an egg are not smooth; with 1.2, no test of smooth sets changes.
 constexpr double kFarTooMuch = 1.1;
 
 /// A smooth set may have at most this share of the bends of the set along edges. With more bends, the additional strain

@@ -22,8 +22,8 @@
 namespace wirewarp {
 namespace {
 
-/// Returns the error of a chart for which no shape with all lengths was found. Errors that are not shown are not
-/// diagnosed, and name the outline as the reason. Throws Stopped and FactorizationFailed.
+/// Returns the error of a chart for which no shape with all lengths was found. Without run.propose_seams, nobody reads
+/// the error, so it names the outline without a diagnosis. Throws Stopped and FactorizationFailed.
 FlattenError explain_infeasible(Problem& problem, const Run& run, SolutionStatus status, const Budget& budget,
                                 const StopToken& stop) {
   const Chart& chart = problem.chart();

@@ -100,10 +100,9 @@ void find_one_sided(const EdgeTable& edges, const SurfaceCut& cut, std::vector<F
 /// Finds vertices at which faces of one chart touch without an edge that connects them.
 void find_vertex_faults(const FlattenInput& input, const EdgeTable& edges, const SurfaceCut& cut,
                         const std::vector<int>& fans, std::vector<Faults>& faults) {
-  const bool is_uncut = input.seams.rows() == 0, is_whole = fans.empty();
-  std::vector<int> across_seams;
-  if (is_whole && !is_uncut) across_seams = fans_of_uncut_surface(input.faces, edges);
-  const std::vector<int>& fan = !is_whole ? fans : is_uncut ? cut.fan_of_corner : across_seams;
+  std::vector<int> across_seams = fans;
+  if (fans.empty() && input.seams.rows() > 0) across_seams = fans_of_uncut_surface(input.faces, edges);
+  const std::vector<int>& fan = across_seams.empty() ? cut.fan_of_corner : across_seams;
   std::vector<int> first_fan(static_cast<std::size_t>(input.vertices.rows()), -1);
   std::vector<char> has_several(static_cast<std::size_t>(input.vertices.rows()), 0);
   for (std::size_t corner = 0; corner < fan.size(); ++corner) {

@@ -68,7 +68,10 @@ def narrow_pieces(
 ) -> list[str]:
     """Return the names of the pieces that are too narrow somewhere for two allowances side by side.
 
-    allowance: width at unmarked edges; both, sides and folds: allowances, side_allowances and folds of PatternOptions
+    Widths are in millimeters, also those of the pieces.
+
+    - allowance: width at unmarked edges
+    - both, sides, folds: as PatternOptions.allowances, side_allowances and folds
     """
     marked = _at_sides(both, sides, folds)
     ends, widths = list(marked), list(marked.values())
