@@ -176,7 +176,10 @@ def test_one_of_several_selected_models_is_written_with_a_message(source, tmp_pa
     assert "Print at 100% scale." in said and 'Only "Other" was exported. Export other models separately.' in said
 
 
-def test_models_without_pieces_and_impossible_paths_are_refused(source, tmp_path):
+def test_models_without_pieces_or_with_changes_and_impossible_paths_are_refused(source, tmp_path):
+    source.data.vertices[40].co.z += 0.1
+    export_fails('"Bump" has changed since it was flattened. Flatten it again', tmp_path)
+    source.data.vertices[40].co.z -= 0.1
     report_path = str(tmp_path / "none" / "warnings.json")
     export_fails(r'Cannot write ".*none/warnings\.json": there is no folder', tmp_path, report_path=report_path)
     export_fails("choose 1 mm or more, or 0 for none", tmp_path, notch_spacing=0.001)
@@ -219,11 +222,19 @@ def mirror_a_piece(edit):
         vertex.co.x *= -1
 
 
-EDITS = {
-    "a vertex moved": lambda edit: setattr(edit.verts[7].co, "x", edit.verts[7].co.x + 0.01),
+def move_a_vertex(edit):
+    edit.verts[7].co.x += 0.01
+
+
+def forge_a_piece(edit):
+    edit.faces[0][edit.faces.layers.int["piece"]] = -5
+
+
+EDITS = {  # for each case, how the flat pieces are edited
+    "a vertex moved": move_a_vertex,
     "a face deleted": lambda edit: bmesh.ops.delete(edit, geom=edit.faces[:1], context="FACES"),
     "tilted": lambda edit: bmesh.ops.transform(edit, matrix=Matrix.Rotation(0.5, 4, "X"), verts=edit.verts),
-    "a piece forged": lambda edit: edit.faces[0].__setitem__(edit.faces.layers.int["piece"], -5),
+    "a piece forged": forge_a_piece,
     "ripped": rip,
     "merged by distance": merge_by_distance,
     "a piece mirrored": mirror_a_piece,

@@ -48,7 +48,7 @@ def test_other_pieces_are_written_if_one_is_bad(tmp_path):
 def test_only_the_report_is_written_for_an_object_without_a_good_piece(tmp_path, is_alone):
     others = [] if is_alone else [grid("Good", bump)]
     bad = cube("Bad")
-    select_only(bad, *others)
+    select_only(*others, bad)
     flatten_fails("Error: Bad: ", report_path=str(tmp_path / "report.json"))
     assert [len(flat_of(each).data.polygons) for each in others] == [64] * len(others)
     assert "wirewarp_report" not in bad and not bad.data.uv_layers

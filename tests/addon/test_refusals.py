@@ -39,13 +39,14 @@ def break_a_wire(source):
     source.data.wirewarp_names[0].name = "Dart Line"
 
 
+def lose_a_vertex(source):
+    source.data.vertices[40].co.z = math.nan
+
+
 NAMED = '"Bump" has something called "WireWarp" under Object Data > '
 REFUSED = {  # for each case, how the model is spoiled, and the resulting sentence
     "zero scale": (lambda s: setattr(s, "scale", (1, 1, 0)), '"Bump" is scaled to zero along an axis'),
-    "a vertex that is nowhere": (
-        lambda s: setattr(s.data.vertices[40].co, "z", math.nan),
-        "The coordinates of 1 vertex are not numbers, or far too large. Move",
-    ),
+    "a vertex that is nowhere": (lose_a_vertex, "The coordinates of 1 vertex are not numbers, or far too large. Move"),
     "too large": (
         lambda s: s.data.transform(Matrix.Scale(1e25, 4)),
         '"Bump" is more than 1e.18 Blender units wide, so its areas cannot be computed',

@@ -211,6 +211,7 @@ def test_files_of_two_runs_are_never_mixed(model, tmp_path, monkeypatch, number,
     if is_killed:
         staged.remove_staged(request)
     assert contents(tmp_path / "out") == before
+    assert all(path.is_file() for path in (tmp_path / "out").iterdir())  # no folder of the run is left
     assert flatten_model(request)["verdict"] == "ready to cut"
     assert set(contents(tmp_path / "out")) == {"Folded.json", "Folded.svg", "Folded.plt"}
 

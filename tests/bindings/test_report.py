@@ -17,19 +17,24 @@ from wirewarp import Cloth, Options, Wire, flatten, measure
 from wirewarp.report import (
     COARSE,
     Issue,
+    Kind,
     LengthText,
+    Level,
     Report,
+    as_seen,
     failure_report,
     from_dict,
     make_report,
     report_csv,
     to_dict,
+    verdict,
+    with_narrow,
 )
 from wirewarp.report.asked import asked_of_outline
 from wirewarp.report.model import ANY_FABRIC, Threads, Ways
 from wirewarp.report.rows import piece_rows
 from wirewarp.report.strain import connected_regions, piece_strain
-from wirewarp.report.verdict import Kind, Level, as_seen, kept_text, verdict, with_narrow
+from wirewarp.report.verdict import kept_text
 from wirewarp.report.wording import strain_text
 
 

@@ -12,11 +12,27 @@ import pytest
 from reports import report_of
 from samples import SAMPLES
 from wirewarp import Wire, flatten
-from wirewarp.report import Issue, Kind, Note, Report, ReportError, from_dict, make_report, report_csv, to_dict, verdict
-from wirewarp.report.elements import elements_of
+from wirewarp.report import (
+    Issue,
+    Kind,
+    Note,
+    Report,
+    ReportError,
+    Side,
+    elements_of,
+    from_dict,
+    hint_text,
+    issue_text,
+    make_report,
+    merged,
+    note_text,
+    rename_wires,
+    report_csv,
+    tables_of,
+    to_dict,
+    verdict,
+)
 from wirewarp.report.json_form import SCHEMA
-from wirewarp.report.names import hint_text, issue_text, note_text, rename_wires
-from wirewarp.report.rows import Side, merged, tables_of
 from wirewarp.report.words import LengthText
 
 

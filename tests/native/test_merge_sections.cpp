@@ -12,8 +12,11 @@
 
 #include "base/in_threads.h"
 #include "base/planar.h"
+#include "cuts/propose/cut_faces.h"
 #include "cuts/propose/flat_width.h"
 #include "cuts/propose/merge_sections.h"
+#include "surface/charts/surface_cut.h"
+#include "surface/mesh/edge_table.h"
 #include "test_meshes.h"
 #include "wirewarp/cloth.h"
 
@@ -263,7 +266,7 @@ void expect_failures_on_other_meshes(const CutSurface& sheet, const FlatPieces& 
   EXPECT_EQ(failed({pieces[0], pieces[1], pieces[1]}, most), FlatPieces{pieces[1]});
 }
 
-/// The piece around two squares with a common corner touches itself there, but the squares connect it.
+/// A piece touches itself at the common corner of two squares. The squares connect the corners of the piece there.
 TEST(FlatPieces, MayTouchThemselvesAtCornersOfOtherPieces) {
   const int n = 6;
   const auto at = [](int i, int j) { return i + (n + 1) * j; };
@@ -277,6 +280,27 @@ TEST(FlatPieces, MayTouchThemselvesAtCornersOfOtherPieces) {
   const FlatPieces after = sheet.exact.with_changed(before, sheet.exact.changed_by(before, {}, opened));
   EXPECT_EQ(after.size(), 3U);
   for (const auto& piece : after) EXPECT_FALSE(piece->error) << piece->error->what();
+}
+
+/// Two squares with a common corner are missing, so no face connects the corners of the rest there.
+TEST(CutFaces, ReportsAPartThatTouchesItself) {
+  const int n = 6;
+  FlattenInput sheet = test::flat_rectangle(n, n, n, n);
+  std::vector<int> faces;
+  for (int f = 0; f < sheet.faces.rows(); ++f) {
+    const Eigen::RowVector3d i = sheet.faces.row(f).unaryExpr([](int v) { return v % (n + 1); }).cast<double>();
+    const Eigen::RowVector3d j = sheet.faces.row(f).unaryExpr([](int v) { return v / (n + 1); }).cast<double>();
+    const int column = static_cast<int>(i.minCoeff()), row = static_cast<int>(j.minCoeff());
+    if ((column == 2 && row == 3) || (column == 3 && row == 2)) continue;
+    sheet.faces.row(static_cast<Eigen::Index>(faces.size())) = sheet.faces.row(f).eval();
+    faces.push_back(static_cast<int>(faces.size()));
+  }
+  sheet.faces.conservativeResize(static_cast<Eigen::Index>(faces.size()), 3);
+  const EdgeTable edges(sheet.faces, static_cast<int>(sheet.vertices.rows()));
+  const Charts parts = cut_faces(sheet, fans_of_uncut_surface(sheet.faces, edges), faces, {}, StopToken());
+  ASSERT_EQ(parts.charts.size(), 1U);
+  ASSERT_TRUE(parts.charts[0].error);
+  EXPECT_EQ(parts.charts[0].error->code, ErrorCode::non_manifold_vertex);
 }
 
 TEST(FlatPieces, AreFoundAgainByTheirArea) {

@@ -245,7 +245,7 @@ def _neighbors(faces: np.ndarray) -> defaultdict[int, list[tuple[int, bool]]]:
     for row, face in enumerate(faces.tolist()):
         for a, b in pairwise((*face, face[0])):
             at_edge[min(a, b), max(a, b)].append((row, a < b))
-    neighbors: dict[int, list[tuple[int, bool]]] = defaultdict(list)
+    neighbors: defaultdict[int, list[tuple[int, bool]]] = defaultdict(list)
     for (row, ascending), (other, other_ascending) in (sides for sides in at_edge.values() if len(sides) == 2):
         neighbors[row].append((other, ascending == other_ascending))
         neighbors[other].append((row, ascending == other_ascending))
