@@ -64,8 +64,8 @@ A cut set consists of seams and darts with which all parts have a flat shape:
 
 - The first set brings every part to the accepted strain (None for 0.05). Otherwise, no further cut would help, or forty
   cuts follow the first seams, eighty as long as the strain is above 20%. A cut and its mirror image count as one.
-- Each later set is shorter and leaves more strain. If there are more than count, the shortest set is listed for each
-  limit: the accepted strain, twice as much and so on.
+- Each later set is shorter and leaves more strain. If there are more than count, the first set is listed, and the
+  shortest for each limit: the accepted strain, twice as much and so on.
 - Sets are symmetric if the piece is symmetric, and may cross wires.
 - A piece joined from two covers at least 45% of its convex hull, unless one of the two covers no more of its own.
 - edges has one line after the other, energy is the energy of all parts, and strain is the strain of the worst part.

@@ -14,7 +14,7 @@ from .memory import Take, kept, read_anew
 SHAPE, FACES, MARKS, SCALE = "shape", "faces", "marks", "metric"
 MATRIX, LENGTHS = "matrix", "lengths"  # keys to recognize an applied transformation
 MODIFIED = "modified"  # key of the state with modifiers
-# Number of blocks of vertices, for each of which coordinates are summed. With more blocks, sums have smaller rounding
+# Number of blocks of vertices. The coordinates of each block are summed. With more blocks, sums have smaller rounding
 # errors, but the file stores more numbers.
 BLOCKS = 64
 ROUNDING = 1e-6  # relative rounding error of single-precision coordinates after transformations

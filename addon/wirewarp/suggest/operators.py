@@ -115,7 +115,7 @@ def begin_search(context: bpy.types.Context, source: bpy.types.Object, kind: str
 
 def _known_report(source: bpy.types.Object, piece: int | None, *, with_modifiers: bool) -> ObjectReport | None:
     """Return the report of the present model; None if there is none. Raises ObjectError if a piece is to be cut, but
-    there is no report of its present model with the present use of modifiers."""
+    its report is missing, or of an earlier model, or of the model with other modifiers."""
     report = pieces_report(source)
     if report and report.with_modifiers == with_modifiers and not has_changed(source, report.model_state):
         return report

@@ -93,8 +93,8 @@ std::vector<DartProposal> propose_darts(const FlattenInput& input, const Options
 /// - All parts of a set have a flat shape with a strain below 1.
 /// - The first set brings every part to the accepted strain. Otherwise, no further cut would help, or forty cuts follow
 ///   the first seams, eighty as long as the strain is above 20%. A cut and its mirror image count as one.
-/// - Each later set is shorter and leaves more strain. If there are more than `count`, the shortest set is listed for
-///   each limit: the accepted strain, twice as much and so on.
+/// - Each later set is shorter and leaves more strain. If there are more than `count`, the first set is listed, and the
+///   shortest for each limit: the accepted strain, twice as much and so on.
 /// - Sets are symmetric if the piece is symmetric.
 /// - Sets may cross wires. They follow neither edges of no_seam nor mirror images of these edges.
 /// - A piece joined from two is not narrower than `narrowest`, unless one of the two is equally narrow. The width of a

@@ -151,7 +151,7 @@ def _without_flat_faces(model: Model, close: float) -> tuple[Model, int, dict[fr
 
 
 class _DividedFaces:
-    """The faces of a model, of which some are removed or divided."""
+    """The faces of a model while flat faces are removed, and their neighbors divided."""
 
     def __init__(self, model: Model) -> None:
         self._model = model
