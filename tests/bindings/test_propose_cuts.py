@@ -7,10 +7,23 @@ import pickle
 import numpy as np
 import pytest
 import trimesh
-import wirewarp
 from refusals import code_of
 from surfaces import chain_edges, column_chain, spherical_patch, tetrahedron
-from wirewarp import FlattenError, Options, Wire, cut_mesh, flatten, plan_cuts, propose_darts, propose_seams
+from wirewarp import (
+    Cloth,
+    Ease,
+    ErrorCode,
+    FlattenError,
+    Options,
+    Wire,
+    cut_mesh,
+    flatten,
+    plan_cuts,
+    propose_darts,
+    propose_seams,
+    simplify_seams,
+    start_simplify,
+)
 from wirewarp.pattern import has_room
 from wirewarp.report.make import make_report
 
@@ -26,7 +39,7 @@ COLUMNS = np.concatenate([chain_edges(column_chain(8, 8, column)) for column in 
         (Wire(MIDDLE), None),
         (Wire(MIDDLE, ease=0.02), None),
         (Wire(MIDDLE), Options(cloth="woven")),
-        (Wire(MIDDLE, ease=-0.03), Options(cloth=wirewarp.Cloth(stretch=(0.1, 0.05)))),
+        (Wire(MIDDLE, ease=-0.03), Options(cloth=Cloth(stretch=(0.1, 0.05)))),
         (Wire(MIDDLE), Options(thickness=0.05)),
     ],
 )
@@ -96,11 +109,11 @@ def test_a_closed_model_gets_cut_sets():
 
 def test_proposals_are_plain_values_and_a_job_finds_the_same():
     (proposal, *_) = propose_darts(*DOME, count=1)
-    fewer = wirewarp.simplify_seams(*DOME, seams=COLUMNS, strain=0.1)
+    fewer = simplify_seams(*DOME, seams=COLUMNS, strain=0.1)
     for each in (proposal, fewer):
         assert json.loads(json.dumps(each.to_dict()))["edges"] == each.edges.tolist()
         assert pickle.loads(pickle.dumps(each)).to_dict() == each.to_dict()
-    assert wirewarp.start_simplify(*DOME, seams=COLUMNS, strain=0.1).result().to_dict() == fewer.to_dict()
+    assert start_simplify(*DOME, seams=COLUMNS, strain=0.1).result().to_dict() == fewer.to_dict()
 
 
 def test_progress_is_reported_and_can_cancel():
@@ -111,7 +124,7 @@ def test_progress_is_reported_and_can_cancel():
     assert fractions == sorted(fractions) and fractions[0] >= 0 and fractions[-1] < 1
     with pytest.raises(FlattenError, match="Canceled") as raised:
         propose_darts(*DOME, progress=lambda *_: False)
-    assert raised.value.code is wirewarp.ErrorCode.cancelled
+    assert raised.value.code is ErrorCode.cancelled
 
 
 @pytest.mark.parametrize(
@@ -124,7 +137,7 @@ def test_progress_is_reported_and_can_cancel():
         (plan_cuts, {"kind": "zip"}, "it must be dart or seam"),
         (plan_cuts, {"most": 0}, "option most is 0: it must be at least 1"),
         (plan_cuts, {"strain": 1.0}, "is accepted"),
-        (wirewarp.simplify_seams, {"seams": COLUMNS, "strain": -1}, "it must be 0 or more"),
+        (simplify_seams, {"seams": COLUMNS, "strain": -1}, "it must be 0 or more"),
     ],
 )
 def test_wrong_options_are_refused(find, limits, said):
@@ -151,8 +164,8 @@ def undirected(edges):
 
 def test_fewer_seams_keep_to_the_arguments_and_have_the_figures_of_a_run():
     eased = chain_edges(column_chain(8, 8, 4))
-    arguments = {"seams": COLUMNS, "eases": [wirewarp.Ease(eased, 0.02)], "options": Options(thickness=0.05)}
-    fewer = wirewarp.simplify_seams(*DOME, **arguments, strain=0.5)
+    arguments = {"seams": COLUMNS, "eases": [Ease(eased, 0.02)], "options": Options(thickness=0.05)}
+    fewer = simplify_seams(*DOME, **arguments, strain=0.5)
     assert undirected(fewer.edges) == undirected(eased)  # seams with an ease remain
     assert undirected(fewer.edges) | undirected(fewer.opened) == undirected(COLUMNS)
     for seams, energy, count in (
@@ -167,7 +180,7 @@ def test_fewer_seams_keep_to_the_arguments_and_have_the_figures_of_a_run():
 
 
 def test_a_stopped_search_returns_the_fewest_seams_found_by_then():
-    fewer = wirewarp.simplify_seams(*DOME, seams=COLUMNS, strain=0.1, progress=lambda _, fraction: fraction < 0.5)
+    fewer = simplify_seams(*DOME, seams=COLUMNS, strain=0.1, progress=lambda _, fraction: fraction < 0.5)
     assert fewer.was_stopped and undirected(fewer.edges) | undirected(fewer.opened) == undirected(COLUMNS)
-    canceled = code_of(lambda: wirewarp.simplify_seams(*DOME, seams=COLUMNS, progress=lambda *_: False))
-    assert canceled is wirewarp.ErrorCode.cancelled
+    canceled = code_of(lambda: simplify_seams(*DOME, seams=COLUMNS, progress=lambda *_: False))
+    assert canceled is ErrorCode.cancelled
