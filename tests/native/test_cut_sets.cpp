@@ -177,6 +177,16 @@ TEST(CutSetSearch, PrefersTheShortestSetForEachFabric) {
   EXPECT_EQ(chosen(9), (std::vector{0.045, 0.06, 0.09, 0.12, 0.19, 0.3}));
 }
 
+TEST(CutSetSearch, IgnoresRoundingErrorsOfStrains) {
+  for (const double limit : {0.05, 0.1, 0.2}) {
+    DartProposal set;
+    set.strain = limit + 0.5 * kStrainError;
+    EXPECT_EQ(limit_of_set(set, {}), limit);
+    set.strain = limit + 2 * kStrainError;
+    EXPECT_EQ(limit_of_set(set, {}), 2 * limit);
+  }
+}
+
 TEST(CutSetSearch, SuggestsSeamsForThePieceThatNeedsSeams) {
   const FlattenInput both = test::beside(test::flat_rectangle(2, 2, 1, 1), test::cylinder_tube(8, 4, 1, 4), 5);
   EXPECT_EQ(propose_seams(both, {}, rough()).front().piece, 1);

@@ -95,7 +95,7 @@ std::vector<DartProposal> without_worse(std::vector<DartProposal> sets) {
 
 double limit_of_set(const DartProposal& set, const CutOptions& cut_options) {
   double allowed = std::max(cut_options.strain.value_or(kTargetStrain), kFlat);
-  while (allowed < set.strain) allowed *= kStrainStep;
+  while (set.strain - allowed > kStrainError) allowed *= kStrainStep;
   return allowed;
 }
 
@@ -329,7 +329,7 @@ bool CutSetSearch::add_smooth(std::vector<CutSet>& sets) {
     const bool may_have_more = allowed[i + 1] > allowed[i];
     merger.go_on(may_have_more ? merger.smooth(allowed[i + 1]) : smooth);
   }
-  if (sets.back().proposal.strain <= allowed.back()) return true;
+  if (sets.back().proposal.strain <= allowed.back() + kStrainError) return true;
   sets.push_back(fine);  // add_merged() merges the pieces of this set along edges
   return false;
 }

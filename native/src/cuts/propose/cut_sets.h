@@ -30,7 +30,7 @@ std::vector<double> allowed_strains(double least, double target);
 std::vector<DartProposal> without_worse(std::vector<DartProposal> sets);
 
 /// Returns the strain that the fabric of a set must allow: the set's strain, rounded up to 1, 2, 4, … times the target.
-/// By default, this is 5% (woven fabric), 10%, 20% (plush) and so on.
+/// By default, this is 5% (woven fabric), 10%, 20% (plush) and so on. Ignores an excess below kStrainError.
 double limit_of_set(const DartProposal& set, const CutOptions& cut_options);
 
 /// Returns up to cut_options.count sets, in their order. Prefers the first set, then the shortest set for each

@@ -199,11 +199,10 @@ double most_strain(const FlatPieces& pieces) {
 }
 
 bool spoils_others(const FlatPieces& before, const FlatPieces& after, const Chart& chart) {
-  constexpr double kRounding = 1e-6;  // smaller increases of strain are below the precision of shapes
   const double most = most_strain(before);
   return std::any_of(after.begin(), after.end(), [&](const std::shared_ptr<const FlatPiece>& piece) {
     if (is_part_of(piece->chart, chart) || std::find(before.begin(), before.end(), piece) != before.end()) return false;
-    if (!piece->error) return piece->strain > most * (1 + kRounding);
+    if (!piece->error) return piece->strain > most + kStrainError;
     const auto same = std::find_if(before.begin(), before.end(),
                                    [&](const auto& old) { return is_part_of(piece->chart, old->chart); });
     return !(*same)->error;

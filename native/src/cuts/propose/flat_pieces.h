@@ -15,6 +15,9 @@
 
 namespace wirewarp {
 
+/// Strains that differ by less count as equal, because shapes are exact only to about this value.
+inline constexpr double kStrainError = 1e-6;
+
 struct FlatPiece {
   Chart chart;                      // its sources are the input's vertices and faces
   PartMap edges;                    // inner edges of the chart

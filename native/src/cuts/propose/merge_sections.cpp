@@ -40,9 +40,6 @@ constexpr int kMergeFactorizations = 20;
 constexpr double kMostFreeStrain = 1.1;
 constexpr double kMostFolded = 0.025;
 
-/// Lower strains are rounding errors, because shapes are exact only to about this value.
-constexpr double kFlatStrain = 1e-6;
-
 /// Solidities count as equal if they differ by less than this rounding error. For example, half a ring and the whole
 /// ring have the same solidity.
 constexpr double kSameSolidity = 1e-6;
@@ -295,7 +292,7 @@ bool SectionMerger::is_beside_narrow(const CutMask& mask) {
 }
 
 double SectionMerger::allowed_beside(const FlatPieces& pieces) const {
-  return std::max({kFlatStrain, most_strain_, most_strain(pieces)});
+  return std::max({kStrainError, most_strain_, most_strain(pieces)});
 }
 
 bool SectionMerger::had_error(const Chart& chart) const {

@@ -47,9 +47,6 @@ constexpr double kMostBends = 0.5;
 /// smooth set; with 4, no test of smooth sets changes.
 constexpr double kMostGrowth = 2;
 
-/// Smaller strains are rounding errors.
-constexpr double kFlatFigure = 1e-6;
-
 /// Returns the number of vertices minus the number of edges, and the number of free ends. If lines newly meet or
 /// separate, one of these numbers changes.
 std::array<int, 2> count_ends(const std::vector<VertexPair>& edges) {
@@ -352,7 +349,7 @@ DartProposal smooth_set(const DartProposal& set, double most_strain, const FlatP
   const Chart chart = in_canonical_order(pieces[piece]->chart, exact.stop());
   const std::vector<VertexHandle> image = mirror_image(chart, exact.stop());
   const SurfaceLines lines = lines_along(chart, image, PartMap(chart).mask_of(set.edges));
-  SmoothLimits limits{std::min(most_strain, kMostGrowth * set.strain + kFlatFigure), kMostBends};
+  SmoothLimits limits{std::min(most_strain, kMostGrowth * set.strain + kStrainError), kMostBends};
   limits.far_too_much = kFarTooMuch;
   if (cut_options.narrowest > 0)
     limits.num_narrow =
