@@ -187,6 +187,25 @@ TEST(CutSetSearch, IgnoresRoundingErrorsOfStrains) {
   }
 }
 
+TEST(CutSetSearch, MakesMoreCutsForPlush) {
+  const FlattenInput input = head(0.5);
+  const double target = 0.01;
+  const auto strain = [&](const MostCuts& most_cuts) {
+    const Progress no_progress;
+    CutProgress progress(no_progress);
+    const InternalOptions options;
+    const SurfaceToCut surface(input, options);
+    const ExactEvaluation exact(surface, options, progress.token());
+    CutOptions cut_options;
+    cut_options.strain = target;
+    return CutSetSearch(exact.uncut(), 0, cut_options, exact, progress, most_cuts).search().front().strain;
+  };
+  EXPECT_GT(strain({1, 1}), kSoftStrain);
+  const double for_plush = strain({1, 80});
+  EXPECT_LE(for_plush, kSoftStrain);
+  EXPECT_GT(for_plush, target);
+}
+
 TEST(CutSetSearch, SuggestsSeamsForThePieceThatNeedsSeams) {
   const FlattenInput both = test::beside(test::flat_rectangle(2, 2, 1, 1), test::cylinder_tube(8, 4, 1, 4), 5);
   EXPECT_EQ(propose_seams(both, {}, rough()).front().piece, 1);

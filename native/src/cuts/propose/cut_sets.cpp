@@ -25,11 +25,6 @@
 namespace wirewarp {
 namespace {
 
-/// Largest number of cuts after the cut that makes the piece flat. A cut and its mirror image count as one.
-/// - kMostCuts: a plush animal may get two cuts for each of its twenty parts
-/// - kMostCutsForPlush: as long as the set needs more strain than plush allows; after 40 cuts, a camel's sets need 44%
-constexpr std::size_t kMostCuts = 40, kMostCutsForPlush = 80;
-
 /// Limits of one call of cut_once_more():
 /// - kPlaces: number of seams, and number of darts, that are candidates; the second is needed if the first fails
 /// - kMostTrials: number of exact evaluations; one was enough in each of forty calls for a koala
@@ -117,7 +112,7 @@ std::vector<DartProposal> chosen_by_limit(const std::vector<DartProposal>& sets,
 }
 
 CutSetSearch::CutSetSearch(const FlatPieces& pieces, std::size_t piece, const CutOptions& cut_options,
-                           const ExactEvaluation& exact, CutProgress& progress)
+                           const ExactEvaluation& exact, CutProgress& progress, const MostCuts& most_cuts)
     : pieces_(pieces),
       piece_(piece),
       input_chart_(pieces[piece]->chart),
@@ -130,7 +125,8 @@ CutSetSearch::CutSetSearch(const FlatPieces& pieces, std::size_t piece, const Cu
       cut_options_(cut_options),
       target_(cut_options.strain.value_or(kTargetStrain)),
       exact_(exact),
-      progress_(progress) {
+      progress_(progress),
+      most_cuts_(most_cuts) {
   mirrored_.forbid_edges_without_image(forbidden_);
 }
 
@@ -276,7 +272,7 @@ std::vector<DartProposal> CutSetSearch::best_of(const std::vector<CutSet>& sets)
 
 /// Adds sets with one more cut each, until the last set meets the target. Throws Stopped. Sets added by then remain.
 void CutSetSearch::add_more_cuts(std::vector<CutSet>& sets) {
-  const auto most = [&] { return sets.back().proposal.strain > kSoftStrain ? kMostCutsForPlush : kMostCuts; };
+  const auto most = [&] { return sets.back().proposal.strain > kSoftStrain ? most_cuts_.for_plush : most_cuts_.usual; };
   while (sets.size() <= most() && sets.back().proposal.strain > target_) {
     report_strain(sets.front().proposal.strain, sets.back().proposal.strain);
     std::optional<CutSet> more = cut_once_more(sets.back());

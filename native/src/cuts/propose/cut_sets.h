@@ -37,13 +37,19 @@ double limit_of_set(const DartProposal& set, const CutOptions& cut_options);
 /// limit_of_set(), and then the longest other sets. sets: the longest first.
 std::vector<DartProposal> chosen_by_limit(const std::vector<DartProposal>& sets, const CutOptions& cut_options);
 
+/// Largest number of cuts after the cut that makes the piece flat. A cut and its mirror image count as one.
+struct MostCuts {
+  std::size_t usual = 40;      // a plush animal may get two cuts for each of its twenty parts
+  std::size_t for_plush = 80;  // if the set needs more strain than plush allows; after 40 cuts, a camel's sets need 44%
+};
+
 /// Searches for cut sets of a piece that has no flat shape or too much strain. First makes the piece flat, then
 /// repeatedly cuts the most strained part, and finally merges pieces.
 class CutSetSearch {
  public:
   /// piece: index of the piece to cut. The arguments must outlive the object.
   CutSetSearch(const FlatPieces& pieces, std::size_t piece, const CutOptions& cut_options, const ExactEvaluation& exact,
-               CutProgress& progress);
+               CutProgress& progress, const MostCuts& most_cuts = {});
 
   /// Returns the sets, the longest first; DartProposal::piece is not set. If canceled, returns the sets found so far.
   /// Throws no_proposal if there is no set, and Stopped if it is canceled before it finds a set.
@@ -92,6 +98,7 @@ class CutSetSearch {
   const double target_;  // accepted strain
   const ExactEvaluation& exact_;
   CutProgress& progress_;
+  const MostCuts most_cuts_;
 };
 
 }  // namespace wirewarp
