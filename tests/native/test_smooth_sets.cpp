@@ -9,12 +9,16 @@
 #include <limits>
 #include <map>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "base/planar.h"
 #include "closed_meshes.h"
+#include "cuts/propose/canonical_order.h"
 #include "cuts/propose/cut_progress.h"
 #include "cuts/propose/flat_width.h"
+#include "cuts/propose/line_evaluation.h"
+#include "cuts/propose/merge_smooth.h"
 #include "cuts/propose/smooth_sets.h"
 #include "disguise.h"
 #include "judge_cuts.h"
@@ -172,13 +176,19 @@ double narrowest_piece(const FlattenInput& input) {
   return width;
 }
 
-TEST(SmoothSets, KeepTheWidthOfPieces) {
-  const FlattenInput input = egg(kAround, kRings);
-  std::vector<VertexPair> edges;  // edges of a ring with a tongue above it
+/// Returns the edges of a ring around the egg with a tongue above it.
+std::vector<VertexPair> ring_with_tongue() {
+  std::vector<VertexPair> edges;
   for (int i = 0; i < kAround; ++i) edges.push_back({vertex(i, 8), vertex(i + 1, 8)});
   for (int j = 8; j < 11; ++j) edges.push_back({vertex(0, j), vertex(0, j + 1)});
   for (int i = 0; i < 4; ++i) edges.push_back({vertex(i, 11), vertex(i + 1, 11)});
   for (int j = 11; j > 8; --j) edges.push_back({vertex(4, j), vertex(4, j - 1)});
+  return edges;
+}
+
+TEST(SmoothSets, KeepTheWidthOfPieces) {
+  const FlattenInput input = egg(kAround, kRings);
+  const std::vector<VertexPair> edges = ring_with_tongue();
   const double before = narrowest_piece(test::with_seams(input, edges));
   const DartProposal any_width = smoothed(input, edges);
   ASSERT_FALSE(any_width.paths.empty());
@@ -189,6 +199,78 @@ TEST(SmoothSets, KeepTheWidthOfPieces) {
   const DartProposal wide = smoothed(input, edges, 1, cut_options);
   const FlattenInput cut = wide.paths.empty() ? test::with_seams(input, edges) : test::with_paths(input, wide.paths);
   EXPECT_GE(narrowest_piece(cut), cut_options.narrowest);
+}
+
+/// Merges the pieces of a set of seams along edges.
+struct MergedSet {
+  MergedSet(FlattenInput given, const std::vector<VertexPair>& edges, const MergeRules& rules)
+      : input(std::move(given)), merger(piece, rules, cut_options, exact) {
+    cut_options.narrowest = rules.narrowest;
+    const PieceFigures figures = figures_of(exact.with_cut(pieces, edges));
+    DartProposal set;
+    set.paths = paths_along(input.faces, edges);
+    set.strain = figures.strain;
+    set.num_pieces = figures.num_pieces;
+    merger.go_on(set);
+  }
+
+  const FlattenInput input;  // the members below refer to it
+  const InternalOptions options;
+  CutOptions cut_options;
+  const SurfaceToCut surface{input, options};
+  const ExactEvaluation exact{surface, options, StopToken()};
+  const FlatPieces pieces = exact.uncut();
+  const Chart chart = in_canonical_order(pieces[0]->chart, StopToken());
+  const std::vector<VertexHandle> no_image;
+  const PieceToCut piece{pieces, 0, chart, no_image};
+  SmoothMerger merger;
+};
+
+TEST(SmoothMerger, KeepsTheWidthOfPiecesWhileItSmooths) {
+  const FlattenInput input = egg(kAround, kRings);
+  const std::vector<VertexPair> edges = ring_with_tongue();
+  const auto width = [&](double narrowest) {
+    MergedSet set(input, edges, {narrowest, 0, 0});
+    set.merger.merge(1, 10, [](double) {});
+    return narrowest_piece(test::with_paths(input, set.merger.smooth(10).paths));
+  };
+  const double before = narrowest_piece(test::with_seams(input, edges)), after = width(0);
+  ASSERT_LT(after, 0.9 * before);
+  const double narrowest = (after + before) / 2;
+  EXPECT_GE(width(narrowest), narrowest);
+}
+
+/// A strip of four pieces. A bump makes the last two pieces hard to join.
+TEST(SmoothMerger, UndoesTheLastMergesAfterTheLastAttempt) {
+  const int n = 16, rows = 4;
+  const FlattenInput strip = test::make_grid(n, rows, [](double s, double t) {
+    const double x = 4 * s, y = (2 - 1.6 * s) * (t - 0.5);
+    return Eigen::Vector3d(x, y, 0.5 * std::exp(-4 * ((x - 3) * (x - 3) + y * y)));
+  });
+  std::vector<std::vector<VertexPair>> seams;  // the longest, which is opened first, is the last
+  for (const int column : {12, 8, 4}) {
+    const std::vector<int> line = test::grid_column(n, rows, column);
+    seams.emplace_back();
+    for (std::size_t i = 1; i < line.size(); ++i) seams.back().push_back({line[i - 1], line[i]});
+  }
+  const auto first = [&](std::size_t count) {
+    std::vector<VertexPair> edges;
+    for (std::size_t i = 0; i < count; ++i) edges.insert(edges.end(), seams[i].begin(), seams[i].end());
+    return edges;
+  };
+  const auto strain = [&](std::size_t count) {
+    const FlattenInput cut = test::with_seams(strip, first(count));
+    return test::most_strain(cut, flatten(cut));
+  };
+  for (const std::size_t count : {1U, 2U}) {
+    const double most_strain = (strain(count) + strain(count - 1)) / 2;
+    ASSERT_LT(strain(count), strain(count - 1));
+    MergedSet set(strip, first(3), {0, 0, 1});
+    EXPECT_TRUE(set.merger.merge(2 * strain(0) / most_strain, most_strain, [](double) {}));
+    EXPECT_EQ(test::undirected(cut_mesh(strip.vertices, strip.faces, set.merger.set().paths).edges),
+              test::undirected(first(count)));
+    EXPECT_LE(set.merger.set().strain, most_strain);
+  }
 }
 
 TEST(SmoothSets, DoNotCrossWires) {

@@ -80,9 +80,7 @@ TEST(SurfaceLines, OfACutMeshCutTheInputAtTheSamePlaces) {
   const Chart cut_chart = test::chart_of({cut.vertices, cut.faces, {}, {}, {}});
   const SurfaceLines lines = lines_across(sheet, chart, cut, cut_chart, {}, PartMap(cut_chart).mask_of(cut.edges));
   ASSERT_EQ(lines.lines.size(), 3U);
-  std::vector<SurfacePath> again;
-  for (const SurfaceLine& line : lines.lines) again.push_back(path_of(sheet, chart, line));
-  const CutMesh second = cut_mesh(sheet.vertices, sheet.faces, again);
+  const CutMesh second = cut_mesh(sheet.vertices, sheet.faces, paths_of(sheet, chart, lines));
   ASSERT_EQ(second.vertices.rows(), cut.vertices.rows());
   EXPECT_EQ(second.edges.size(), cut.edges.size());
   for (const auto& vertex : cut.vertices.rowwise()) {

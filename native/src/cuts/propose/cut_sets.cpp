@@ -284,8 +284,8 @@ void CutSetSearch::add_more_cuts(std::vector<CutSet>& sets) {
 /// Adds sets with fewer sections than the last set: first for the strain of the last set or the target, whichever is
 /// larger, then for higher strains. Throws Stopped. Sets added by then remain.
 void CutSetSearch::add_merged(std::vector<CutSet>& sets) {
-  SectionMerger merger({sets.back().cut, sets.back().pieces}, chart_, mirrored_, exact_,
-                       {cut_options_.narrowest, kLeastSolidity});
+  const MergeRules rules{cut_options_.narrowest, kLeastSolidity};
+  SectionMerger merger({sets.back().cut, sets.back().pieces}, chart_, mirrored_, exact_, rules);
   const std::vector<double> allowed = allowed_strains(std::max(target_, sets.back().proposal.strain), target_);
   for (std::size_t i = 0; i < allowed.size(); ++i) {
     const bool stopped = was_stopped([&] {
@@ -303,7 +303,7 @@ bool CutSetSearch::add_smooth(std::vector<CutSet>& sets) {
   double least = std::max(target_, kFlat);
   while (least * kStrainStep <= fine.proposal.strain) least *= kStrainStep;
   const PieceToCut piece{pieces_, piece_, chart_, image_};
-  SmoothMerger merger(piece, kLeastSolidity, cut_options_, exact_);
+  SmoothMerger merger(piece, {cut_options_.narrowest, kLeastSolidity}, cut_options_, exact_);
   if (!merger.start(fine.proposal, fine.cut, least)) return false;
   std::vector<double> allowed = allowed_strains(least, target_);
   allowed.push_back(allowed.back());

@@ -8,6 +8,7 @@
 #include "cuts/propose/flat_pieces.h"
 #include "warp/topology/surface_path.h"
 #include "wirewarp/cut_mesh.h"
+#include "wirewarp/propose.h"
 #include "wirewarp/surface_path.h"
 
 namespace wirewarp {

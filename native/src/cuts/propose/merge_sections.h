@@ -23,8 +23,9 @@ struct CutState {
 inline constexpr int kMostMerges = 6;
 
 struct MergeRules {
-  double narrowest = 0;       // least width of a new piece, scene units, unless an old piece is as narrow
-  double least_solidity = 0;  // least solidity of a new piece, unless an old piece has as little
+  double narrowest = 0;             // least width of a new piece, scene units, unless an old piece is as narrow
+  double least_solidity = 0;        // least solidity of a new piece, unless an old piece has as little
+  int most_attempts = kMostMerges;  // number of calls of run() after which SmoothMerger only undoes merges
 };
 
 /// Removes sections of seams from a cut, with their mirror images, the longest first. New pieces must have a flat

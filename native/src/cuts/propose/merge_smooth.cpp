@@ -10,7 +10,6 @@
 #include "cuts/propose/canonical_order.h"
 #include "cuts/propose/flat_width.h"
 #include "cuts/propose/line_evaluation.h"
-#include "cuts/propose/merge_sections.h"
 #include "cuts/propose/mirror_image.h"
 
 namespace wirewarp {
@@ -20,15 +19,17 @@ namespace {
 /// lines of the set keep their zigzags.
 constexpr double kFineGrowth = 2;
 
-/// Strains that differ by less than this factor count as equal, because shapes are exact only to about 1e-6.
-constexpr double kRoundedFigure = 1 + 1e-6;
+std::vector<VertexHandle> image_across_same_plane(const Chart& chart, const PieceToCut& piece) {
+  if (piece.image.empty()) return {};
+  return mirror_image(chart, mirror_plane(piece.chart.mesh, piece.image).normal.transpose());
+}
 
 }  // namespace
 
-SmoothMerger::SmoothMerger(const PieceToCut& piece, double least_solidity, const CutOptions& cut_options,
+SmoothMerger::SmoothMerger(const PieceToCut& piece, const MergeRules& rules, const CutOptions& cut_options,
                            const ExactEvaluation& exact)
     : piece_(piece),
-      least_solidity_(least_solidity),
+      rules_(rules),
       cut_options_(cut_options),
       exact_(exact),
       unstopped_(exact.surface(), exact.options(), StopToken()) {}
@@ -42,12 +43,18 @@ bool SmoothMerger::start(const DartProposal& set, const CutMask& cut, double mos
   return true;
 }
 
-SmoothMerger::CutSet SmoothMerger::set_along(std::vector<SurfacePath> paths) const {
+SmoothMerger::CutSet SmoothMerger::set_along(SurfaceLines lines) const {
   const FlattenInput& given = exact_.surface().given();
+  std::vector<SurfacePath> paths = paths_of(given, piece_.chart, lines);
   const CutMesh cut = cut_mesh(given.vertices, given.faces, paths);
   const CutSurface surface(piece_.pieces, piece_.index, unstopped_, cut);
   const FlatPieces parts = parts_of(surface.after(), surface.chart());
-  return {with_lines(set_, std::move(paths), surface, figures_of(parts)), parts, cut.sources.faces};
+  return {with_lines(set_, std::move(paths), surface, figures_of(parts)), std::move(lines), parts, cut.sources.faces};
+}
+
+void SmoothMerger::keep_lines(SurfaceLines lines, const FlatPieces& pieces) {
+  lines_ = std::move(lines);
+  num_narrow_ = count_narrow(pieces, rules_.narrowest);
 }
 
 bool SmoothMerger::merge(double share, double most_strain, const std::function<void(double)>& report) {
@@ -56,38 +63,31 @@ bool SmoothMerger::merge(double share, double most_strain, const std::function<v
   const CutSurface surface(piece_.pieces, piece_.index, exact_, mesh);
   const Chart& uncut = surface.chart();
   const Chart chart = in_canonical_order(uncut, exact_.stop());
-  std::vector<VertexHandle> image;
-  if (!piece_.image.empty())
-    image = mirror_image(chart, mirror_plane(piece_.chart.mesh, piece_.image).normal.transpose());
+  const std::vector<VertexHandle> image = image_across_same_plane(chart, piece_);
+  const auto lines_of = [&](const CutMask& cut) { return lines_across(given, piece_.chart, mesh, chart, image, cut); };
   const MirroredCuts mirrored(chart, image);
-  const CutMask cut = PartMap(chart).mask_of(mesh.edges);
-  const double allowed = std::max(most_strain, set_.strain);
-  SectionMerger merger({cut, surface.after()}, chart, mirrored, surface.exact(),
-                       {cut_options_.narrowest, least_solidity_});
+  const CutState first{PartMap(chart).mask_of(mesh.edges), surface.after()};
+  const double allowed = std::max(most_strain, set_.strain) + kStrainError;
+  SectionMerger merger(first, chart, mirrored, surface.exact(), rules_);
   for (int i = 0;; ++i) {
     const bool stopped = was_stopped([&] {
       // After the last attempt, merges are only undone, so that the other merges remain.
-      if (i < kMostMerges)
+      if (i < rules_.most_attempts)
         merger.run(share * most_strain, report);
       else
         exact_.stop().check();
     });
-    SurfaceLines lines = lines_across(given, piece_.chart, mesh, chart, image, merger.state().cut);
-    std::vector<SurfacePath> paths;
-    for (const SurfaceLine& line : lines.lines) paths.push_back(path_of(given, piece_.chart, line));
-    CutSet merged = set_along(std::move(paths));
-    if (merged.set.strain <= allowed * kRoundedFigure) {
+    CutSet merged = set_along(lines_of(merger.state().cut));
+    if (merged.set.strain <= allowed) {
       set_ = std::move(merged.set);
-      lines_ = std::move(lines);
-      num_narrow_ = count_narrow(merged.pieces, cut_options_.narrowest);
+      keep_lines(std::move(merged.lines), merged.pieces);
       return !stopped;
     }
     if (stopped) return false;
     const FlatPieces joined = parts_of(merger.state().pieces, uncut);
     if (!merger.undo(failed_on_mesh({joined, mesh.sources.faces}, {merged.pieces, merged.faces}, allowed))) break;
   }
-  lines_ = lines_across(given, piece_.chart, mesh, chart, image, cut);
-  num_narrow_ = count_narrow(parts_of(surface.after(), uncut), cut_options_.narrowest);
+  keep_lines(lines_of(first.cut), parts_of(first.pieces, uncut));
   return true;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cuts/propose/flat_pieces.h"
+#include "cuts/propose/merge_sections.h"
 #include "cuts/propose/smooth_sets.h"
 #include "wirewarp/propose.h"
 
@@ -15,8 +16,8 @@ namespace wirewarp {
 /// strain, because smoothing removes zigzags that work like small darts.
 class SmoothMerger {
  public:
-  /// least_solidity: as in MergeRules. The arguments must outlive the object.
-  SmoothMerger(const PieceToCut& piece, double least_solidity, const CutOptions& cut_options,
+  /// All arguments except for the rules must outlive the object.
+  SmoothMerger(const PieceToCut& piece, const MergeRules& rules, const CutOptions& cut_options,
                const ExactEvaluation& exact);
 
   /// Smooths the lines of a set along edges. Returns false if no line can be smooth. Throws Stopped.
@@ -39,14 +40,16 @@ class SmoothMerger {
  private:
   struct CutSet {
     DartProposal set;
+    SurfaceLines lines;
     FlatPieces pieces;
     std::vector<int> faces;  // input face that contains each face of the cut mesh
   };
 
-  CutSet set_along(std::vector<SurfacePath> paths) const;
+  CutSet set_along(SurfaceLines lines) const;
+  void keep_lines(SurfaceLines lines, const FlatPieces& pieces);
 
   const PieceToCut& piece_;
-  const double least_solidity_;
+  const MergeRules rules_;
   const CutOptions& cut_options_;
   const ExactEvaluation& exact_;
   const ExactEvaluation unstopped_;  // completes the last set if the caller cancels

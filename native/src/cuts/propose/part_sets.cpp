@@ -351,8 +351,7 @@ void PartSearch::join(const CutMesh& mesh, const Chart& chart, const std::vector
 /// flat shape.
 PartSearch::CutSet PartSearch::set_along(const SurfaceLines& lines) const {
   const FlattenInput& given = exact_.surface().given();
-  std::vector<SurfacePath> paths;
-  for (const SurfaceLine& line : lines.lines) paths.push_back(path_of(given, chart_, line));
+  std::vector<SurfacePath> paths = paths_of(given, chart_, lines);
   const std::vector<char> kept = not_collapsed(given.faces, static_cast<int>(given.vertices.rows()), paths);
   CutSet made;
   made.lines = selected(lines, kept);

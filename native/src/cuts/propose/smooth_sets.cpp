@@ -80,12 +80,10 @@ class SmoothSet {
         is_symmetric_(lines.is_symmetric),
         mirror_(given_, chart_, piece.image),
         network_(chart_.mesh, lines.lines, barriers_),
+        start_(paths_of(given_, chart_, lines)),
         levels_(lines.lines.size(), 0),
         highest_(lines.lines.size(), kLevels) {
-    for (const SurfaceLine& line : lines.lines) {
-      start_.push_back(path_of(given_, chart_, line));
-      ends_.push_back({line.first, line.last});
-    }
+    for (const SurfaceLine& line : lines.lines) ends_.push_back({line.first, line.last});
     num_bends_before_ = num_bends(cut_mesh(given_.vertices, given_.faces, start_));
     num_ends_before_ = count_ends(ends_);
   }
@@ -124,8 +122,8 @@ class SmoothSet {
   const bool is_symmetric_;                 // whether each line has a mirror image
   const PathMirror mirror_;
   const LineNetwork network_;
-  std::vector<SurfacePath> start_;  // lines before smoothing
-  std::vector<VertexPair> ends_;    // per line: numbers of both ends
+  const std::vector<SurfacePath> start_;  // lines before smoothing
+  std::vector<VertexPair> ends_;          // per line: numbers of both ends
   int num_bends_before_ = 0;
   std::array<int, 2> num_ends_before_{};
   std::vector<int> levels_;   // per line: level of smoothness; 0: not smoothed

@@ -195,11 +195,15 @@ SurfacePath path_through(const std::vector<WeightedPoint>& points) {
   return path;
 }
 
-SurfacePath path_of(const FlattenInput& input, const Chart& chart, const SurfaceLine& line) {
-  std::vector<WeightedPoint> points;
-  for (const LineSection& section : line.sections) points.push_back(on_input(input, chart, section.face, section.from));
-  points.push_back(on_input(input, chart, line.sections.back().face, line.sections.back().to));
-  return path_through(points);
+std::vector<SurfacePath> paths_of(const FlattenInput& input, const Chart& chart, const SurfaceLines& lines) {
+  std::vector<SurfacePath> paths;
+  for (const auto& [first, last, sections] : lines.lines) {
+    std::vector<WeightedPoint> points;
+    for (const LineSection& section : sections) points.push_back(on_input(input, chart, section.face, section.from));
+    points.push_back(on_input(input, chart, sections.back().face, sections.back().to));
+    paths.push_back(path_through(points));
+  }
+  return paths;
 }
 
 }  // namespace wirewarp

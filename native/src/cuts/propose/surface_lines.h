@@ -62,6 +62,6 @@ WeightedPoint on_input(const FlattenInput& input, const Chart& chart, const Path
 
 SurfacePath path_through(const std::vector<WeightedPoint>& points);
 
-SurfacePath path_of(const FlattenInput& input, const Chart& chart, const SurfaceLine& line);
+std::vector<SurfacePath> paths_of(const FlattenInput& input, const Chart& chart, const SurfaceLines& lines);
 
 }  // namespace wirewarp
