@@ -116,8 +116,19 @@ std::optional<Eigen::Vector3d> strained_place(const FlatPiece& part, double limi
     sum += weight * vector_of(part.chart.mesh.calc_face_centroid(f));
     total += weight;
   }
-  if (total == 0) return std::nullopt;
-  return sum / total;
+  return total > 0 ? std::optional<Eigen::Vector3d>(sum / total) : std::nullopt;
+}
+
+/// Returns the strains for which parts are divided, the highest first: none above kSoftStrain and the target. If 80%
+/// and 40% came first, a koala would have no set within 20%.
+std::vector<double> limits_up_to_plush(double target) {
+  std::vector<double> limits;
+  for (const double allowed : allowed_strains(target, target)) {
+    const double limit = std::min(allowed, std::max(target, kSoftStrain));
+    if (limit >= kLeastStrain && (limits.empty() || limit > limits.back())) limits.push_back(limit);
+  }
+  std::reverse(limits.begin(), limits.end());
+  return limits;
 }
 
 /// A mesh that is cut along some of its edges, as a separate model with its own pieces.
@@ -158,22 +169,14 @@ class PartSearch {
   }
 
   PartSets search() {
-    const double target = cut_options_.strain.value_or(kTargetStrain);
-    std::vector<double> limits = allowed_strains(target, target);
-    std::reverse(limits.begin(), limits.end());
-    // No limit is above kSoftStrain or the target, whichever is larger. With higher limits first (80%, then 40%), a
-    // koala had no set within 20%.
-    for (double& limit : limits) limit = std::min(limit, std::max(target, kSoftStrain));
-    limits.erase(std::unique(limits.begin(), limits.end()), limits.end());
-    while (!limits.empty() && limits.back() < kLeastStrain) limits.pop_back();
+    const std::vector<double> limits = limits_up_to_plush(cut_options_.strain.value_or(kTargetStrain));
     if (limits.empty()) return {};
     progress_.enter(0, kNecksFound);
     std::vector<SurfacePath> loops;
     for (const Neck& neck : find_necks(chart_.mesh, image_, exact_.stop()))
       add_lines(own_, alone_, neck.distance, neck.level, loops);
     if (loops.empty() && sharp_length(chart_.mesh) > kSharp * size_) return {};
-    CutMesh mesh = uncut(own_);
-    if (!loops.empty()) mesh = cut_again(mesh, loops);
+    CutMesh mesh = loops.empty() ? uncut(own_) : cut_again(uncut(own_), loops);
     PartSets found;
     const bool stopped = was_stopped([&] {
       for (std::size_t i = 0; i < limits.size(); ++i) {

@@ -233,8 +233,7 @@ bool PieceSearch::is_worth_sewing(const PieceFigures& after) const {
   return has_less_energy && after.strain <= (1 - kLeastGain) * before_.strain && after.strain < kMostStrain;
 }
 
-/// Returns the chains that help alone or with their mirror images, the best first. No chain is beside another chain of
-/// the result.
+/// Returns the chains that help alone or with their mirror images, in their order.
 std::vector<PieceSearch::Helpful> PieceSearch::find_helpful(const std::vector<HalfEdgeChain>& chains) const {
   const std::vector<std::optional<PieceFigures>> alone = evaluate(chains);
   std::vector<HalfEdgeChain> images(chains.size()), pairs(chains.size());
@@ -257,6 +256,11 @@ std::vector<PieceSearch::Helpful> PieceSearch::find_helpful(const std::vector<Ha
     if (is_better) cut.with_image = both[i];
     if (helps_alone || cut.with_image) helpful.push_back(std::move(cut));
   }
+  return helpful;
+}
+
+/// Returns the best cuts, the best first. No cut is beside a better cut.
+std::vector<PieceSearch::Helpful> PieceSearch::best_apart(std::vector<Helpful> helpful) const {
   const auto figure = [&](const Helpful& cut) { return effort_ == Effort::quick ? cut.alone.energy : cut.strain(); };
   std::stable_sort(helpful.begin(), helpful.end(),
                    [&](const Helpful& a, const Helpful& b) { return figure(a) < figure(b); });
@@ -308,7 +312,7 @@ void PieceSearch::check_strain() const {
 }
 
 std::vector<DartProposal> PieceSearch::best_of(const std::vector<HalfEdgeChain>& chains) const {
-  const std::vector<Helpful> best = find_helpful(chains);
+  const std::vector<Helpful> best = best_apart(find_helpful(chains));
   std::vector<HalfEdgeChain> images;
   for (const Helpful& cut : best) images.push_back(cut.image);
   const std::vector<std::optional<PieceFigures>> of_images = evaluate(images);

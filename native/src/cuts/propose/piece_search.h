@@ -95,6 +95,7 @@ class PieceSearch {
   std::vector<HalfEdgeChain> without_mirror_images(const std::vector<HalfEdgeChain>& chains) const;
   std::vector<std::optional<PieceFigures>> evaluate(const std::vector<HalfEdgeChain>& chains) const;
   std::vector<Helpful> find_helpful(const std::vector<HalfEdgeChain>& chains) const;
+  std::vector<Helpful> best_apart(std::vector<Helpful> helpful) const;
   DartProposal proposal_of(const HalfEdgeChain& chain, const PieceFigures& after) const;
   std::vector<VertexPair> edges_of(const HalfEdgeChain& chain) const;
   CutEnds ends_of(const HalfEdgeChain& chain) const {

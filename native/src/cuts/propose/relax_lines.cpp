@@ -41,6 +41,15 @@ bool is_along_edges(const SurfaceLine& line) {
                      [](const LineSection& section) { return section.edge.is_valid(); });
 }
 
+std::vector<EdgeHandle> sorted_edges(const SurfaceLine& line) {
+  std::vector<EdgeHandle> edges;
+  for (const LineSection& section : line.sections) {
+    if (section.edge.is_valid()) edges.push_back(section.edge);
+  }
+  std::sort(edges.begin(), edges.end());
+  return edges;
+}
+
 double edge_length_for(const HalfEdgeMesh& mesh, const std::vector<SurfaceLine>& lines) {
   if (!std::all_of(lines.begin(), lines.end(), is_along_edges)) return typical_edge_length(mesh);
   double length = 0;
@@ -176,11 +185,6 @@ bool LineNetwork::runs_along_barrier(std::size_t line, const MeshPath& path) con
 
 void LineNetwork::add_line(const SurfaceLine& line, bool is_ring) {
   std::vector<std::size_t> points;
-  std::vector<EdgeHandle> edges;
-  for (const LineSection& section : line.sections) {
-    if (section.edge.is_valid()) edges.push_back(section.edge);
-  }
-  std::sort(edges.begin(), edges.end());
   const auto add_end = [&](int end, const SurfacePoint& place) {
     const auto [known, is_new] = junctions_.try_emplace(end, points_.size());
     if (is_new) points_.push_back({place, {}, place.vertex.is_valid() && touches_barrier(place.vertex)});
@@ -212,7 +216,7 @@ void LineNetwork::add_line(const SurfaceLine& line, bool is_ring) {
   }
   lines_.push_back(std::move(points));
   is_ring_.push_back(is_ring ? 1 : 0);
-  edges_.push_back(std::move(edges));
+  edges_.push_back(sorted_edges(line));
 }
 
 /// Adds the points to move in the sections from `begin` to before `end`; none for a single edge of a barrier.

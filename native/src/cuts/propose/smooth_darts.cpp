@@ -74,10 +74,10 @@ class SmoothDartSearch {
         piece_(piece),
         finder_(chart_, search.forbidden()),
         lines_(chart_) {
-    CutMask barred = PartMap(chart_).mask_of(as_list(cut_options.no_crossing));
-    unite(barred, search.forbidden().edges);
+    CutMask barriers = PartMap(chart_).mask_of(as_list(cut_options.no_crossing));
+    unite(barriers, search.forbidden().edges);
     for (const EdgeHandle edge : chart_.mesh.edges()) {
-      if (barred[edge.idx()] != 0) lines_.add(chart_.mesh, chart_.mesh.halfedge_handle(edge, 0));
+      if (barriers[edge.idx()] != 0) lines_.add(chart_.mesh, chart_.mesh.halfedge_handle(edge, 0));
     }
   }
 
@@ -102,6 +102,7 @@ class SmoothDartSearch {
   std::vector<SmoothDart> best_courses(const std::vector<HalfEdgeChain>& chains);
   SmoothDart move_ends(SmoothDart dart);
   std::vector<Way> moved(const SmoothDart& dart, double step) const;
+  std::set<CutEnds> moved_ends(const SmoothDart& dart, double step) const;
   std::vector<SmoothDart> without_neighbors(std::vector<SmoothDart> darts) const;
   void propose(const std::vector<SmoothDart>& darts, std::vector<DartProposal>& proposals) const;
   bool puckers(const LineFigures& found) const;
@@ -218,9 +219,22 @@ std::vector<SmoothDart> SmoothDartSearch::best_courses(const std::vector<HalfEdg
   return best;
 }
 
-/// Returns ways with a moved start or tip. The start moves along the outline, and the tip moves forwards, backwards and
-/// to both sides. step: approximate distance, over √area.
+/// Returns ways with a moved start or tip. step: approximate distance, over √area.
 std::vector<SmoothDartSearch::Way> SmoothDartSearch::moved(const SmoothDart& dart, double step) const {
+  const MeshPath& line = dart.line.line;
+  std::vector<Way> ways;
+  for (const CutEnds& ends : moved_ends(dart, step)) {
+    if (!ends.start.is_valid() || !ends.end.is_valid()) continue;
+    if (ends == CutEnds{line.front().vertex, line.back().vertex}) continue;
+    HalfEdgeChain chain = chain_of(finder_, ends);
+    if (!chain.empty()) ways.push_back({std::move(chain), dart.course});
+  }
+  return ways;
+}
+
+/// Returns ends whose start is moved along the outline, or whose tip is moved forwards, backwards or to a side. A moved
+/// end is invalid if no vertex may be an end.
+std::set<CutEnds> SmoothDartSearch::moved_ends(const SmoothDart& dart, double step) const {
   const HalfEdgeMesh& mesh = chart_.mesh;
   const VertexHandle start = dart.line.line.front().vertex, tip = dart.line.line.back().vertex;
   const HalfEdgeMesh::Point at = mesh.point(tip), from = mesh.point(start);
@@ -245,13 +259,7 @@ std::vector<SmoothDartSearch::Way> SmoothDartSearch::moved(const SmoothDart& dar
                                          mesh.point(mesh.from_vertex_handle(mesh.prev_halfedge_handle(out))) - from}) {
     ends.insert({nearest(from + way.normalized() * (step * size_), true), tip});
   }
-  std::vector<Way> ways;
-  for (const CutEnds& each : ends) {
-    if (!each.start.is_valid() || !each.end.is_valid() || each == CutEnds{start, tip}) continue;
-    HalfEdgeChain chain = chain_of(finder_, each);
-    if (!chain.empty()) ways.push_back({std::move(chain), dart.course});
-  }
-  return ways;
+  return ends;
 }
 
 /// Moves the ends of a dart to the ends of the best neighboring dart, as long as that dart is clearly better. Then
