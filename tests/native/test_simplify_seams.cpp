@@ -8,6 +8,7 @@
 #include <set>
 #include <string>
 
+#include "base/in_threads.h"
 #include "base/planar.h"
 #include "closed_meshes.h"
 #include "disguise.h"
@@ -218,7 +219,8 @@ TEST(SimplifySeams, DoesNotDependOnPositionOrientationAndNumbering) {
   EXPECT_NEAR(here.strain, there.strain, 1e-5 * here.strain);
 }
 
-TEST(SimplifySeams, ReportsProgressThatNeverFalls) {
+TEST(SimplifySeams, ReportsProgressThatNeverFallsAndEndsNearOne) {
+  const OnOneCore on_one_core;  // only this thread reports, so on more cores the last report depends on their speed
   std::vector<double> reported;
   simplify_seams(sphere(), {}, 0.15, [&](const std::string& stage, double fraction) {
     EXPECT_EQ(stage, "cuts");
@@ -227,7 +229,7 @@ TEST(SimplifySeams, ReportsProgressThatNeverFalls) {
   });
   EXPECT_TRUE(std::is_sorted(reported.begin(), reported.end()));
   EXPECT_LE(reported.back(), 1);
-  EXPECT_GT(reported.back(), 0.5);
+  EXPECT_GT(reported.back(), 0.8);
 }
 
 TEST(SimplifySeams, ReturnsTheBestSoFarWhenStopped) {
