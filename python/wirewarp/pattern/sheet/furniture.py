@@ -18,7 +18,7 @@ from .drawing import LOOKS, Stroke, strokes_of
 from .papers import MARGIN, sheet_name
 from .tiles import Tile, Tiles
 
-SIZE = np.array([166.0, 158.0])  # size of the block of squares and bars in millimeters; fits on A4 and Letter
+SIZE = np.array([168.0, 158.0])  # size of the block of squares and bars in millimeters; fits on A4 and Letter
 CORNER = 4.0  # millimeters between the lower left corner of the block and its bars
 NAME_TEXT, NEIGHBOR_TEXT = 5.0, 4.0  # millimeters: height of the name of a sheet, and of the names of its neighbors
 NAME_PLACES = np.linspace(0, 1, 9)  # places to try for the name of a sheet, as shares of its width and height
