@@ -20,8 +20,8 @@ from .dxf_tags import Tags, block_names, escaped_text, plain_text, section
 LONGEST_NAME = 20  # number of letters; AccuMark cuts off longer names
 CORNER = math.radians(30)  # radians; points at which the outline turns more are turn points, others are curve points
 TURN_POINT, CURVE_POINT = "2", "3"
-NOTCH_WIDTH = 2.0  # millimeters at the edge of the piece
-TEXT_HEIGHT = 5.0  # millimeters
+NOTCH_WIDTH = 2.0  # millimeters at the edge of the piece; with the usual allowance, notches are 5 mm deep
+FIELD_HEIGHT = 5.0  # millimeters: height of letters, which can also be read on a plot at actual size
 CONTROL = 100.0  # millimeters: side of the control square, which any ruler can measure
 
 
@@ -110,7 +110,7 @@ class _Writer:
         for text in piece.texts:
             for number, words in enumerate(text.lines):
                 down = np.array([0.0, -LINE * text.height * number])
-                tags.text(LOOKS["card"].dxf_layer, escaped_text(words), text.center + down, TEXT_HEIGHT, text.angle)
+                tags.text(LOOKS["card"].dxf_layer, escaped_text(words), text.center + down, text.height, text.angle)
         tags.add((0, "ENDBLK"), (8, "1"))
         return tags
 
@@ -130,8 +130,8 @@ class _Writer:
 
     def _add_fields(self, tags: Tags, fields: dict[str, str], at: np.ndarray) -> None:
         for number, (key, value) in enumerate(fields.items()):
-            place = at - (0, number * LINE * TEXT_HEIGHT)
-            tags.text("1", f"{self._key(key)}: {value}".rstrip(), place, TEXT_HEIGHT)
+            place = at - (0, number * LINE * FIELD_HEIGHT)
+            tags.text("1", f"{self._key(key)}: {value}".rstrip(), place, FIELD_HEIGHT)
 
     def _add_line(self, tags: Tags, role: str, points: np.ndarray, closed: bool) -> None:
         layer = LOOKS[WIRES["rigid"] if role == "wire" else role].dxf_layer  # all kinds of wires have the same layer
