@@ -211,7 +211,7 @@ class MESH_OT_wirewarp_seams_from_uv_islands(OnModel, bpy.types.Operator):
         return {"FINISHED"}
 
 
-WIDTH = 360  # width of the dialog, in pixels at interface scale 1
+WIDTH = 360  # width of the dialog, in pixels at interface scale 1; its question is about 275 wide, beside an icon
 
 
 def has_every_edge(mesh: bpy.types.Mesh) -> bool:

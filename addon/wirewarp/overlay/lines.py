@@ -44,7 +44,7 @@ def _hex(text: str) -> tuple[float, float, float]:
     return red, green, blue
 
 
-THIN = 1.0  # pixels
+THIN = 1.0  # pixels, the least width of a line on the screen
 # Extra width of a rim beyond its line, in pixels (a thin edge on both sides), and opacity, so that the color dominates.
 RIM, RIM_ALPHA = 1.5, 0.6
 # The styles are in drawing order, so that a wire is visible on a seam or a failed area.

@@ -18,7 +18,9 @@ from .gather import screen_colors
 from .lines import RIM, RIM_ALPHA, STYLES, LineStyle
 from .shown import Drawing, UvDrawing
 
-SCALE_WIDTH, SCALE_HEIGHT, SAMPLE = 200, 12, 28  # sizes of color scale and line samples, pixels at interface scale 1
+# Sizes in pixels at interface scale 1. A color scale has room for TICKS numbers, and is as high as letters. A line
+# sample is longer than the longest dash and its gap.
+SCALE_WIDTH, SCALE_HEIGHT, SAMPLE = 200, 12, 28
 ROW, PADDING = 18, 10  # pixels at interface scale 1; a row is 1.5 times as high as FONT_SIZE
 SCALE_STEPS, TICKS = 64, 5  # steps of 3 pixels look continuous; numbers at 9 ticks would touch each other
 BACKGROUND = (0.33, 0.33, 0.33, 0.9)  # light enough for black lines, dark enough for white letters

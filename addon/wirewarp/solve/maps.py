@@ -49,6 +49,7 @@ class ColorMap:
         return f"{sign}{100 * value:.{digits}g}%" if self.is_percent else f"{sign}{value:.{digits}g}"
 
 
+# The scales have fixed ends, so that the colors of different models can be compared.
 ASPECT_RATIO = ColorMap("aspect_ratio_color", "Worst direction, as a factor", 1.0, 1.5)
 STRETCH = ColorMap("stretch_color", "Stretch, mean of all directions", -0.1, 0.1, is_percent=True, stops=_TWO_SIDED)
 LENGTH_VARIATION = ColorMap("length_variation_color", "Change of length", 0.0, 0.1, is_percent=True)

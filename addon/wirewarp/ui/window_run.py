@@ -16,7 +16,7 @@ import bpy
 from ..blender.views import redraw_sidebars, send_mouse_move
 from ..solve.steps import CanceledError, Steps, T, in_one_go
 
-POLL_SECONDS = 0.02
+POLL_SECONDS = 0.02  # between two slices of work (SLICE in solve/steps.py), so that the window can be drawn
 UNSEEN_SECONDS = 0.3  # seconds before the progress bar appears, because it would only flicker during short runs
 
 

@@ -16,7 +16,7 @@ from .words import tolerance_text
 # Above this strain, a dart may help. Stretch fabric allows this strain, but pulls at such places.
 STRAIN_LIMIT = 0.08
 LARGEST_SHARE = 0.25  # share of a piece's area; if more is strained, only the worst part is shown
-MOST_PIECES = 4  # largest number of pieces with hints
+MOST_PIECES = 4  # largest number of pieces with hints, the worst ones; the report has the strain of all pieces
 MOST_REGIONS = 2  # largest number of places in one piece; the place with the largest strain is added if missing
 LEAST_AMOUNT = 0.1  # share of the piece's largest Region.amount; smaller places, mostly single faces, get no hint
 TORN, STRAINED, BEYOND_FABRIC, WIRE_AT_LIMIT = "torn", "strained", "beyond_cloth", "wire_at_limit"

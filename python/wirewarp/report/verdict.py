@@ -14,7 +14,7 @@ CLOSED_CODE = "closed_chart"
 SEAM_CODES = {"boundary_too_short", "handles", "infeasible_lengths", CLOSED_CODE}  # faults that a seam can fix
 ANY_LIMIT = 1.0  # largest stretch of any fabric, as a fraction: to twice its length
 NOT_KNOWN = Ways(across=None, along=None)
-SHOWN_NAMES = 4  # largest number of names in a list
+SHOWN_NAMES = 4  # largest number of names in a list, because readers need the end of the sentence, too
 
 
 class Level(StrEnum):

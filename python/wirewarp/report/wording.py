@@ -8,7 +8,7 @@ from .model import Threads
 from .strain import percent_text
 from .words import counted
 
-LESSER = 0.5  # the smaller of stretch and compression is mentioned if it is at least this share of the larger
+LESSER = 0.5  # if one of stretch and compression is below this share of the other, the other describes the piece alone
 NOT_FLATTENED = "Not flattened"
 BEYOND_REMEDY = "Add a dart or seam, or choose another fabric."  # written once, after all sentences
 EXACT, TOLERATED = "every length kept", "every length kept or within its tolerance"

@@ -16,7 +16,8 @@ from ..pattern_data import GAP, OVERLAP
 from .room import CLEAR, axes, joined, strokes, touches
 from .text_place import text_width
 
-# The distances tried between the named line and the middle of the text, in millimeters, increase by STEP.
+# The distances tried between the named line and the middle of the text, in millimeters, increase by STEP. At the least
+# distance, the smallest text, 2.5 mm high, keeps CLEAR from the line.
 NEAREST, FARTHEST, STEP = 2.0, 40.0, 0.5
 TURNS = (0, 30, -30, 60, -60, 90, -90, 135, -135, 180)  # degrees; 0 is straight out of the piece; best turn first
 # These angles of the text, in degrees, are tried in this order, the easiest to read first. Turned text stays close to a

@@ -10,7 +10,7 @@ from ..geometry import are_inside
 from ..model import Text
 from .text_place import LINE, text_width
 
-CLEAR = 0.5  # millimeters between a text and its neighbors
+CLEAR = 0.5  # millimeters between a text and its neighbors: the thickness of the thickest line
 # These are the places of the strokes that represent a line of text, in heights of the text. No other text fits between
 # two strokes.
 STROKES = np.linspace(-0.5, 0.5, 5)

@@ -20,17 +20,17 @@ SHARE = 0.5  # depth as a share of the allowance; notches never reach the stitch
 ACROSS = 0.3  # depth without allowance, as a share of the distance across the piece, so opposite notches do not meet
 # Rays start this far from their own line, in millimeters, so that they miss it. This is also a tolerance of lengths.
 NEXT_TO = 2e-3
-LEAST_SPACING = 1.0  # millimeters between notches
+LEAST_SPACING = 1.0  # millimeters between notches; nobody cuts closer notches
 MOST = 10_000  # largest number of notches along one seam: 10 m at the least spacing
 CLEAR = 0.2  # share of the spacing; no notch is closer to another notch or to the end of the seam
 LEAST_SEAM = 15.0  # millimeters; a shorter seam needs no notch in its middle, only at ends of wires
 LOPSIDED = 5.0  # millimeters; in a reversed seam, at least one notch is this far off, so the mistake is noticed
 STARTS = (1.0, 0.8, 0.6, 0.4)  # places to try for the first notch of a seam, as multiples of the spacing
-DOUBLE = 6.0  # millimeters between the strokes of a double notch
+DOUBLE = 6.0  # millimeters (about 1/4 in) between the strokes of a double notch, so that both are easy to see
 CORNER = math.radians(30)  # radians; nobody can find a corner with a smaller turn on fabric
 CLIP_SHORT = 2.0  # millimeters between a clip and the corner of the stitching line, so that the seam is not cut
 DRILL_BACK = 13.0  # millimeters (1/2 in) between the hole and the tip of the dart; there, the seam hides the hole
-DRILL = 3.0  # millimeters: diameter of the hole
+DRILL = 3.0  # millimeters (about 1/8 in): diameter of the hole, through which chalk or a pencil marks the fabric
 
 
 def check_spacing(spacing: float, seam_names: Sequence[str], sides: Sequence[Sequence[SewnSide]]) -> None:

@@ -15,7 +15,7 @@ from ..model import PatternPiece
 Grain = Literal["one way", "both ways", "free"]
 # Outlines are simplified with at most this error, in millimeters, because searches are faster with fewer points.
 NEAR = 0.2
-ROUND = 0.01  # millimeters: error of an arc that consists of straight lines
+ROUND = 0.01  # millimeters: error of an arc that consists of straight lines; nobody cuts more exactly
 
 
 @dataclass(frozen=True)

@@ -47,8 +47,8 @@ WIRES = {"rigid": "rigid wire", "elastic": "elastic wire", "super_elastic": "fre
 LAYERS = tuple(dict.fromkeys(look.layer for look in LOOKS.values()))
 
 
-ARROW = 6.0  # millimeters: length of the heads of grain arrows
-CROSS = 4.0  # millimeters; the cross of a drill hole is (CROSS + diameter) / 2 wide
+ARROW = 6.0  # millimeters: length of the heads of grain arrows, but at most a third of the arrow
+CROSS = 4.0  # millimeters; the cross of a drill hole is (CROSS + diameter) / 2 wide, 0.5 mm wider than the hole
 
 
 @dataclass(frozen=True)

@@ -20,17 +20,20 @@ from .tiles import Tile, Tiles
 
 SIZE = np.array([168.0, 158.0])  # size of the block of squares and bars in millimeters; fits on A4 and Letter
 CORNER = 4.0  # millimeters between the lower left corner of the block and its bars
-NAME_TEXT, NEIGHBOR_TEXT = 5.0, 4.0  # millimeters: height of the name of a sheet, and of the names of its neighbors
+# Heights of the name of a sheet, and of the names of its neighbors, which fit in the overlap. Both are in millimeters.
+NAME_TEXT, NEIGHBOR_TEXT = 5.0, 4.0
 NAME_PLACES = np.linspace(0, 1, 9)  # places to try for the name of a sheet, as shares of its width and height
 # The name of a neighbor is tried at steps of NEIGHBOR_STEP along the edge, and at these depths inwards from the middle
-# of the overlap. Both are in millimeters.
+# of the overlap. Both are in millimeters. A step is longer than half of a diamond and half of a name together.
 NEIGHBOR_STEP, DEPTHS = 12.0, (0.0, OVERLAP, 2 * OVERLAP)
-KEY = (18.0, 150.0)  # millimeters from the lower left corner of the block to the upper left corner of the key
+# Millimeters from the lower left corner of the block to the upper left corner of the key. The key is above the squares,
+# beside the upright bar. A column is wide enough for a sample and the longest label, 22 mm.
+KEY = (18.0, 150.0)
 KEY_ROWS, KEY_WIDTH, KEY_HEIGHT, KEY_SAMPLE, KEY_TEXT = 3, 44.0, 7.0, 12.0, 3.0
-TICK = 3.0  # millimeters: half of the length of a tick
+TICK = 3.0  # millimeters: half of the length of a tick; less than CORNER, so that ticks stay in the block
 UNIT = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
 SHEET_LAYER, GRID_LAYER = "Sheets", "Grid"
-GRID_STEP = {"metric": 50.0, "imperial": 2 * INCH}  # millimeters
+GRID_STEP = {"metric": 50.0, "imperial": 2 * INCH}  # millimeters; multiples of the 10 mm or 1 in of cutting mats
 
 
 class Marks(NamedTuple):

@@ -14,11 +14,11 @@ from ..pattern_data import PatternData, SeamWalk, SewingStep
 from ..units import UnitSystem
 from .papers import MARGIN
 
-HEIGHT, LINE = 3.2, 5.0  # millimeters: height of letters, and distance between the base lines of rows
-COLUMNS = (0.0, 0.32, 0.55, 0.77, 0.89)  # starts of the columns, as shares of the width
+HEIGHT, LINE = 3.2, 5.0  # millimeters: letters of 9 points, and the distance between the base lines of rows
+COLUMNS = (0.0, 0.32, 0.55, 0.77, 0.89)  # starts of the columns, as shares of the width; names need the most room
 SHOWN = 0.0005  # millimeters; a smaller deviation is left out, because it would be printed as 0.000 mm
 CLOTHS = (900.0, 1400.0, 1500.0)  # millimeters: usual widths of fabric
-AT_ONCE = 6  # number of notches whose places are printed in one row
+AT_ONCE = 6  # number of notches whose places are printed in one row; it fits on A4 beside a short name
 SHORTENED = "..."
 Row = Sequence[str]
 
