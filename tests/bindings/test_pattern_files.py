@@ -120,13 +120,14 @@ def test_ezdxf_and_dxfgrabber_read_apparel_dxf(tmp_path, dialect):
     blocks = [block for block in document.blocks if not block.name.startswith(("*", "$", "_"))]
     inserted = [entity.dxf.name for entity in document.modelspace().query("INSERT")]
     assert sorted(block.name for block in blocks) == sorted(inserted) and len(inserted) == 4
-    found = []
+    found, heights = [], set()
     for block in blocks:
         (outline,) = [line for line in block.query("POLYLINE") if line.dxf.layer == "1"]
         points = vertices_of(outline)
         assert outline.is_closed and np.array_equal(points[0], points[-1])
         found.append(points)
         assert len([line for line in block.query("LINE") if line.dxf.layer == "7"]) == 1
+        heights |= {round(text.dxf.height, 2) for text in block.query("TEXT") if text.dxf.layer == "15"}
         ring = shapely.LinearRing(points)
         for notch in (point for point in block.query("POINT") if point.dxf.layer == "4"):
             at = np.array(notch.dxf.location.vec2)
@@ -134,6 +135,7 @@ def test_ezdxf_and_dxfgrabber_read_apparel_dxf(tmp_path, dialect):
             direction = np.array([np.cos(np.radians(notch.dxf.angle)), np.sin(np.radians(notch.dxf.angle))])
             assert shapely.Polygon(points).contains(shapely.Point(at + direction))
     same_up_to_moves(found, cut_points(pattern), 0.011)
+    assert heights == {round(text.height, 2) for piece in pattern.pieces for text in piece.texts}
     grabbed = dxfgrabber.readfile(str(tmp_path / "top.dxf"))
     lines = [each for block in grabbed.blocks for each in block if each.dxftype == "POLYLINE" and each.layer == "1"]
     again = [np.array([point[:2] for point in line.points]) for line in lines]
