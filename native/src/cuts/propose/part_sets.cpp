@@ -43,9 +43,8 @@ constexpr double kWorst = 2;
 
 /// Prices added to the mean strain of a divided part, to decide between planes with about the same strain:
 /// - kLengthPrice: per length of the seam over √area, which is 1.8 around a ball; its seam costs 3.5% of strain
-/// - kPartPrice: per new part; half or twice this price changes no test of parts
 /// - kNarrowPrice: per narrow new part; so high that other planes with up to 10% more strain are preferred
-constexpr double kLengthPrice = 0.02, kPartPrice = 0.01, kNarrowPrice = 0.1;
+constexpr double kLengthPrice = 0.02, kNarrowPrice = 0.1;
 
 /// Least solidity of joined parts. With 0.75, half of a fish and its tail become one piece with arms; with 0.85, they
 /// do not.
@@ -297,7 +296,7 @@ double PartSearch::price_of(const FlatPiece& part, const Plane& plane, double li
     const double strain = each->error ? kWorst : std::min(each->strain, kWorst);
     area += part_area;
     strained += part_area * std::max(strain - limit, 0.0);
-    price += kPartPrice + (is_narrow(*each, cut_options_.narrowest) ? kNarrowPrice : 0);
+    if (is_narrow(*each, cut_options_.narrowest)) price += kNarrowPrice;
   }
   return price + strained / area;
 }
