@@ -40,6 +40,8 @@ std::shared_ptr<const FlatPiece> as_flat_piece(Chart chart, const Piece& piece, 
     const bool is_large = flat.chart.mesh.n_faces() >= options.large_chart;
     const bool may_turn = options.cloth && options.orientation == Orientation::best;
     flat.is_final = piece.report.termination == Termination::converged && !is_large && !may_turn;
+  } else if (flat.error->has_layout) {
+    flat.faulty_strain = needed.of(piece);
   }
   return std::make_shared<FlatPiece>(std::move(flat));
 }

@@ -54,9 +54,9 @@ class SectionMerger {
 
  private:
   struct Trial {
-    double strain;  // largest strain of the new pieces
     FlatPieces pieces;
-    bool is_final;  // whether FlatPiece::is_final is true for all new pieces
+    double strain = 0;  // largest strain of the new pieces
+    double least = 0;   // lower bound of the strain with more factorizations; `strain` if these would change nothing
   };
 
   /// Opening a section replaces the pieces `before` by the pieces `after`, whatever the other pieces of the state are.
@@ -64,7 +64,7 @@ class SectionMerger {
     FlatPieces before;  // all pieces that change; if `after` was not flattened, only the pieces beside the section
     FlatPieces after;   // the new pieces; empty if they were not allowed, to save memory
     double strain;      // largest strain of the new pieces; a lower bound if they were not flattened
-    bool is_final;      // whether more factorizations cannot lower the strain
+    double least;       // as Trial::least
   };
 
   /// Which candidates are tried. A stage begins if no candidate of the earlier stages is allowed.
