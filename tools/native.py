@@ -10,7 +10,7 @@ CORE_APT = (*BUILD_APT, "libopenmesh-dev")
 NATIVE_APT = (*CORE_APT, "libgtest-dev", "libnlopt-dev")
 FUZZ_APT = (*CORE_APT, "clang", "libclang-rt-dev")
 ATHERIS = ("atheris==3.0.0", "numpy==1.26.4")  # atheris is libFuzzer for Python
-FEW_CASES, MANY_CASES = 1_000, 10_000
+FEW_CASES, MANY_CASES = 250, 10_000
 TEST_SECONDS = 1500  # limit for a part of the tests; under the sanitizers, a part takes half a minute of one core
 # The address sanitizer records this many callers of each allocation. Recording 30, the default, would take up to a
 # tenth of the time of the tests.
