@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs clang-tidy on the C++ sources.
 
-The sources of a folder are checked as one file: metrics/ then takes 4 s instead of 19 s. Only `./dev tidy` checks the
-native tests, which take as long as all other sources.
+The sources of a folder in native/src with its subfolders are checked as one file: warp/ then takes 8 s instead of 14 s
+with a file for each subfolder. Only `./dev tidy` checks the native tests, which take as long as all other sources.
 """
 
 import json
