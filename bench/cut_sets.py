@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Measures proposed seams of closed models, and prints a table with a row for each model:
 
-python bench/cut_sets.py MESH.obj...
+python bench/cut_sets.py [--smooth] [--strain 0.08] MESH.obj...
 """
 
-import sys
+import argparse
 import time
 from dataclasses import dataclass
 from pathlib import Path
@@ -78,13 +78,16 @@ class Cut:
     seams: np.ndarray  # (k, 2) edges of `mesh`
 
 
-def best_cut(mesh: Mesh, smooth: bool = False) -> Cut:
-    """Return the set with the fewest pieces and a strain of at most SOFT, or else the set with the least strain."""
+def best_cut(mesh: Mesh, smooth: bool = False, strain: float | None = None) -> Cut:
+    """Return the set with the fewest pieces and at most this strain, or else the set with the least strain.
+
+    strain: requested strain; None: SOFT, without a request
+    """
     begin = time.process_time()
-    sets = wirewarp.propose_seams(*mesh, narrowest=2 * ALLOWANCE / scale_of(mesh), smooth=smooth)
+    sets = wirewarp.propose_seams(*mesh, strain=strain, narrowest=2 * ALLOWANCE / scale_of(mesh), smooth=smooth)
     seconds = time.process_time() - begin
-    soft = [each for each in sets if each.strain <= SOFT]
-    best = min(soft, key=lambda each: each.num_pieces) if soft else min(sets, key=lambda each: each.strain)
+    allowed = [each for each in sets if each.strain <= (strain or SOFT)]
+    best = min(allowed, key=lambda each: each.num_pieces) if allowed else min(sets, key=lambda each: each.strain)
     if len(best.edges):
         return Cut(best, seconds, mesh, best.edges)
     vertices, faces, seams, _ = wirewarp.cut_mesh(*mesh, best.paths)
@@ -114,10 +117,15 @@ def row(name: str, mesh: Mesh, cut: Cut) -> list[str]:
 
 
 def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--smooth", action="store_true", help="propose smooth seams")
+    parser.add_argument("--strain", type=float, help=f"requested strain; default: at most {SOFT}, without a request")
+    parser.add_argument("meshes", nargs="+", type=Path, metavar="MESH.obj")
+    arguments = parser.parse_args()
     rows = []
-    for path in map(Path, sys.argv[1:]):
+    for path in arguments.meshes:
         mesh = read_obj(path)
-        rows.append(row(path.stem, mesh, best_cut(mesh)))
+        rows.append(row(path.stem, mesh, best_cut(mesh, arguments.smooth, arguments.strain)))
         print(" ".join(rows[-1]), flush=True)
     print("\n".join(table(HEAD, rows)))
 
