@@ -356,7 +356,8 @@ SectionMerger::Trial SectionMerger::flattened(ChangedPieces changed, const FlatP
     trial.least = std::max(trial.least, std::max(piece->strain, piece->faulty_strain) / kMostImprovement);
   }
   const bool is_hard_to_sew =
-      is_allowed(trial.strain, allowed) && std::any_of(trial.pieces.begin(), trial.pieces.end(), [&](const auto& piece) {
+      is_allowed(trial.strain, allowed) &&
+      std::any_of(trial.pieces.begin(), trial.pieces.end(), [&](const auto& piece) {
         return is_in(joined, piece->chart) && (is_too_narrow(*piece, joined) || has_long_arms(*piece, joined));
       });
   if (is_hard_to_sew) trial.strain = kNoFlatShape;
@@ -376,8 +377,8 @@ SectionMerger::Replacement SectionMerger::try_without(const CutMask& mask, bool 
   Trial trial = flattened(changed, joined, allowed, is_patient ? exact_ : quick_);
   if (!is_patient && is_allowed(trial.strain, allowed) && trial.least < trial.strain)
     trial = flattened(std::move(changed), joined, allowed, exact_);
-  Replacement made{without_those(state_.pieces, trial.pieces), {}, trial.strain,
-                   is_patient ? trial.strain : trial.least};
+  Replacement made{
+      without_those(state_.pieces, trial.pieces), {}, trial.strain, is_patient ? trial.strain : trial.least};
   if (is_allowed(trial.strain, allowed)) made.after = without_those(trial.pieces, state_.pieces);
   return made;
 }
