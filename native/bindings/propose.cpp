@@ -62,8 +62,9 @@ A piece lacks seams in three cases. If no piece is requested, the largest piece 
 
 A cut set consists of seams and darts with which all parts have a flat shape:
 
-- The first set brings every part to the accepted strain (None for 0.05). Otherwise, no further cut would help, or forty
-  cuts follow the first seams, eighty as long as the strain is above 20%. A cut and its mirror image count as one.
+- The first set brings every part to the accepted strain (None for 0.05). Otherwise, no further cut would help, or 160
+  cuts follow the first seams. If no strain is given, 40 cuts are enough for a strain of at most 20%. A cut and its
+  mirror image count as one.
 - Each later set is shorter and leaves more strain. If there are more than count, the first set is listed, and the
   shortest for each limit: the accepted strain, twice as much and so on.
 - Sets are symmetric if the piece is symmetric, and may cross wires.

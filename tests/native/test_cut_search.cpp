@@ -85,6 +85,32 @@ FlattenInput regular_polygon(int corners) {
   return input;
 }
 
+TEST(CutSetSearch, PrefersTheShortestSetForEachFabric) {
+  std::vector<DartProposal> sets;
+  for (const double strain : {0.045, 0.06, 0.09, 0.12, 0.19, 0.3}) sets.emplace_back().strain = strain;
+  const auto chosen = [&](int count) {
+    CutOptions cut_options;
+    cut_options.count = count;
+    std::vector<double> strains;
+    for (const DartProposal& set : chosen_by_limit(sets, cut_options)) strains.push_back(set.strain);
+    return strains;
+  };
+  EXPECT_EQ(chosen(1), (std::vector{0.045}));
+  EXPECT_EQ(chosen(3), (std::vector{0.045, 0.09, 0.19}));
+  EXPECT_EQ(chosen(5), (std::vector{0.045, 0.06, 0.09, 0.19, 0.3}));
+  EXPECT_EQ(chosen(9), (std::vector{0.045, 0.06, 0.09, 0.12, 0.19, 0.3}));
+}
+
+TEST(CutSetSearch, IgnoresRoundingErrorsOfStrains) {
+  for (const double limit : {0.05, 0.1, 0.2}) {
+    DartProposal set;
+    set.strain = limit + 0.5 * kStrainError;
+    EXPECT_EQ(limit_of_set(set, {}), limit);
+    set.strain = limit + 2 * kStrainError;
+    EXPECT_EQ(limit_of_set(set, {}), 2 * limit);
+  }
+}
+
 TEST(CutSetSearch, AllowsStrainsUpToThatOfPlushOrTwiceTheTarget) {
   using Strains = std::vector<double>;
   EXPECT_EQ(allowed_strains(0.05, 0.05), (Strains{0.05, 0.1, 0.2}));  // 0.2 is the strain of plush

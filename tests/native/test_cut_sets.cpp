@@ -161,49 +161,39 @@ TEST(CutSetSearch, ReturnsASetThatMeetsTheTargetFirst) {
   EXPECT_LE(propose_seams(head(), {}, cut_options).front().strain, *cut_options.strain);
 }
 
-TEST(CutSetSearch, PrefersTheShortestSetForEachFabric) {
-  std::vector<DartProposal> sets;
-  for (const double strain : {0.045, 0.06, 0.09, 0.12, 0.19, 0.3}) sets.emplace_back().strain = strain;
-  const auto chosen = [&](int count) {
-    CutOptions cut_options;
-    cut_options.count = count;
-    std::vector<double> strains;
-    for (const DartProposal& set : chosen_by_limit(sets, cut_options)) strains.push_back(set.strain);
-    return strains;
-  };
-  EXPECT_EQ(chosen(1), (std::vector{0.045}));
-  EXPECT_EQ(chosen(3), (std::vector{0.045, 0.09, 0.19}));
-  EXPECT_EQ(chosen(5), (std::vector{0.045, 0.06, 0.09, 0.19, 0.3}));
-  EXPECT_EQ(chosen(9), (std::vector{0.045, 0.06, 0.09, 0.12, 0.19, 0.3}));
+std::vector<DartProposal> search_sets(const FlattenInput& input, const CutOptions& cut_options,
+                                      const MostCuts& most_cuts = {}) {
+  const Progress no_progress;
+  CutProgress progress(no_progress);
+  const InternalOptions options;
+  const SurfaceToCut surface(input, options);
+  const ExactEvaluation exact(surface, options, progress.token());
+  return CutSetSearch(exact.uncut(), 0, cut_options, exact, progress, most_cuts).search();
 }
 
-TEST(CutSetSearch, IgnoresRoundingErrorsOfStrains) {
-  for (const double limit : {0.05, 0.1, 0.2}) {
-    DartProposal set;
-    set.strain = limit + 0.5 * kStrainError;
-    EXPECT_EQ(limit_of_set(set, {}), limit);
-    set.strain = limit + 2 * kStrainError;
-    EXPECT_EQ(limit_of_set(set, {}), 2 * limit);
-  }
+TEST(CutSetSearch, MakesMoreCutsForARequestedStrain) {
+  const FlattenInput input = head(0.5);
+  CutOptions cut_options;
+  cut_options.strain = 0.1;
+  EXPECT_GT(search_sets(input, cut_options, {1, 1}).front().strain, *cut_options.strain);
+  EXPECT_LE(search_sets(input, cut_options, {1, 80}).front().strain, *cut_options.strain);
 }
 
 TEST(CutSetSearch, MakesMoreCutsForPlush) {
   const FlattenInput input = head(0.5);
-  const double target = 0.01;
-  const auto strain = [&](const MostCuts& most_cuts) {
-    const Progress no_progress;
-    CutProgress progress(no_progress);
-    const InternalOptions options;
-    const SurfaceToCut surface(input, options);
-    const ExactEvaluation exact(surface, options, progress.token());
-    CutOptions cut_options;
-    cut_options.strain = target;
-    return CutSetSearch(exact.uncut(), 0, cut_options, exact, progress, most_cuts).search().front().strain;
-  };
-  EXPECT_GT(strain({1, 1}), kSoftStrain);
-  const double for_plush = strain({1, 80});
+  EXPECT_GT(search_sets(input, {}, {1, 1}).front().strain, kSoftStrain);
+  const double for_plush = search_sets(input, {}, {1, 80}).front().strain;
   EXPECT_LE(for_plush, kSoftStrain);
-  EXPECT_GT(for_plush, target);
+  EXPECT_GT(for_plush, kTargetStrain);
+}
+
+TEST(CutSetSearch, FindsSmoothSetsWithTheRequestedStrain) {
+  CutOptions cut_options;
+  cut_options.is_smooth = true;
+  cut_options.strain = 0.08;
+  const DartProposal first = search_sets(head(), cut_options).front();
+  EXPECT_FALSE(first.paths.empty());
+  EXPECT_LE(first.strain, *cut_options.strain);
 }
 
 TEST(CutSetSearch, SuggestsSeamsForThePieceThatNeedsSeams) {

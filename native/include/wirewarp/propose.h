@@ -91,8 +91,9 @@ std::vector<DartProposal> propose_darts(const FlattenInput& input, const Options
 /// Cut sets:
 ///
 /// - All parts of a set have a flat shape with a strain below 1.
-/// - The first set brings every part to the accepted strain. Otherwise, no further cut would help, or forty cuts follow
-///   the first seams, eighty as long as the strain is above 20%. A cut and its mirror image count as one.
+/// - The first set brings every part to the accepted strain. Otherwise, no further cut would help, or 160 cuts follow
+///   the first seams. If no strain is given, 40 cuts are enough for a strain of at most 20%. A cut and its mirror image
+///   count as one.
 /// - Each later set is shorter and leaves more strain. If there are more than `count`, the first set is listed, and the
 ///   shortest for each limit: the accepted strain, twice as much and so on.
 /// - Sets are symmetric if the piece is symmetric.

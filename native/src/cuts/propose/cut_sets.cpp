@@ -124,6 +124,7 @@ CutSetSearch::CutSetSearch(const FlatPieces& pieces, std::size_t piece, const Cu
       forbidden_(mirrored_.with_image(map_.mask_of(as_list(cut_options.no_seam)))),
       cut_options_(cut_options),
       target_(cut_options.strain.value_or(kTargetStrain)),
+      fine_(cut_options.is_smooth && cut_options.strain ? target_ / kFineGrowth : target_),
       exact_(exact),
       progress_(progress),
       most_cuts_(most_cuts) {
@@ -167,7 +168,7 @@ std::size_t CutSetSearch::worst_part(const CutSet& set) const {
 void CutSetSearch::add_lines(const CutSet& set, std::size_t part, std::vector<Candidate>& found) const {
   CutOptions cut_options;
   cut_options.count = kPlaces;
-  cut_options.strain = target_;
+  cut_options.strain = fine_;
   cut_options.longest = cut_options_.longest - set.proposal.length;
   cut_options.no_seam = as_pairs(edges_by_section(chart_, forbidden_));
   for (const CutKind kind : {CutKind::seam, CutKind::dart}) {
@@ -270,10 +271,11 @@ std::vector<DartProposal> CutSetSearch::best_of(const std::vector<CutSet>& sets)
   return chosen_by_limit(best, cut_options_);
 }
 
-/// Adds sets with one more cut each, until the last set meets the target. Throws Stopped. Sets added by then remain.
+/// Adds sets with one more cut each, until the last set is fine enough. Throws Stopped. Sets added by then remain.
 void CutSetSearch::add_more_cuts(std::vector<CutSet>& sets) {
-  const auto most = [&] { return sets.back().proposal.strain > kSoftStrain ? most_cuts_.for_plush : most_cuts_.usual; };
-  while (sets.size() <= most() && sets.back().proposal.strain > target_) {
+  const double limit = cut_options_.strain ? fine_ : kSoftStrain;
+  const auto most = [&] { return sets.back().proposal.strain > limit ? most_cuts_.for_limit : most_cuts_.usual; };
+  while (sets.size() <= most() && sets.back().proposal.strain > fine_) {
     report_strain(sets.front().proposal.strain, sets.back().proposal.strain);
     std::optional<CutSet> more = cut_once_more(sets.back());
     if (!more) break;
@@ -300,7 +302,7 @@ void CutSetSearch::add_merged(std::vector<CutSet>& sets) {
 /// if lines cannot be smooth or need too much strain. Throws Stopped; added sets remain.
 bool CutSetSearch::add_smooth(std::vector<CutSet>& sets) {
   const CutSet fine = sets.back();
-  double least = std::max(target_, kFlat);
+  double least = std::max(fine_, kFlat);
   while (least * kStrainStep <= fine.proposal.strain) least *= kStrainStep;
   const PieceToCut piece{pieces_, piece_, chart_, image_};
   SmoothMerger merger(piece, {cut_options_.narrowest, kLeastSolidity}, cut_options_, exact_);
@@ -332,7 +334,7 @@ bool CutSetSearch::add_smooth(std::vector<CutSet>& sets) {
 
 /// Reports progress on a logarithmic scale, because each cut lowers the strain by about the same ratio.
 void CutSetSearch::report_strain(double first, double now) {
-  const double least = std::max(target_, kFlat);
+  const double least = std::max(fine_, kFlat);
   const double share = first > least ? std::clamp(std::log(first / now) / std::log(first / least), 0.0, 1.0) : 1;
   progress_.stay_at(kOpened + (kCut - kOpened) * share);
 }

@@ -39,8 +39,9 @@ std::vector<DartProposal> chosen_by_limit(const std::vector<DartProposal>& sets,
 
 /// Largest number of cuts after the cut that makes the piece flat. A cut and its mirror image count as one.
 struct MostCuts {
-  std::size_t usual = 40;      // a plush animal may get two cuts for each of its twenty parts
-  std::size_t for_plush = 80;  // if the set needs more strain than plush allows; after 40 cuts, a camel's sets need 44%
+  std::size_t usual = 40;       // a plush animal may get two cuts for each of its twenty parts
+  std::size_t for_limit = 160;  // while the set exceeds the requested strain, by default that of plush. After 80 cuts,
+                                // smooth sets of a penguin, a koala and a camel need more than 8%.
 };
 
 /// Searches for cut sets of a piece that has no flat shape or too much strain. First makes the piece flat, then
@@ -96,6 +97,7 @@ class CutSetSearch {
   CutMask forbidden_;
   const CutOptions& cut_options_;
   const double target_;  // accepted strain
+  const double fine_;    // accepted strain of cuts along edges: for smooth sets, less than a requested strain
   const ExactEvaluation& exact_;
   CutProgress& progress_;
   const MostCuts most_cuts_;

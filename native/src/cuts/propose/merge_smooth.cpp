@@ -15,10 +15,6 @@
 namespace wirewarp {
 namespace {
 
-/// Pieces of the fine set may need this many times the strain for which they are merged. With a smaller factor, many
-/// lines of the set keep their zigzags.
-constexpr double kFineGrowth = 2;
-
 std::vector<VertexHandle> image_across_same_plane(const Chart& chart, const PieceToCut& piece) {
   if (piece.image.empty()) return {};
   return mirror_image(chart, mirror_plane(piece.chart.mesh, piece.image).normal.transpose());

@@ -12,6 +12,10 @@
 
 namespace wirewarp {
 
+/// Smoothing may raise the strain of the fine set to this many times the least strain for which pieces are merged. With
+/// a smaller factor, many lines of the set keep their zigzags.
+constexpr double kFineGrowth = 2;
+
 /// Smooths the lines of a finely cut set, then merges its pieces. In the opposite order, pieces often get too much
 /// strain, because smoothing removes zigzags that work like small darts.
 class SmoothMerger {
