@@ -16,9 +16,9 @@ import pytest
 import shapely
 import wirewarp
 from drawing import LABEL, SVG, points_of
-from patterns import SCALE, cut_points, extent, flattened, rectangle, sample
+from patterns import SCALE, cut_points, extent, flattened, rectangle, sample, turn
 from PIL import Image
-from wirewarp.pattern import FORMATS, STAGES, Pattern
+from wirewarp.pattern import FORMATS, STAGES, Pattern, Text
 
 
 def same_up_to_moves(found: list[np.ndarray], wanted: list[np.ndarray], within: float) -> None:
@@ -140,6 +140,22 @@ def test_ezdxf_and_dxfgrabber_read_apparel_dxf(tmp_path, dialect):
     lines = [each for block in grabbed.blocks for each in block if each.dxftype == "POLYLINE" and each.layer == "1"]
     again = [np.array([point[:2] for point in line.points]) for line in lines]
     same_up_to_moves(again, cut_points(pattern), 0.011)
+
+
+@pytest.mark.parametrize("dialect", ["astm", "aama"])
+@pytest.mark.parametrize("angle", [0.0, 90.0, 30.0])
+def test_lines_of_turned_texts_in_apparel_dxf_are_centered_and_apart(tmp_path, dialect, angle):
+    pattern = Pattern.from_result(rectangle(200, 200))
+    card = Text(("Left sleeve", "Cut 1"), np.array([60.0, 140.0]), 5.0, angle)
+    replace(pattern, pieces=[replace(pattern.pieces[0], texts=[card])]).write(tmp_path / "a.dxf", dialect=dialect)
+    (block,) = [block for block in ezdxf.readfile(tmp_path / "a.dxf").blocks if block.name == "PIECE_1"]
+    texts = [text for text in block.query("TEXT") if text.dxf.layer == "15"]
+    assert [(text.dxf.text, text.dxf.rotation) for text in texts] == [(line, angle) for line in card.lines]
+    # In the directions of the text, the base lines are above each other. Letters are about 0.6 times as wide as high.
+    starts = np.array([text.dxf.insert.vec2 for text in texts]) - card.center
+    x, y = (starts @ turn(-angle)).T
+    assert x == pytest.approx([-11 * 0.3 * 5, -5 * 0.3 * 5], rel=0.1)
+    assert y[0] - y[1] == pytest.approx(1.35 * 5, abs=0.02) and y.mean() == pytest.approx(-0.36 * 5, abs=0.02)
 
 
 def test_inches_in_apparel_dxf(tmp_path):

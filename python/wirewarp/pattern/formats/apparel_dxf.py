@@ -9,11 +9,11 @@ import math
 import numpy as np
 
 from ..files import today
-from ..label.text_place import LINE
-from ..model import LEADERS, PatternPiece
+from ..label.text_place import LINE, text_width
+from ..model import LEADERS, PatternPiece, Text
 from ..pattern_data import PatternData
 from ..progress import Steps
-from ..sheet.drawing import LOOKS, WIRES
+from ..sheet.drawing import LOOKS, WIRES, letters_baselines
 from ..units import INCH
 from .dxf_tags import Tags, block_names, escaped_text, plain_text, section
 
@@ -108,9 +108,7 @@ class _Writer:
                 tags.add((0, "POINT"), (8, LOOKS["notch"].dxf_layer), *at)
                 tags.add((39, tags.number(NOTCH_WIDTH)), (50, f"{angle:.2f}"))
         for text in piece.texts:
-            for number, words in enumerate(text.lines):
-                down = np.array([0.0, -LINE * text.height * number])
-                tags.text(LOOKS["card"].dxf_layer, escaped_text(words), text.center + down, text.height, text.angle)
+            self._add_text(tags, text)
         tags.add((0, "ENDBLK"), (8, "1"))
         return tags
 
@@ -132,6 +130,14 @@ class _Writer:
         for number, (key, value) in enumerate(fields.items()):
             place = at - (0, number * LINE * FIELD_HEIGHT)
             tags.text("1", f"{self._key(key)}: {value}".rstrip(), place, FIELD_HEIGHT)
+
+    def _add_text(self, tags: Tags, text: Text) -> None:
+        """Add the lines of the text. They start half a width before their middle, as not all readers center texts."""
+        angle = math.radians(text.angle)
+        along = np.array([math.cos(angle), math.sin(angle)])
+        for words, middle in letters_baselines(text, LINE):
+            start = middle - text_width(words, text.height) / 2 * along
+            tags.text(LOOKS["card"].dxf_layer, escaped_text(words), start, text.height, text.angle)
 
     def _add_line(self, tags: Tags, role: str, points: np.ndarray, closed: bool) -> None:
         layer = LOOKS[WIRES["rigid"] if role == "wire" else role].dxf_layer  # all kinds of wires have the same layer
