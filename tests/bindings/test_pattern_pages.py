@@ -11,10 +11,14 @@ import pypdfium2
 import pytest
 import shapely
 import wirewarp
-from patterns import MILLIMETER, letters, quads, rectangle, sample
-from wirewarp.pattern import Pattern
+from patterns import MILLIMETER, letters, line_string, quads, rectangle, sample
+from wirewarp.pattern import Line, Pattern
 from wirewarp.pattern.geometry import Motion
+from wirewarp.pattern.label import helvetica
 from wirewarp.pattern.make.outline import flat_piece
+from wirewarp.pattern.model import Point
+from wirewarp.pattern.sheet.drawing import LOOKS, WIRES
+from wirewarp.pattern.sheet.furniture import SIZE, scale_marks
 from wirewarp.pattern.sheet.plan import plan
 
 
@@ -146,6 +150,28 @@ def test_the_first_page_has_a_key_of_the_lines_that_are_drawn(tmp_path, paper):
     assert all(label in key for label in labels) and "Elastic wire" not in key
     if paper == "projector":  # one paper is enough, because the key is the same on all papers
         assert "Stitching line" not in words(lampshade.with_only([]))
+
+
+@pytest.mark.parametrize("units", ["metric", "imperial"])
+def test_squares_bars_and_a_key_of_all_kinds_of_lines_are_inside_the_block(units):
+    pattern = Pattern.from_result(rectangle(100, 100), allowance=10, units=units)
+    (piece,) = pattern.pieces
+    ends = np.array([[0.0, 0.0], [100.0, 0.0]])
+    lines = [Line("fold", ends), *(Line("wire", ends, kind=kind) for kind in WIRES), *piece.lines]
+    points = [Point(role, ends[0]) for role in ("notch", "clip", "drill")]
+    corner = np.array([30.0, 40.0])
+    marks = scale_marks(replace(pattern, pieces=[replace(piece, lines=lines, points=points)]), corner)
+    block = shapely.box(*corner, *corner + SIZE)
+    assert all(block.covers(line_string(stroke)) for stroke in marks.strokes)
+    assert all(block.covers(letters(text)) for text in marks.texts)
+    labels = {look.label for look in LOOKS.values() if look.label}
+    named = [text for text in marks.texts if text.lines[0] in labels]
+    assert len(labels) == len(named) == 10
+    halves = np.array([[helvetica.width(text.lines[0].encode(), text.height) / 2, 0] for text in named])
+    centers = np.array([text.center for text in named])
+    words = shapely.linestrings(np.stack([centers - halves, centers + halves], axis=1))
+    samples = [line_string(stroke) for stroke in marks.strokes if stroke.role != "scale"]
+    assert all(one.distance(other) > 1 for one, other in combinations([*words, *samples], 2))
 
 
 def test_sheets_name_only_neighbors_that_are_printed(tmp_path):

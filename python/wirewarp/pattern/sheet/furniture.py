@@ -27,9 +27,10 @@ NAME_PLACES = np.linspace(0, 1, 9)  # places to try for the name of a sheet, as 
 # of the overlap. Both are in millimeters. A step is longer than half of a diamond and half of a name together.
 NEIGHBOR_STEP, DEPTHS = 12.0, (0.0, OVERLAP, 2 * OVERLAP)
 # Millimeters from the lower left corner of the block to the upper left corner of the key. The key is above the squares,
-# beside the upright bar. A column is wide enough for a sample and the longest label, 22 mm.
+# beside the upright bar. A column is wide enough for a sample, a gap of 2 mm and the longest label, 22.4 mm. So the
+# four columns of all kinds of lines are inside the block.
 KEY = (18.0, 150.0)
-KEY_ROWS, KEY_WIDTH, KEY_HEIGHT, KEY_SAMPLE, KEY_TEXT = 3, 44.0, 7.0, 12.0, 3.0
+KEY_ROWS, KEY_WIDTH, KEY_HEIGHT, KEY_SAMPLE, KEY_TEXT = 3, 38.0, 7.0, 12.0, 3.0
 TICK = 3.0  # millimeters: half of the length of a tick; less than CORNER, so that ticks stay in the block
 UNIT = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
 SHEET_LAYER, GRID_LAYER = "Sheets", "Grid"
