@@ -18,7 +18,7 @@ from .gather import screen_colors
 from .lines import RIM, RIM_ALPHA, STYLES, LineStyle
 from .shown import Drawing, UvDrawing
 
-# Sizes in pixels at interface scale 1. A color scale has room for TICKS numbers, and is as high as letters. A line
+# Sizes in pixels at interface scale 1. A color scale has room for TICKS numbers, and is as high as FONT_SIZE. A line
 # sample is longer than the longest dash and its gap.
 SCALE_WIDTH, SCALE_HEIGHT, SAMPLE = 200, 12, 28
 ROW, PADDING = 18, 10  # pixels at interface scale 1; a row is 1.5 times as high as FONT_SIZE

@@ -8,7 +8,8 @@ from .model import Threads
 from .strain import percent_text
 from .words import counted
 
-LESSER = 0.5  # if one of stretch and compression is below this share of the other, the other describes the piece alone
+# If the smaller of stretch and compression is below this share of the larger, only the larger is mentioned.
+LESSER = 0.5
 NOT_FLATTENED = "Not flattened"
 BEYOND_REMEDY = "Add a dart or seam, or choose another fabric."  # written once, after all sentences
 EXACT, TOLERATED = "every length kept", "every length kept or within its tolerance"

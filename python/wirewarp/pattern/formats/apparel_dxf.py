@@ -21,7 +21,7 @@ LONGEST_NAME = 20  # number of letters; AccuMark cuts off longer names
 CORNER = math.radians(30)  # radians; points at which the outline turns more are turn points, others are curve points
 TURN_POINT, CURVE_POINT = "2", "3"
 NOTCH_WIDTH = 2.0  # millimeters at the edge of the piece; with the usual allowance, notches are 5 mm deep
-FIELD_HEIGHT = 5.0  # millimeters: height of letters, which can also be read on a plot at actual size
+FIELD_HEIGHT = 5.0  # millimeters: height of the letters in fields, large enough to read on a plot
 CONTROL = 100.0  # millimeters: side of the control square, which any ruler can measure
 
 

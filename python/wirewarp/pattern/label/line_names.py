@@ -9,12 +9,12 @@ import numpy as np
 from ..geometry import lengths_along
 from ..model import Line, Text, short_name
 from .leaders import Beside
-from .room import Room
+from .room import CLEAR, Room
 from .text_place import text_width
 
 # These are the heights of letters to try, in millimeters. If none fits, the name is placed beside the piece.
 HEIGHTS = (4.5, 3.5, 2.5)
-BESIDE = 0.75  # millimeters between a line and the letters of its name: CLEAR and half of the thickest line, 0.5 mm
+BESIDE = CLEAR + 0.25  # millimeters between a line and the letters of its name: half of the thickest line is added
 ALONG_SEAM = (0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8)  # places along a line to try, as shares of its length
 ALONG_WIRE = (0.3, 0.7, 0.4, 0.6, 0.2, 0.8, 0.5)  # the middle is last, because wires often cross there
 
