@@ -86,7 +86,7 @@ def best_cut(mesh: Mesh, smooth: bool = False, strain: float | None = None) -> C
     begin = time.process_time()
     sets = wirewarp.propose_seams(*mesh, strain=strain, narrowest=2 * ALLOWANCE / scale_of(mesh), smooth=smooth)
     seconds = time.process_time() - begin
-    allowed = [each for each in sets if each.strain <= (strain or SOFT)]
+    allowed = [each for each in sets if each.strain <= (SOFT if strain is None else strain)]
     best = min(allowed, key=lambda each: each.num_pieces) if allowed else min(sets, key=lambda each: each.strain)
     if len(best.edges):
         return Cut(best, seconds, mesh, best.edges)
