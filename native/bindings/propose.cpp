@@ -62,9 +62,9 @@ A piece lacks seams in three cases. If no piece is requested, the largest piece 
 
 A cut set consists of seams and darts with which all parts have a flat shape:
 
-- The first set brings every part to the accepted strain (None for 0.05). Otherwise, no further cut would help, or 160
-  cuts follow the first seams. If no strain is given, 40 cuts are enough for a strain of at most 20%. A cut and its
-  mirror image count as one.
+- The first set brings every part to the accepted strain (None for 0.05), unless no further cut helps, or 160 cuts
+  follow the first seams. With None, 40 cuts are enough if the strain is then at most 20%. A cut and its mirror image
+  count as one. Missing the accepted strain is no error: see strain of each set.
 - Each later set is shorter and leaves more strain. If there are more than count, the first set is listed, and the
   shortest for each limit: the accepted strain, twice as much and so on.
 - Sets are symmetric if the piece is symmetric, and may cross wires.
@@ -78,8 +78,8 @@ narrowest: least width of the flat pieces of a cut set, scene units; 0 for any w
     allowance: see pattern.piece_width() and pattern.has_room().
 smooth: True for cut sets of smooth lines, as paths without edges. Lines turn by less than 30 degrees at each vertex
     between their ends. They keep bends, or stay on edges, if smoother lines would meet, leave too much strain, or make
-    pieces narrow. The first set may leave more than the accepted strain. A set may leave less strain than an earlier
-    set. A closed piece with necks, or without long sharp edges, is first divided into parts such as a head and limbs.
+    pieces narrow. With the default strain, the first set may leave more. A set may leave less strain than an earlier
+    set. If a strain is given, cuts along edges go down to half of it, because smoother lines may double it. A closed piece with necks, or without long sharp edges, is first divided into parts such as a head and limbs.
     This step needs an input without wires, eases and thickness.
 no_crossing: (k, 2) vertex pairs, edges that no smooth line may cross. Smooth lines do not cross wires and edges of
     no_seam either.

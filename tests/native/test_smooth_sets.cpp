@@ -341,7 +341,7 @@ TEST(ProposeSeams, MergesPiecesWhoseOutlinesAreSmooth) {
 
 TEST(ProposeSeams, ReturnsSmoothSetsAndCanBeCanceledWhileItSmooths) {
   const FlattenInput input = egg_with_wire(8, 6);
-  const CutOptions cut_options = smooth_up_to(0.1);
+  const CutOptions cut_options = smooth_up_to(0.2);
   int num_smooth = 0;
   std::vector<double> reached;
   const auto report = [&](const std::string&, double share) {

@@ -91,9 +91,9 @@ std::vector<DartProposal> propose_darts(const FlattenInput& input, const Options
 /// Cut sets:
 ///
 /// - All parts of a set have a flat shape with a strain below 1.
-/// - The first set brings every part to the accepted strain. Otherwise, no further cut would help, or 160 cuts follow
-///   the first seams. If no strain is given, 40 cuts are enough for a strain of at most 20%. A cut and its mirror image
-///   count as one.
+/// - The first set brings every part to the accepted strain, unless no further cut helps, or 160 cuts follow the first
+///   seams. If no strain is given, 40 cuts are enough if the strain is then at most 20%. A cut and its mirror image
+///   count as one. Missing the accepted strain is no error: see DartProposal::strain.
 /// - Each later set is shorter and leaves more strain. If there are more than `count`, the first set is listed, and the
 ///   shortest for each limit: the accepted strain, twice as much and so on.
 /// - Sets are symmetric if the piece is symmetric.
@@ -108,7 +108,9 @@ std::vector<DartProposal> propose_darts(const FlattenInput& input, const Options
 /// - Lines turn by less than 30 degrees at each vertex between their ends. They keep bends, or stay on edges, if
 ///   smoother lines would meet, leave too much strain, or make pieces narrow.
 /// - Lines do not cross wires or edges of no_seam and no_crossing.
-/// - The first set may leave more than the accepted strain. A set may leave less strain than an earlier set.
+/// - If a strain is given, cuts along edges go down to half of it, because smoother lines may double it. Otherwise, the
+///   first set may leave more than the accepted strain.
+/// - A set may leave less strain than an earlier set.
 /// - A closed piece is first divided at its necks and along planes through its parts. Such sets have at most 30 pieces.
 ///   This step needs an input without wires, eases and thickness, and a piece with necks or without long sharp edges.
 /// - If no such set has at most 12 pieces, all wide enough and with the accepted strain (default 20%), sets along edges
@@ -143,7 +145,7 @@ std::vector<DartProposal> plan_darts(const FlattenInput& input, const Options& o
                                      const CutTarget& target = {}, const Progress& progress = {});
 
 /// Returns seams and cut sets by the rules of plan_darts(). Pieces that lack seams are cut first, the largest before
-/// the others.
+/// the others. A cut set has up to 160 cuts: see propose_seams().
 std::vector<DartProposal> plan_seams(const FlattenInput& input, const Options& options = {},
                                      const CutTarget& target = {}, const Progress& progress = {});
 

@@ -165,6 +165,7 @@ std::vector<DartProposal> sets_along_edges(const FlatPieces& pieces, std::size_t
     for (std::size_t i = 0; i < sets.size(); ++i) {
       if (!sets[i].paths.empty()) continue;
       progress.begin_part(searched + share * static_cast<double>(i), searched + share * static_cast<double>(i + 1));
+      // limit_of_set() ignores an excess below kStrainError.
       const double limit = std::max(limit_of_set(sets[i], cut_options), sets[i].strain);
       DartProposal smooth = smooth_set(sets[i], std::min(limit, kMostStrain), pieces, piece, cut_options, exact);
       if (smooth.strain < kMostStrain && smooth.length <= cut_options.longest) sets[i] = std::move(smooth);

@@ -39,16 +39,18 @@ std::vector<DartProposal> chosen_by_limit(const std::vector<DartProposal>& sets,
 
 /// Largest number of cuts after the cut that makes the piece flat. A cut and its mirror image count as one.
 struct MostCuts {
-  std::size_t usual = 40;       // a plush animal may get two cuts for each of its twenty parts
-  std::size_t for_limit = 160;  // while the set exceeds the requested strain, by default that of plush. After 80 cuts,
-                                // smooth sets of a penguin, a koala and a camel need more than 8%.
+  /// If no strain is requested and the set has at most the strain of plush. A plush animal may get two cuts for each of
+  /// its twenty parts.
+  std::size_t for_plush = 40;
+  /// Otherwise. After 80 cuts, smooth sets of a penguin, a koala and a camel need more than a requested 8%.
+  std::size_t in_all = 160;
 };
 
 /// Searches for cut sets of a piece that has no flat shape or too much strain. First makes the piece flat, then
 /// repeatedly cuts the most strained part, and finally merges pieces.
 class CutSetSearch {
  public:
-  /// piece: index of the piece to cut. The arguments must outlive the object.
+  /// piece: index of the piece to cut. All arguments except for most_cuts must outlive the object.
   CutSetSearch(const FlatPieces& pieces, std::size_t piece, const CutOptions& cut_options, const ExactEvaluation& exact,
                CutProgress& progress, const MostCuts& most_cuts = {});
 
@@ -97,7 +99,7 @@ class CutSetSearch {
   CutMask forbidden_;
   const CutOptions& cut_options_;
   const double target_;  // accepted strain
-  const double fine_;    // accepted strain of cuts along edges: for smooth sets, less than a requested strain
+  const double fine_;    // accepted strain of sets along edges: for smooth sets, a requested strain over kFineGrowth
   const ExactEvaluation& exact_;
   CutProgress& progress_;
   const MostCuts most_cuts_;

@@ -55,8 +55,9 @@ class SectionMerger {
  private:
   struct Trial {
     FlatPieces pieces;
-    double strain = 0;  // largest strain of the new pieces
-    double least = 0;   // lower bound of the strain with more factorizations; `strain` if these would change nothing
+    double strain = 0;     // largest strain of the new pieces; infinite if one has no flat shape or is hard to sew
+    double least = 0;      // estimated least strain with more factorizations; `strain` if they would change nothing
+    bool is_final = true;  // whether more factorizations would change nothing
   };
 
   /// Opening a section replaces the pieces `before` by the pieces `after`, whatever the other pieces of the state are.

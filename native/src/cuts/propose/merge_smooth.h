@@ -20,7 +20,7 @@ constexpr double kFineGrowth = 2;
 /// strain, because smoothing removes zigzags that work like small darts.
 class SmoothMerger {
  public:
-  /// All arguments except for the rules must outlive the object.
+  /// All arguments except for the rules must outlive the object. rules.narrowest must equal cut_options.narrowest.
   SmoothMerger(const PieceToCut& piece, const MergeRules& rules, const CutOptions& cut_options,
                const ExactEvaluation& exact);
 

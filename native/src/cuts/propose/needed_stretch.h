@@ -18,7 +18,7 @@ class NeededStretch {
   /// input: as given by the user; must outlive the object.
   NeededStretch(const FlattenInput& input, bool has_cloth);
 
-  /// The piece must have a flat shape.
+  /// The piece must have a layout.
   double of(const Piece& piece) const;
 
   /// Returns the strain of each face of a piece with a flat shape. At most 1% of the area exceeds of(). With a fabric,

@@ -118,8 +118,8 @@ std::optional<Eigen::Vector3d> strained_place(const FlatPiece& part, double limi
   return total > 0 ? std::optional<Eigen::Vector3d>(sum / total) : std::nullopt;
 }
 
-/// Returns the strains for which parts are divided, the highest first: none above kSoftStrain and the target. If 80%
-/// and 40% came first, a koala would have no set within 20%.
+/// Returns the strains for which parts are divided, the highest first: none above the larger of kSoftStrain and the
+/// target. If 80% and 40% came first, a koala would have no set within 20%.
 std::vector<double> limits_up_to_plush(double target) {
   std::vector<double> limits;
   for (const double allowed : allowed_strains(target, target)) {
