@@ -209,7 +209,7 @@ def test_a_set_beyond_the_fabric_says_so_before_it_is_marked_and_names_the_next_
     assert "more than this minky can" not in draw_panels(addon)
     keep(source, replace(suggestions, cuts=[replace(beyond, cleared=[(0, 1)])], names=name, chosen=0))
     assert "can. Choose a fabric that stretches more, or enter a smaller Max Stretch" in draw_panels(addon)
-    keep(source, suggestions)
+    keep(source, replace(suggestions, cuts=[beyond], names=name, chosen=0))
     cut, shown, verdict = flattened_for(addon, source, 0)
     across, along = (addon.core.percent_text(each) for each in (cut.threads.across, cut.threads.along))
     said = f"A piece must stretch {across} across and {along} along, more than this minky can."
