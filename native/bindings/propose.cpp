@@ -78,9 +78,10 @@ narrowest: least width of the flat pieces of a cut set, scene units; 0 for any w
     allowance: see pattern.piece_width() and pattern.has_room().
 smooth: True for cut sets of smooth lines, as paths without edges. Lines turn by less than 30 degrees at each vertex
     between their ends. They keep bends, or stay on edges, if smoother lines would meet, leave too much strain, or make
-    pieces narrow. With the default strain, the first set may leave more. A set may leave less strain than an earlier
-    set. If a strain is given, cuts along edges go down to half of it, because smoother lines may double it. A closed piece with necks, or without long sharp edges, is first divided into parts such as a head and limbs.
-    This step needs an input without wires, eases and thickness.
+    pieces narrow. A set may leave less strain than an earlier set. If a strain is given, cuts along edges go down to
+    half of it, because smoother lines may double it. Otherwise, the first set may leave more than 0.05. A closed piece
+    with necks, or without long sharp edges, is first divided into parts such as a head and limbs. This step needs an
+    input without wires, eases and thickness.
 no_crossing: (k, 2) vertex pairs, edges that no smooth line may cross. Smooth lines do not cross wires and edges of
     no_seam either.
 
