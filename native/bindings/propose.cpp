@@ -64,7 +64,7 @@ A cut set consists of seams and darts with which all parts have a flat shape:
 
 - The first set brings every part to the accepted strain (None for 0.05), unless no further cut helps, or 160 cuts
   follow the first seams. With None, 40 cuts are enough if the strain is then at most 20%. A cut and its mirror image
-  count as one. Missing the accepted strain is no error: see strain of each set.
+  count as one. If the accepted strain is not reached, the sets are returned with the strain that they leave.
 - Each later set is shorter and leaves more strain. If there are more than count, the first set is listed, and the
   shortest for each limit: the accepted strain, twice as much and so on.
 - Sets are symmetric if the piece is symmetric, and may cross wires.

@@ -93,7 +93,7 @@ std::vector<DartProposal> propose_darts(const FlattenInput& input, const Options
 /// - All parts of a set have a flat shape with a strain below 1.
 /// - The first set brings every part to the accepted strain, unless no further cut helps, or 160 cuts follow the first
 ///   seams. If no strain is given, 40 cuts are enough if the strain is then at most 20%. A cut and its mirror image
-///   count as one. Missing the accepted strain is no error: see DartProposal::strain.
+///   count as one. If the accepted strain is not reached, the sets are returned with the strain that they leave.
 /// - Each later set is shorter and leaves more strain. If there are more than `count`, the first set is listed, and the
 ///   shortest for each limit: the accepted strain, twice as much and so on.
 /// - Sets are symmetric if the piece is symmetric.

@@ -27,7 +27,7 @@ struct FlatPiece {
   double energy = 0;              // E of Eq. (4), or the energy of the fabric, scene units squared
   double area = 0;                // in 3D, scene units squared
   double strain = 0;              // as in DartProposal::strain
-  double faulty_strain = 0;       // strain of a layout that breaks a guarantee; 0 if there is no such layout
+  double faulty_strain = 0;       // the strain if the layout breaks a guarantee; 0 for other pieces
   Eigen::VectorXd face_strain{};  // strain of each face of the chart
   Positions2 uv{};                // the flat shape, one row per vertex of the chart
   bool is_final = false;          // whether the shape is certain to stay the same with more factorizations
